@@ -1,0 +1,85 @@
+# Everything a fresh clone needs, in two commands: `make demo` and `make test`.
+# Needed beforehand: Debian 12 (or newer) with Python 3.11 (or newer) and make.
+
+PYTHON ?= python3
+BIN := .venv/bin
+OUT := out
+
+# Nothing is written outside this folder: pip, fontconfig, matplotlib and the tools cache here.
+export XDG_CACHE_HOME := $(CURDIR)/.cache
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export PYTHON
+
+PIP_INSTALL = $(BIN)/python -m pip install --quiet --constraint constraints.txt
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+# Two installations at once would wait for each other's lock.
+.NOTPARALLEL:
+
+.PHONY: help
+help: ## print this list
+	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) \
+	  | while IFS='|' read -r name text; do printf 'make %-8s %s\n' "$$name" "$$text"; done
+
+.PHONY: demo
+demo: .venv/run.stamp ## issue, grade and report a whole small course into out/
+	$(BIN)/python -m gripcourse demo --out $(OUT)
+
+# All of them always run, so that one call shows everything; any failure is a failure of the whole.
+LINT = $(BIN)/ruff check || status=$$?; $(BIN)/ruff format --check || status=$$?; \
+  $(BIN)/mypy || status=$$?
+
+.PHONY: test
+test: test-packages .venv/dev.stamp ## lint, types and all tests
+	@status=0; $(LINT); \
+	$(BIN)/python -m pytest -n auto --dist loadgroup $(PYTEST_OPTIONS) || status=$$?; \
+	exit $$status
+
+.PHONY: lint
+lint: .venv/dev.stamp ## only lint and types
+	@status=0; $(LINT); exit $$status
+
+.PHONY: bench
+bench: .venv/dev.stamp ## measure what the documentation states
+	@for file in $(sort $(wildcard benchmarks/*.py)); do echo "# $$file"; $(BIN)/python "$$file" || exit; done
+
+.PHONY: gallery
+gallery: test-packages demo ## the demo's PDF pages as pictures, in out/gallery/
+	@rm -rf $(OUT)/gallery && mkdir -p $(OUT)/gallery
+	@find $(OUT) -name '*.pdf' | sort | while read -r file; do \
+	  name=$$(echo "$${file#$(OUT)/}" | tr '/ ' '__'); \
+	  pdftoppm -r 80 -png "$$file" "$(OUT)/gallery/$${name%.pdf}" || exit; done
+	@ls $(OUT)/gallery
+
+.PHONY: pot
+pot: .venv/dev.stamp ## bring the catalogues of translations up to date with the sources
+	$(BIN)/python scripts/messages.py update
+
+.PHONY: clean
+clean: ## remove everything that make made
+	rm -rf .venv .cache .mypy_cache .pytest_cache .ruff_cache .hypothesis build dist $(OUT)
+	find . -name __pycache__ -prune -exec rm -rf {} +
+
+# The environment, in two layers. A stamp says that a layer fits pyproject.toml and constraints.txt.
+
+.venv/run.stamp: pyproject.toml constraints.txt | run-packages
+	@$(PYTHON) -c 'import sys; v = sys.version.split()[0]; sys.version_info >= (3, 11) or \
+	  sys.exit(f"gripcourse needs Python 3.11 or newer, $(PYTHON) is {v}; set PYTHON=...")'
+	@echo 'Installing Python packages into .venv: a minute or two, once'
+	@$(PYTHON) -m venv .venv
+	@$(PIP_INSTALL) pip
+	@$(PIP_INSTALL) --build-constraint constraints.txt --editable .
+	@touch $@
+
+.venv/dev.stamp: .venv/run.stamp
+	@$(PIP_INSTALL) --group dev
+	@touch $@
+
+.PHONY: run-packages
+run-packages:
+	@scripts/system-packages run
+
+.PHONY: test-packages
+test-packages:
+	@scripts/system-packages test

@@ -1,0 +1,151 @@
+"""The sentences of the program and their translations.
+
+    scripts/messages.py update     bring src/gripcourse/locale/*.po up to date with the sources
+    scripts/messages.py missing    list what still has no translation
+
+A sentence is what stands first in `message("...")` or `translate("...")` in Python and in
+`_("...")` in a template. Catalogues are sorted and carry no places and no dates, so that a change
+shows nothing but itself. A sentence that changed has lost its translation: nothing is guessed.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import BinaryIO
+
+from babel.messages.catalog import Catalog
+from babel.messages.extract import extract
+from babel.messages.pofile import read_po, write_po
+
+REPOSITORY = Path(__file__).parents[1]
+LOCALE = Path("src") / "gripcourse" / "locale"
+LANGUAGES = ("ru", "uk")
+LINE_WIDTH = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A kind of file with sentences.
+
+    Attributes:
+        folder: below which the files are.
+        pattern: of their names.
+        method: Babel's name of the way to read them.
+        functions: names of the functions whose first argument is a sentence.
+        options: of the method.
+    """
+
+    folder: str
+    pattern: str
+    method: str
+    functions: tuple[str, ...]
+    options: Mapping[str, str]
+
+
+SOURCES = (
+    Source("src", "*.py", "python", ("message", "translate"), {}),
+    # Not silent: a template that does not parse would count as one without sentences.
+    Source("templates", "*.j2", "jinja2.ext:babel_extract", ("_",), {"silent": "false"}),
+)
+
+
+def extracted(root: Path) -> Iterator[str]:
+    """Read every sentence below `root`, as often as it occurs.
+
+    Raises:
+        jinja2.TemplateSyntaxError: a template does not parse.
+    """
+    for source in SOURCES:
+        for path in sorted((root / source.folder).rglob(source.pattern)):
+            with path.open("rb") as stream:
+                yield from _sentences(stream, source)
+
+
+def _sentences(stream: BinaryIO, source: Source) -> Iterator[str]:
+    keywords = dict.fromkeys(source.functions)
+    options = dict(source.options)
+    for _, text, _, _ in extract(source.method, stream, keywords=keywords, options=options):
+        if not isinstance(text, str):
+            raise TypeError(f"these functions take one sentence, not several forms: {text}")
+        yield text
+
+
+def read_catalogue(root: Path, language: str) -> Catalog:
+    """Read the catalogue of a language; an empty one when there is none yet."""
+    path = root / LOCALE / f"{language}.po"
+    if not path.exists():
+        return Catalog(locale=language)
+    with path.open("rb") as stream:
+        return read_po(stream, locale=language, abort_invalid=True)
+
+
+def merged(catalogue: Catalog, sentences: Iterable[str]) -> Catalog:
+    """Keep the translations of `sentences`, add what is new, drop what is gone."""
+    result = Catalog(locale=catalogue.locale)
+    for sentence in sentences:
+        known = catalogue.get(sentence)
+        result.add(sentence, known.string if known and not known.fuzzy else "")
+    return result
+
+
+def written(catalogue: Catalog) -> bytes:
+    """Write a catalogue: a short fixed header, then the sentences in alphabetical order."""
+    body = BytesIO()
+    write_po(
+        body, catalogue, width=LINE_WIDTH, no_location=True, omit_header=True, sort_output=True
+    )
+    header = (
+        'msgid ""\n'
+        'msgstr ""\n'
+        f'"Language: {catalogue.locale}\\n"\n'
+        '"Content-Type: text/plain; charset=utf-8\\n"\n'
+        '"Content-Transfer-Encoding: 8bit\\n"\n'
+        f'"Plural-Forms: {catalogue.plural_forms}\\n"\n'
+        "\n"
+    )
+    return header.encode() + body.getvalue()
+
+
+def untranslated(catalogue: Catalog, sentences: Iterable[str]) -> list[str]:
+    """List the sentences without a translation that a person has looked at."""
+    entries = {sentence: catalogue.get(sentence) for sentence in sentences}
+    return sorted(
+        sentence
+        for sentence, entry in entries.items()
+        if entry is None or not entry.string or entry.fuzzy
+    )
+
+
+def update(root: Path) -> None:
+    """Write the catalogues anew."""
+    for language in LANGUAGES:
+        catalogue = merged(read_catalogue(root, language), extracted(root))
+        (root / LOCALE / f"{language}.po").write_bytes(written(catalogue))
+
+
+def report(root: Path) -> int:
+    """Print what has no translation; return how many that are."""
+    count = 0
+    for language in LANGUAGES:
+        for sentence in untranslated(read_catalogue(root, language), extracted(root)):
+            print(f"{language}: {sentence!r}")
+            count += 1
+    return count
+
+
+def main(arguments: list[str]) -> int:
+    """Run one of the two commands; 1 when something is missing."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("command", choices=("update", "missing"))
+    parser.add_argument("--root", type=Path, default=REPOSITORY, help="the repository")
+    options = parser.parse_args(arguments)
+    if options.command == "update":
+        update(options.root)
+    return 1 if report(options.root) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

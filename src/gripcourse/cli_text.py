@@ -1,0 +1,256 @@
+"""What the command line prints: tables, summaries and the progress bar."""
+
+import hashlib
+import io
+import math
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.words import Message, Texts, Words, message
+
+# rich costs 60 ms to import: only who prints a table or a bar pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.commands.check import Checked
+    from gripcourse.commands.demo import Demo
+    from gripcourse.commands.grade import Outcome
+    from gripcourse.commands.issue import Issuing
+    from gripcourse.commands.solve import Solved
+    from gripcourse.course.model import Convention
+    from gripcourse.doctor import Check as MachineCheck
+    from gripcourse.variants.draw import Drawn
+
+Step = Callable[[str, int | None], Callable[[], None]]
+WIDTH = 110
+
+
+def misuse(what: Message, remedy: Message | None = None) -> UsageError:
+    """Make the error of a command that was called wrongly."""
+    return UsageError([Problem("", "", what, remedy or message("See --help."))])
+
+
+def chosen_convention(name: str | None) -> "Convention | None":
+    """Read the convention that a user chose; None for the course's."""
+    from gripcourse.course.model import Convention
+
+    if name is None or name in list(Convention):
+        return None if name is None else Convention(name)
+    raise misuse(
+        message("There is no convention '{name}': corrected or guide.", name=name),
+    )
+
+
+@contextmanager
+def progress() -> Iterator[Step]:
+    """Show a bar for each step with the time that it still takes; on stderr, plain without one."""
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True)) as bar:
+
+        def step(name: str, total: int | None) -> Callable[[], None]:
+            task = bar.add_task(name, total=total)
+            return lambda: bar.advance(task)
+
+        yield step
+
+
+def solution_table(solved: "Solved", words: Words) -> str:
+    """Return the values of a solution as a table, by section."""
+    plan = solved.plan
+    rows = [
+        (
+            quantity.id,
+            quantity.symbol.of(words.language),
+            _title(quantity.title, words),
+            words.number(solved.values[quantity.id])
+            if math.isfinite(solved.values[quantity.id])
+            else "—",
+            _unit(quantity.unit, words),
+        )
+        for quantity in (*plan.constants, *plan.givens, *plan.answered)
+    ]
+    return _table(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
+
+
+def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
+    """Return how many variants were drawn, the acceptance rates and the main reasons."""
+    lines = [
+        words.say(
+            message(
+                "{count} variants were written to {file}.", count=len(drawn.variants), file=str(out)
+            )
+        )
+    ]
+    for tally in drawn.tallies:
+        lines.append(
+            words.say(
+                message(
+                    "{scheme}: {share} % of {tried} candidates are feasible.",
+                    scheme=tally.scheme,
+                    share=round(100 * tally.acceptance, 1),
+                    tried=tally.tried,
+                )
+            )
+        )
+        lines += [
+            f"  {refusal.count}: {words.say(refusal.reason)}" for refusal in tally.refusals[:5]
+        ]
+    return "\n".join(lines)
+
+
+def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
+    """Return what was issued, the notes and what could not be written."""
+    whole = [one for one in issuing.handouts if not one.faults]
+    said = message("{count} assignments are in {folder}.", count=len(whole), folder=str(out))
+    lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
+    lines += [
+        f"{one.student}: {words.say(fault)}" for one in issuing.handouts for fault in one.faults
+    ]
+    return "\n".join(lines)
+
+
+def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
+    """Return the scores as a table, what a person must look at, and where everything is."""
+    from gripcourse.commands.grade import COHORT_PDF, GRADES_CSV, REPORTS
+
+    rows = [
+        (
+            Path(one.file).name,
+            one.name or one.student or "—",
+            one.variant or "—",
+            f"{words.number(one.score, 4)} / {words.number(one.max_score, 4)}"
+            if one.judged
+            else "—",
+            ", ".join(flag.code for flag in one.flags),
+        )
+        for one in outcome.reports
+    ]
+    heads = (
+        message("file"),
+        message("student"),
+        message("variant"),
+        message("points"),
+        message("flags"),
+    )
+    lines = [_table([words.say(head) for head in heads], rows, right={3})]
+    lines += [
+        f"{Path(one.file).name}: {words.say(flag.message)}"
+        for one in outcome.reports
+        for flag in one.flags
+    ]
+    for said, place in (
+        (message("Student reports"), out / REPORTS),
+        (message("Cohort summary"), out / COHORT_PDF),
+        (message("Grades"), out / GRADES_CSV),
+    ):
+        lines.append(f"{words.say(said)}: {place}")
+    return "\n".join(lines)
+
+
+def check_text(checked: "Checked", words: Words) -> str:
+    """Return what a student learns about a workbook."""
+    rows = []
+    for check in checked.checks:
+        quantity = checked.plan.quantities[check.quantity]
+        said = " ".join(words.say(one) for one in (check.message, *check.remarks))
+        typed = check.answer.typed
+        rows.append(
+            (
+                quantity.symbol.of(words.language),
+                _title(quantity.title, words),
+                typed,
+                _unit(quantity.unit, words),
+                said,
+            )
+        )
+    heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
+    lines = [words.say(remark) for remark in checked.remarks]
+    named = [one if isinstance(one, str) else words.say(one) for one in heads]
+    return "\n".join([*lines, _table(named, rows, right={2})])
+
+
+def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
+    """Return what the machine has and lacks, each lack with its remedy."""
+    lines = []
+    for check in found:
+        sign = "✓" if check.ok else ("✗" if check.required else "–")
+        remedy = "" if check.ok else f" {words.say(check.remedy)}"
+        lines.append(f"{sign} {words.say(check.message)}{remedy}")
+    return "\n".join(lines)
+
+
+def demo_text(demo: "Demo", words: Words) -> str:
+    """Return what each scripted student did and got, and where everything is."""
+    by_student = {one.student: one for one in demo.outcome.reports}
+    rows = []
+    for student, story in demo.students.items():
+        report = by_student[student]
+        score = f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
+        rows.append((student, story, score, ", ".join(flag.code for flag in report.flags)))
+    heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
+    lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
+    for said, place in (
+        (message("Course with its key and register"), demo.course),
+        (message("Assignments, a folder per student"), demo.assignments),
+        (message("Workbooks that were handed in"), demo.submissions),
+        (message("Student reports"), demo.graded / "reports"),
+        (message("Cohort summary"), demo.graded / "cohort.pdf"),
+        (message("Grades"), demo.graded / "grades.csv"),
+    ):
+        lines.append(f"{words.say(said)}: {place}")
+    return "\n".join(lines)
+
+
+def write_incident(trace: str) -> Path:
+    """Write a traceback where a user can find it, and return where."""
+    number = hashlib.sha256(trace.encode()).hexdigest()[:8]
+    path = Path(tempfile.gettempdir()) / f"gripcourse-incident-{number}.log"
+    path.write_text(trace, encoding="utf-8")
+    return path
+
+
+def _title(title: Texts, words: Words) -> str:
+    return title.of(words.language)
+
+
+def _unit(unit: str, words: Words) -> str:
+    from gripcourse.units import unit_text
+
+    return unit_text(unit, words.language)
+
+
+def _table(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    for number, head in enumerate(heads):
+        table.add_column(Text(head), justify="right" if number in right else "left")
+    for row in rows:
+        # Text, not markup: what a student typed must not be read as a colour.
+        table.add_row(*(Text(cell) for cell in row))
+    # A file, not the terminal: the caller decides where it goes.
+    console = Console(width=WIDTH, file=io.StringIO())
+    with console.capture() as capture:
+        console.print(table)
+    return capture.get().rstrip()

@@ -1,0 +1,154 @@
+"""Scripted students: each fills the workbook in one way that a real student does.
+
+They type into real workbooks with an ordinary library, so that everything after them is the real
+thing: the reading, the judging, the reports.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+from gripcourse.assignment.model import Issued
+from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.number_text import format_number
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.units import factor, unit_text
+from gripcourse.workbook.names import cell_name
+
+Typed = Mapping[str, object]
+"""What a student types, by quantity id: numbers, or text."""
+
+Behaviour = Callable[[Plan, Issued], Typed]
+
+
+def correct(plan: Plan, issued: Issued) -> Typed:
+    """Answer everything with the full precision of a spreadsheet."""
+    return _typed(plan, solve_variant(plan, issued.variant.given))
+
+
+def three_figures(plan: Plan, issued: Issued) -> Typed:
+    """Round every step to three significant figures and compute on with what was written."""
+    return _typed(plan, _step_by_step(plan, issued, lambda value: float(f"{value:.3g}")))
+
+
+def early_slip(plan: Plan, issued: Issued) -> Typed:
+    """Forget that friction acts at both jaws, and compute on faultlessly."""
+    right = solve_variant(plan, issued.variant.given)
+    wrong = {"grip_force": 2 * right["grip_force"]}
+    return _typed(plan, solve_variant(plan, {**issued.variant.given, **wrong}))
+
+
+def blank(_plan: Plan, _issued: Issued) -> Typed:
+    """Hand the workbook in as it was issued."""
+    return {}
+
+
+def text_and_units(plan: Plan, issued: Issued) -> Typed:
+    """Type numbers as text, with comma, group spaces and units, some of them in other units."""
+    values = solve_variant(plan, issued.variant.given)
+    typed = dict(_typed(plan, values))
+    for quantity in plan.answered:
+        if quantity.kind is Kind.FORMULA and quantity.unit:
+            unit = unit_text(quantity.unit, "ru")
+            typed[quantity.id] = f"{format_number(values[quantity.id], 'ru', 5)} {unit}"
+    kilonewtons = values["drive_force"] * factor("N") / factor("kN")
+    typed["drive_force"] = f"{format_number(kilonewtons, 'ru', 5)} кН"
+    typed["lifting_load"] = "около 900"
+    typed["stroke_required"] = "30-35 мм"
+    return typed
+
+
+def rounded_down(plan: Plan, issued: Issued) -> Typed:
+    """Take the next smaller bore and pin, and compute on with them."""
+    given = issued.variant.given
+    values = solve_variant(plan, given)
+    smaller = {name: _next_smaller(plan, name, values[name]) for name in ("bore", "pin_diameter")}
+    return _typed(plan, solve_variant(plan, {**given, **smaller}))
+
+
+def printed(plan: Plan, issued: Issued) -> Typed:
+    """Compute as the source prints it, errata included."""
+    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.GUIDE)
+    return _typed(plan, solve_variant(guide, issued.variant.given))
+
+
+STORIES: Mapping[str, Behaviour] = {
+    "correct": correct,
+    "three_figures": three_figures,
+    "early_slip": early_slip,
+    "blank": blank,
+    "text_and_units": text_and_units,
+    "rounded_down": rounded_down,
+    "as_printed": printed,
+}
+COPIED = "another student's workbook"
+
+
+def fill_workbooks(
+    course: Course,
+    register: Mapping[str, Issued],
+    issued_workbooks: Mapping[str, Path],
+    out: Path,
+) -> dict[str, str]:
+    """Let the first students of a register fill their workbooks, each in another way.
+
+    Returns:
+        What each student did, by student id; the last one hands in the first one's workbook.
+    """
+    stories: dict[str, str] = {}
+    students = list(register)
+    for student, (story, behaviour) in zip(students, STORIES.items(), strict=False):
+        issued = register[student]
+        plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+        fill(issued_workbooks[student], behaviour(plan, issued), out / f"{student}.xlsx")
+        stories[student] = story
+    copier = students[len(stories)]
+    issued = register[students[0]]
+    plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+    fill(issued_workbooks[students[0]], correct(plan, issued), out / f"{copier}.xlsx")
+    stories[copier] = COPIED
+    return stories
+
+
+def fill(workbook: Path, typed: Typed, target: Path) -> None:
+    """Type answers into a copy of an issued workbook, found by the names of the cells."""
+    from openpyxl import load_workbook  # noqa: PLC0415 (120 ms, only for this)
+
+    book = load_workbook(workbook)
+    for quantity, value in typed.items():
+        for sheet, address in book.defined_names[cell_name("answer", quantity)].destinations:
+            book[sheet][address] = value
+    target.parent.mkdir(parents=True, exist_ok=True)
+    book.save(target)
+
+
+def _typed(plan: Plan, values: Mapping[str, float]) -> dict[str, object]:
+    """Write verdicts as words and everything else as numbers."""
+    return {
+        one.id: ("да" if values[one.id] else "нет") if one.kind is Kind.VERDICT else values[one.id]
+        for one in plan.answered
+    }
+
+
+def _step_by_step(plan: Plan, issued: Issued, write: Callable[[float], float]) -> dict[str, float]:
+    """Compute in order, each step from what was written for the steps before."""
+    known = dict(issued.variant.given)
+    for name in _steps(plan):
+        values = solve_variant(plan, known)
+        known[name] = write(values[name])
+    return solve_variant(plan, known)
+
+
+def _steps(plan: Plan) -> Iterator[str]:
+    return (name for name, one in plan.quantities.items() if one.kind is Kind.FORMULA)
+
+
+def _next_smaller(plan: Plan, name: str, value: float) -> float:
+    choice = plan.quantities[name].choice
+    if choice is None:
+        return value
+    scale = factor(plan.quantities[name].unit)
+    below = [
+        size / scale for size in plan.columns[choice.column].sizes if size / scale < value * 0.999
+    ]
+    return float(f"{below[-1]:.12g}") if below else value

@@ -1,0 +1,136 @@
+"""Catalogues: CSV files of standard sizes, with their source and mark on top.
+
+Two lines `# source: …` and `# mark: …`, a heading such as `bore [mm],rod [mm]`, then the rows.
+"""
+
+import csv
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Catalogue
+from gripcourse.errors import Problem
+from gripcourse.formula.evaluate import Column
+from gripcourse.units import factor
+from gripcourse.units import known as known_unit
+from gripcourse.words import Message, message
+
+_REMARKS = ("source", "mark")
+
+
+def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue | None:
+    """Read a catalogue; None (and problems) where it cannot be used."""
+    file = str(path.relative_to(root))
+    before = len(problems)
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except UnicodeDecodeError:
+        problems.append(_problem(file, "", message("The file is not UTF-8."), _SAVE))
+        return None
+    remarks = _remarks(file, lines, problems)
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    units = _header(file, rows, problems)
+    values = _values(file, rows, len(units), problems)
+    _check_order(file, units, values, problems)
+    if len(problems) > before:
+        return None
+    columns = {
+        name: values[:, number] * factor(unit) for number, (name, unit) in enumerate(units.items())
+    }
+    return Catalogue(path.stem, columns, units, f"{remarks['source']} ({remarks['mark']})", file)
+
+
+def columns_of(catalogues: Mapping[str, Catalogue]) -> dict[str, Column]:
+    """Return every `catalogue.column` in SI, as formulas look it up."""
+    return {
+        f"{catalogue.id}.{name}": Column(next(iter(catalogue.columns.values())), values)
+        for catalogue in catalogues.values()
+        for name, values in catalogue.columns.items()
+    }
+
+
+_SAVE = message("Save it as UTF-8.")
+
+
+def _remarks(file: str, lines: list[str], problems: list[Problem]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for line in lines:
+        name, colon, text = line.removeprefix("#").partition(":")
+        if line.startswith("#") and colon:
+            found[name.strip()] = text.strip()
+    problems += [
+        _problem(
+            file,
+            name,
+            message("The catalogue does not say where its numbers come from."),
+            message("Write a line '# {name}: …' on top.", name=name),
+        )
+        for name in _REMARKS
+        if not found.get(name)
+    ]
+    return {name: found.get(name, "") for name in _REMARKS}
+
+
+def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[str, str]:
+    units: dict[str, str] = {}
+    for cell in rows[0] if rows else []:
+        name, _, unit = cell.strip().removesuffix("]").partition(" [")
+        if not name.isidentifier() or not known_unit(unit) or name in units:
+            problems.append(
+                _problem(
+                    file,
+                    f"column {cell}",
+                    message("The heading of the column cannot be used."),
+                    message("Write a new name and a known unit: 'bore [mm]'."),
+                )
+            )
+        units[name] = unit
+    if not units:
+        problems.append(
+            _problem(file, "", message("The catalogue is empty."), message("Write its rows."))
+        )
+    return units
+
+
+def _values(
+    file: str, rows: list[list[str]], width: int, problems: list[Problem]
+) -> NDArray[np.float64]:
+    values: list[list[float]] = []
+    for number, row in enumerate(rows[1:], 1):
+        try:
+            numbers = [float(cell) for cell in row]
+        except ValueError:
+            numbers = []
+        if len(numbers) != width or not all(np.isfinite(numbers)):
+            problems.append(
+                _problem(
+                    file,
+                    f"row {number}",
+                    message("The row does not hold {width} numbers.", width=width),
+                    message("Write a number with a point in every column."),
+                )
+            )
+        else:
+            values.append(numbers)
+    return np.asarray(values, dtype=np.float64).reshape(len(values), width)
+
+
+def _check_order(
+    file: str, units: Mapping[str, str], values: NDArray[np.float64], problems: list[Problem]
+) -> None:
+    """Sizes must grow strictly: a look-up by size must find one row."""
+    if units and len(values) and not np.all(np.diff(values[:, 0]) > 0):
+        problems.append(
+            _problem(
+                file,
+                f"column {next(iter(units))}",
+                message("The sizes do not grow from row to row."),
+                message("Sort the rows by the first column and remove doubled sizes."),
+            )
+        )
+
+
+def _problem(file: str, key: str, what: Message, remedy: Message) -> Problem:
+    return Problem(file, key, what, remedy)

@@ -1,0 +1,185 @@
+"""Checking a course as a whole: what no single file can know.
+
+Every scheme is composed with every combination of its options, and each composition is checked. A
+fault of a shared part shows in many compositions and is reported once.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+
+from gripcourse.course.catalogue import columns_of
+from gripcourse.course.check_example import check_example
+from gripcourse.course.check_formulas import check_formulas
+from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
+from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.formula.evaluate import Column
+from gripcourse.units import dimension
+from gripcourse.words import LANGUAGES, message
+
+
+def check_course(course: Course) -> list[Problem]:
+    """Return every problem that shows only when the files of a course are put together."""
+    columns = columns_of(course.catalogues)
+    dimensions = {
+        f"{catalogue.id}.{name}": (
+            dimension(next(iter(catalogue.units.values()))),
+            dimension(unit),
+        )
+        for catalogue in course.catalogues.values()
+        for name, unit in catalogue.units.items()
+    }
+    found: list[Problem] = []
+    for scheme in course.schemes.values():
+        found += _check_parts(course, scheme)
+        for options in option_sets(scheme):
+            quantities = compose(course, scheme, options)
+            found += _check_declarations(course, quantities)
+            found += check_formulas(quantities, columns, dimensions)
+            found += _check_graph(scheme, quantities)
+            found += _check_series(quantities, columns)
+            found += _check_symbols(scheme, quantities)
+        found += check_example(course, scheme)
+    found += _check_used_parts(course)
+    return list({(one.file, one.key, str(one.what)): one for one in found}.values())
+
+
+def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
+    for options in option_sets(scheme):
+        ids = part_ids(scheme, options)
+        for part in ids:
+            if part not in course.parts:
+                yield Problem(
+                    scheme.file,
+                    "parts",
+                    message("There is no part '{part}'.", part=part),
+                    did_you_mean(part, course.parts),
+                )
+        parts = [course.parts[part] for part in ids if part in course.parts]
+        declared = Counter(name for part in parts for name in part.quantities)
+        declared.update(scheme.quantities.keys())
+        for name in (name for name, count in declared.items() if count > 1):
+            yield Problem(
+                scheme.file,
+                f"quantity.{name}",
+                message("'{name}' is declared more than once.", name=name),
+                message("Remove a part, or change single keys under [override.{name}].", name=name),
+            )
+
+
+def _check_used_parts(course: Course) -> Iterator[Problem]:
+    used = {
+        part
+        for scheme in course.schemes.values()
+        for options in option_sets(scheme)
+        for part in part_ids(scheme, options)
+    }
+    for part in course.parts.values():
+        if part.id not in used:
+            yield Problem(
+                part.file,
+                "",
+                message("No scheme uses this part."),
+                message("Name it in the parts of a scheme, or remove the file."),
+            )
+
+
+def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    sections = {section.id for section in course.sections}
+    used = used_names(quantities.values())
+    for one in quantities.values():
+        key = f"quantity.{one.id}"
+        if one.kind is not Kind.CONSTANT and one.section not in sections:
+            yield Problem(
+                one.file,
+                f"{key}.section",
+                message("The course has no section '{name}'.", name=one.section),
+                did_you_mean(one.section, sections),
+            )
+        if one.source.work not in course.works:
+            yield Problem(
+                one.file,
+                f"{key}.source.work",
+                message("The course cites no work '{work}'.", work=one.source.work),
+                did_you_mean(one.source.work, course.works),
+            )
+        if one.kind is Kind.GIVEN and one.id not in used:
+            yield Problem(
+                one.file,
+                key,
+                message("No formula uses the given '{name}'.", name=one.id),
+                message("Use it, or remove it: students would look for its purpose."),
+            )
+        if one.kind is Kind.MANUAL and not _rubric_exists(course, one.rubric):
+            yield Problem(
+                one.file,
+                f"{key}.rubric",
+                message("There is no rubric '{rubric}'.", rubric=one.rubric),
+                message("Write grader/rubric/{rubric}.toml.", rubric=one.rubric),
+            )
+
+
+def _rubric_exists(course: Course, rubric: str) -> bool:
+    return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()
+
+
+def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    for convention in Convention:
+        graph = {name: direct_inputs(one, convention) for name, one in quantities.items()}
+        try:
+            tuple(TopologicalSorter(graph).static_order())
+        except CycleError as fault:
+            circle = list(dict.fromkeys(reversed(fault.args[1])))
+            first = min(circle)
+            yield Problem(
+                quantities[first].file if first in quantities else scheme.file,
+                f"quantity.{first}.formula",
+                message(
+                    "The formulas run in a circle: {circle}.",
+                    circle=" → ".join([*circle, circle[0]]),
+                ),
+                message("Express one of them without the others."),
+            )
+
+
+def _check_series(
+    quantities: Mapping[str, Quantity], columns: Mapping[str, Column]
+) -> Iterator[Problem]:
+    for one in quantities.values():
+        if one.choice is None:
+            continue
+        for name in (one.choice.column, *one.choice.also):
+            if name not in columns:
+                yield Problem(
+                    one.file,
+                    f"quantity.{one.id}.series",
+                    message("There is no catalogue column '{name}'.", name=name),
+                    did_you_mean(name, columns),
+                )
+
+
+def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    for language in LANGUAGES:
+        seen: dict[str, str] = {}
+        for one in _with_symbols(quantities.values()):
+            symbol = one.symbol.of(language)
+            if symbol in seen:
+                yield Problem(
+                    one.file,
+                    f"quantity.{one.id}.symbol",
+                    message(
+                        "'{symbol}' ({language}) is the symbol of {other} too, in {scheme}.",
+                        symbol=symbol,
+                        language=language,
+                        other=seen[symbol],
+                        scheme=scheme.id,
+                    ),
+                    message("Give each quantity a symbol of its own."),
+                )
+            seen[symbol] = one.id
+
+
+def _with_symbols(quantities: Iterable[Quantity]) -> Iterator[Quantity]:
+    return (one for one in quantities if one.kind is not Kind.MANUAL)

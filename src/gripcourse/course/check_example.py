@@ -1,0 +1,77 @@
+"""Checking the worked example of a scheme: complete, and about things that exist."""
+
+from collections.abc import Iterator, Mapping
+
+from gripcourse.course.compose import compose
+from gripcourse.course.model import Course, Kind, Quantity, Scheme, WorkedExample
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.words import message
+
+
+def check_example(course: Course, scheme: Scheme) -> Iterator[Problem]:
+    """Yield the problems of a scheme's worked example."""
+    example = scheme.example
+    if example is None:
+        return
+    file = f"{scheme.file.removesuffix('scheme.toml')}worked_example.toml"
+    faults = list(_option_faults(scheme, example, file))
+    yield from faults
+    if not faults:
+        quantities = compose(course, scheme, example.options)
+        yield from _given_faults(quantities, example, file)
+        yield from _expected_faults(quantities, example, file)
+
+
+def _option_faults(scheme: Scheme, example: WorkedExample, file: str) -> Iterator[Problem]:
+    for option in scheme.options:
+        choices = [choice.id for choice in option.choices]
+        chosen = example.options.get(option.id, "")
+        if chosen not in choices:
+            yield Problem(
+                file,
+                f"options.{option.id}",
+                message("There is no choice '{choice}'.", choice=chosen),
+                did_you_mean(chosen, choices),
+            )
+
+
+def _given_faults(
+    quantities: Mapping[str, Quantity], example: WorkedExample, file: str
+) -> Iterator[Problem]:
+    inputs = {
+        name: one for name, one in quantities.items() if one.kind in {Kind.GIVEN, Kind.CONSTANT}
+    }
+    for name, one in inputs.items():
+        if one.kind is Kind.GIVEN and name not in example.given:
+            yield Problem(
+                file,
+                f"given.{name}",
+                message("The example gives no value of '{name}'.", name=name),
+                message("Write it: a given that a user does not set takes the example's value."),
+            )
+    for name in example.given:
+        if name not in inputs:
+            yield Problem(
+                file,
+                f"given.{name}",
+                message("The scheme has no given '{name}'.", name=name),
+                did_you_mean(name, inputs),
+            )
+
+
+def _expected_faults(
+    quantities: Mapping[str, Quantity], example: WorkedExample, file: str
+) -> Iterator[Problem]:
+    computed = {name for name, one in quantities.items() if one.kind.answered}
+    tables = (("chosen", example.chosen), ("expected", example.expected))
+    for key, by_convention in tables:
+        for convention, values in by_convention.items():
+            for name in values:
+                if name not in computed:
+                    yield Problem(
+                        file,
+                        f"{convention}.{key}.{name}",
+                        message("The scheme computes no '{name}'.", name=name),
+                        did_you_mean(name, computed),
+                    )

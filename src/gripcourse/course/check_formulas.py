@@ -1,0 +1,137 @@
+"""Checking every formula of a composed scheme: names, dimensions, conditions, slips."""
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.formula.dimension import check_dimension
+from gripcourse.formula.evaluate import Column
+from gripcourse.formula.parse import FormulaFault, caret
+from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, walk
+from gripcourse.units import Dimension, dimension
+from gripcourse.words import message
+
+_COMPARISONS = {"<", "<=", ">", ">=", "==", "and"}
+_FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}
+
+
+def check_formulas(
+    quantities: Mapping[str, Quantity],
+    columns: Mapping[str, Column],
+    column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
+) -> Iterator[Problem]:
+    """Yield the problems of every formula of every declaration."""
+    dimensions = {name: dimension(one.unit) for name, one in quantities.items()}
+    for one in quantities.values():
+        for key, formula, is_condition in _keyed_formulas(one):
+            faults = list(_name_faults(one, key, formula, quantities, columns))
+            yield from faults
+            if faults:
+                continue
+            if is_condition != _is_condition(formula):
+                yield _wrong_sort(one, key, is_condition)
+                continue
+            try:
+                unit = "" if is_condition else one.unit
+                check_dimension(formula, unit, dimensions, column_dimensions)
+            except FormulaFault as fault:
+                yield Problem(
+                    one.file,
+                    f"quantity.{one.id}.{key}",
+                    fault.what,
+                    message("Compare the units of both sides."),
+                    caret(formula.text, fault.span),
+                )
+        yield from _slip_faults(one)
+
+
+def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
+    """Yield each formula with its key and whether it must be a condition."""
+    if one.formula is not None:
+        yield _FORMULA_KEY.get(one.kind, "formula"), one.formula, one.kind is Kind.VERDICT
+    if one.valid is not None:
+        yield "valid", one.valid, True
+    if one.choice is not None and one.choice.condition is not None:
+        yield "condition", one.choice.condition, True
+    for slip in one.slips:
+        yield f"slip.{slip.id}", slip.formula, False
+    for printed in one.as_printed:
+        if printed.formula is not None:
+            yield f"as_printed.{printed.erratum}", printed.formula, False
+
+
+def _is_condition(formula: Formula) -> bool:
+    return isinstance(formula.tree, Operation) and formula.tree.operator in _COMPARISONS
+
+
+def _wrong_sort(one: Quantity, key: str, is_condition: bool) -> Problem:  # noqa: FBT001 (what was wanted)
+    what = (
+        message("This must be a comparison.")
+        if is_condition
+        else message("This must be a value, not a comparison.")
+    )
+    return Problem(one.file, f"quantity.{one.id}.{key}", what, message("Mend the formula."))
+
+
+def _name_faults(
+    one: Quantity,
+    key: str,
+    formula: Formula,
+    quantities: Mapping[str, Quantity],
+    columns: Mapping[str, Column],
+) -> Iterator[Problem]:
+    place = f"quantity.{one.id}.{key}"
+    for part in walk(formula.tree):
+        match part:
+            case Name(name, span) if name not in CONSTANTS and name not in quantities:
+                yield Problem(
+                    one.file,
+                    place,
+                    message("The name '{name}' is not known.", name=name),
+                    did_you_mean(name, quantities),
+                    caret(formula.text, span),
+                )
+            case Call(_, _, str(column), span) if column not in columns:
+                yield Problem(
+                    one.file,
+                    place,
+                    message("There is no catalogue column '{name}'.", name=column),
+                    did_you_mean(column, columns),
+                    caret(formula.text, span),
+                )
+            case Call("at_least" | "nearest", _, str(column), span) if not _grows(columns[column]):
+                yield Problem(
+                    one.file,
+                    place,
+                    message("The column '{name}' does not grow from row to row.", name=column),
+                    message("Only a growing column can be searched for the next larger value."),
+                    caret(formula.text, span),
+                )
+
+
+def _grows(column: Column) -> bool:
+    return bool(np.all(np.diff(column.values) >= 0))
+
+
+def _slip_faults(one: Quantity) -> Iterator[Problem]:
+    seen: set[str] = set()
+    for slip in one.slips:
+        key = f"quantity.{one.id}.slip.{slip.id}"
+        if one.formula is not None and slip.formula.tree == one.formula.tree:
+            yield Problem(
+                one.file,
+                key,
+                message("The slip equals the right formula."),
+                message("Write the wrong method, or remove the slip."),
+            )
+        if slip.id in seen or not slip.id:
+            yield Problem(
+                one.file,
+                key,
+                message("The slip has no id of its own."),
+                message("Give each slip of a quantity another id."),
+            )
+        seen.add(slip.id)

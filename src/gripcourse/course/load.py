@@ -1,0 +1,153 @@
+"""Loading a course: every file of it, every fault collected."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from gripcourse.course.catalogue import read_catalogue
+from gripcourse.course.check import check_course
+from gripcourse.course.declare import declare
+from gripcourse.course.model import (
+    Catalogue,
+    Convention,
+    Course,
+    Part,
+    Quantity,
+    Scheme,
+    Section,
+    Work,
+)
+from gripcourse.course.scheme import read_scheme
+from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.errors import CourseError, Problem
+from gripcourse.words import LANGUAGES, message
+
+VARIANTS = "variants"
+
+
+def load_course(root: Path) -> Course:
+    """Load a course and check it whole.
+
+    Args:
+        root: the folder that holds `variants`, `templates` and `grader`.
+
+    Returns:
+        A course whose every formula has been checked.
+
+    Raises:
+        CourseError: with all problems of the course at once.
+    """
+    course, problems = read_course(root)
+    if course is not None:
+        problems += check_course(course)
+    if course is None or problems:
+        raise CourseError(problems)
+    return course
+
+
+def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
+    """Read all files of a course; what cannot be read is a problem, not an exception."""
+    problems: list[Problem] = []
+    folder = root / VARIANTS
+    table = read_toml(folder / "course.toml", root, problems)
+    if table is None:
+        return None, problems
+    table.known_keys(
+        {"id", "language", "convention", "title", "section", "work", "constant"},
+    )
+    parts, raw = _parts(folder / "sections", root, problems)
+    course = Course(
+        id=table.text("id"),
+        title=table.texts("title"),
+        language=_language(table),
+        sections=tuple(_section(one) for one in table.tables("section")),
+        works=_works(table),
+        constants=_quantities(table.named_tables("constant"), constant=True),
+        parts=parts,
+        schemes=_schemes(folder / "schemes", root, raw, problems),
+        catalogues=_catalogues(folder / "catalogues", root, problems),
+        convention=_convention(table),
+        root=root,
+    )
+    return course, problems
+
+
+def _parts(
+    folder: Path, root: Path, problems: list[Problem]
+) -> tuple[dict[str, Part], dict[str, dict[str, Table]]]:
+    """Read the shared parts; the raw tables too, because a scheme may override single keys."""
+    parts: dict[str, Part] = {}
+    raw: dict[str, dict[str, Table]] = {}
+    for path in sorted(folder.glob("*.toml")):
+        table = read_toml(path, root, problems)
+        if table is None:
+            continue
+        table.known_keys({"quantity"})
+        raw[path.stem] = dict(table.named_tables("quantity"))
+        parts[path.stem] = Part(path.stem, _quantities(raw[path.stem]), table.file)
+    return parts, raw
+
+
+def _quantities(tables: Mapping[str, Table], *, constant: bool = False) -> dict[str, Quantity]:
+    declared = {name: declare(name, table, constant) for name, table in tables.items()}
+    return {name: quantity for name, quantity in declared.items() if quantity is not None}
+
+
+def _schemes(
+    folder: Path, root: Path, raw: Mapping[str, Mapping[str, Table]], problems: list[Problem]
+) -> dict[str, Scheme]:
+    found = (
+        read_scheme(path, root, raw, problems)
+        for path in sorted(folder.iterdir() if folder.is_dir() else ())
+        if path.is_dir()
+    )
+    schemes = {scheme.id: scheme for scheme in found if scheme is not None}
+    if not schemes:
+        problems.append(
+            Problem(
+                str(folder.relative_to(root)),
+                "",
+                message("The course has no scheme."),
+                message("Write at least one folder with a scheme.toml."),
+            )
+        )
+    return schemes
+
+
+def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:
+    found = (read_catalogue(path, root, problems) for path in sorted(folder.glob("*.csv")))
+    return {catalogue.id: catalogue for catalogue in found if catalogue is not None}
+
+
+def _section(table: Table) -> Section:
+    table.known_keys({"id", "title", "task"})
+    return Section(table.text("id"), table.texts("title"), table.texts("task"))
+
+
+def _works(table: Table) -> dict[str, Work]:
+    return {
+        name: Work(name, inner.text("title")) for name, inner in table.named_tables("work").items()
+    }
+
+
+def _language(table: Table) -> str:
+    language = table.text("language")
+    if language in LANGUAGES:
+        return language
+    table.add(
+        "language",
+        message("This is no language of the course."),
+        did_you_mean(language, LANGUAGES),
+    )
+    return LANGUAGES[0]
+
+
+def _convention(table: Table) -> Convention:
+    written = table.text("convention", Convention.CORRECTED)
+    if written in list(Convention):
+        return Convention(written)
+    table.add(
+        "convention",
+        message("There is no convention '{convention}'.", convention=written),
+        did_you_mean(written, list(Convention)),
+    )
+    return Convention.CORRECTED

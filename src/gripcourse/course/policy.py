@@ -1,0 +1,48 @@
+"""The policy of a head of course: points, bands, credits and what a report reveals.
+
+It lives beside the course, below grading, because the assignment sheet prints points and bands too.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.course.model import Tolerance
+
+
+class Reveal(StrEnum):
+    """What a student's report shows of the reference solution."""
+
+    NOTHING = "nothing"
+    REFERENCE = "reference"
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """How answers become points.
+
+    Attributes:
+        total: points of the whole assignment.
+        section_points: points of each section; they add up to `total`.
+        weights: weight of a quantity inside its section, where it is not the kind's default.
+        kind_weights: default weight by kind.
+        tolerance: default band.
+        floors: absolute part of the default band by unit, in that unit.
+        tolerances: bands of single quantities that override their declarations.
+        carried_credit: share of the points for what follows from the student's own numbers.
+        printed_credit: share for an answer as a source prints it; None refuses it.
+        wrong_unit_credit: share for the right number with a unit that does not fit it.
+        reveal: what a report shows.
+    """
+
+    total: float
+    section_points: Mapping[str, float]
+    weights: Mapping[str, float]
+    kind_weights: Mapping[str, float]
+    tolerance: Tolerance
+    floors: Mapping[str, float]
+    tolerances: Mapping[str, Tolerance]
+    carried_credit: float
+    printed_credit: float | None
+    wrong_unit_credit: float
+    reveal: Reveal

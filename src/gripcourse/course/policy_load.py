@@ -1,0 +1,183 @@
+"""Loading the policy of a head of course from `grader/policy.toml`."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+from gripcourse.course.declare import tolerance
+from gripcourse.course.model import Course, Kind, Tolerance
+from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.errors import CourseError, Problem
+from gripcourse.units import known as known_unit
+from gripcourse.words import message
+
+_MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
+
+
+def load_policy(course: Course) -> Policy:
+    """Load and check the policy of a course.
+
+    Raises:
+        CourseError: with all problems of the policy.
+    """
+    policy, problems = read_policy(course)
+    if policy is None or problems:
+        raise CourseError(problems)
+    return policy
+
+
+def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
+    """Read the policy with all its problems."""
+    problems: list[Problem] = []
+    table = read_toml(policy_path(course.root), course.root, problems)
+    if table is None:
+        return None, problems
+    table.known_keys({"points", "weight", "tolerance", "quantity_tolerance", "credit", "report"})
+    points = table.required_table("points")
+    weight = table.required_table("weight")
+    bands = table.required_table("tolerance")
+    credit = table.required_table("credit")
+    policy = Policy(
+        total=points.number("total"),
+        section_points=_section_points(points, course),
+        weights=_weights(weight, "quantity", _quantity_ids(course)),
+        kind_weights=_weights(weight, "kind", set(_MARKED)),
+        tolerance=tolerance(bands),
+        floors=_floors(bands),
+        tolerances=_tolerances(table, course),
+        carried_credit=_share(credit, "carried"),
+        printed_credit=None if credit.values.get("printed") is False else _share(credit, "printed"),
+        wrong_unit_credit=_share(credit, "wrong_unit"),
+        reveal=_reveal(table.required_table("report")),
+    )
+    credit.known_keys({"carried", "printed", "wrong_unit"})
+    return policy, problems
+
+
+def policy_path(root: Path) -> Path:
+    """Where a course keeps its policy."""
+    return root / "grader" / "policy.toml"
+
+
+def _section_points(points: Table, course: Course) -> Mapping[str, float]:
+    points.known_keys({"total", "section"})
+    sections = points.numbers("section")
+    ids = {section.id for section in course.sections}
+    for name in sorted(ids - set(sections)):
+        points.add(
+            f"section.{name}",
+            message("The section '{name}' has no points.", name=name),
+            message("Write its points, 0 where it is not marked."),
+        )
+    for name in sorted(set(sections) - ids):
+        points.add(
+            f"section.{name}",
+            message("The course has no section '{name}'.", name=name),
+            did_you_mean(name, ids),
+        )
+    total = points.number("total")
+    if not math.isclose(sum(sections.values()), total, rel_tol=1e-9):
+        points.add(
+            "section",
+            message(
+                "The points of the sections add up to {sum}, the total is {total}.",
+                sum=float(sum(sections.values())),
+                total=total,
+            ),
+            message("Change a section or the total."),
+        )
+    for name, value in sections.items():
+        if value < 0:
+            points.add(
+                f"section.{name}",
+                message("The points are negative."),
+                message("Write 0 or a positive number."),
+            )
+    return sections
+
+
+def _weights(weight: Table, name: str, known: set[str]) -> Mapping[str, float]:
+    weight.known_keys({"kind", "quantity"})
+    weights = weight.numbers(name, {})
+    for key, value in weights.items():
+        if key not in known:
+            weight.add(
+                f"{name}.{key}",
+                message("There is no '{name}' in the course.", name=key),
+                did_you_mean(key, known),
+            )
+        if not value >= 0:
+            weight.add(
+                f"{name}.{key}",
+                message("The weight {value} is negative.", value=value),
+                message("Write 0 or a positive number."),
+            )
+    if name == "kind":
+        for kind in sorted(known - set(weights)):
+            weight.add(
+                f"kind.{kind}",
+                message("This key is missing."),
+                message("Write the weight of a quantity of this kind."),
+            )
+    return weights
+
+
+def _quantity_ids(course: Course) -> set[str]:
+    ids = {name for part in course.parts.values() for name in part.quantities}
+    return ids | {name for scheme in course.schemes.values() for name in scheme.quantities}
+
+
+def _floors(bands: Table) -> Mapping[str, float]:
+    floors = bands.numbers("floor", {})
+    for unit, value in floors.items():
+        if not known_unit(unit):
+            bands.add(
+                f"floor.{unit}",
+                message("The unit '{unit}' is not known.", unit=unit),
+                message("Write it as in units.toml of the package, for example 'N*m'."),
+            )
+        if not value >= 0:
+            bands.add(
+                f"floor.{unit}",
+                message("The tolerance {value} is negative.", value=value),
+                message("Write 0 or a positive number."),
+            )
+    return floors
+
+
+def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
+    known = _quantity_ids(course)
+    named = table.named_tables("quantity_tolerance")
+    for name in named:
+        if name not in known:
+            table.add(
+                f"quantity_tolerance.{name}",
+                message("There is no '{name}' in the course.", name=name),
+                did_you_mean(name, known),
+            )
+    return {name: tolerance(inner) for name, inner in named.items()}
+
+
+def _share(table: Table, name: str) -> float:
+    value = table.number(name)
+    if not 0 <= value <= 1:
+        table.add(
+            name,
+            message("The share is {value}.", value=value),
+            message("Write a number from 0 to 1."),
+        )
+    return value
+
+
+def _reveal(table: Table) -> Reveal:
+    table.known_keys({"reveal"})
+    written = table.text("reveal")
+    if written in list(Reveal):
+        return Reveal(written)
+    table.add(
+        "reveal",
+        message("There is no level '{level}'.", level=written),
+        did_you_mean(written, list(Reveal)),
+    )
+    return Reveal.NOTHING

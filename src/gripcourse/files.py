@@ -1,0 +1,73 @@
+"""Writing files so that a reader never sees half of one.
+
+Everything is written under a temporary name beside its target and then renamed over it, which the
+operating system does in one step. What was there before stays until the new file is whole.
+"""
+
+import os
+import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+_PUBLIC = 0o666  # narrowed by the user's umask, as for any new file
+_PRIVATE = 0o600
+
+
+def write_bytes(path: Path, data: bytes, *, private: bool = False) -> None:
+    """Write a file in one step, with the folders above it where they are missing.
+
+    Args:
+        path: the file to make or to replace.
+        data: its whole content.
+        private: whether only its owner may read it, for example the key of the signatures.
+
+    Raises:
+        OSError: the folder cannot be written; the old file is untouched.
+    """
+    with replacing(path) as temporary:
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        handle = os.open(temporary, flags, _PRIVATE if private else _PUBLIC)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
+            stream.flush()
+            os.fsync(stream.fileno())
+
+
+def write_text(path: Path, text: str, *, private: bool = False) -> None:
+    """Write text as UTF-8 in one step; line ends stay as they are in `text`.
+
+    Args:
+        path: the file to make or to replace.
+        text: its whole content.
+        private: whether only its owner may read it.
+
+    Raises:
+        OSError: the folder cannot be written; the old file is untouched.
+    """
+    write_bytes(path, text.encode(), private=private)
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """Give a name to write to; on leaving without an error the file takes the place of `path`.
+
+    The name is beside the target and has its suffix, because some writers judge by the suffix. On
+    an error the unfinished file is removed and the old one stays.
+
+    Args:
+        path: the file to make or to replace; missing folders above it are made.
+
+    Yields:
+        The temporary path; nothing exists there yet.
+
+    Raises:
+        OSError: the folder cannot be made or the file cannot be renamed.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(4)}{path.suffix}")
+    try:
+        yield temporary
+        temporary.replace(path)
+    finally:
+        temporary.unlink(missing_ok=True)

@@ -1,0 +1,1 @@
+"""The formula language: text to tree, and the tree to numbers, print and spreadsheets."""

@@ -1,0 +1,109 @@
+"""The tree of a formula: five frozen nodes.
+
+A node remembers its place in the text (`span`), so that a fault can be shown with a caret. Two
+nodes are equal when they say the same, wherever they stand.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+Span: TypeAlias = tuple[int, int]
+"""First and one-past-last character of a node in the formula's text."""
+
+Operator: TypeAlias = Literal["+", "-", "*", "/", "**", "<", "<=", ">", ">=", "==", "and"]
+
+_NOWHERE: Span = (0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number as it was typed."""
+
+    value: float
+    text: str
+    span: Span = field(default=_NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """The id of a quantity, or the constant `pi`."""
+
+    id: str
+    span: Span = field(default=_NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Negation:
+    """Unary minus."""
+
+    operand: "Node"
+    span: Span = field(default=_NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """Arithmetic, a comparison, or `and` between comparisons."""
+
+    operator: Operator
+    left: "Node"
+    right: "Node"
+    span: Span = field(default=_NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A registered function; `column` is the `catalogue.column` that it reads, if any."""
+
+    function: str
+    arguments: tuple["Node", ...]
+    column: str | None = None
+    span: Span = field(default=_NOWHERE, compare=False)
+
+
+Node: TypeAlias = Number | Name | Negation | Operation | Call
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A formula: its text, its tree, and the units of an empirical one.
+
+    Attributes:
+        text: as the author wrote it.
+        tree: what it means.
+        units: for an empirical formula, the unit in which each name enters; empty otherwise. The
+            result of an empirical formula is in the quantity's own unit.
+    """
+
+    text: str
+    tree: Node
+    units: Mapping[str, str]
+
+
+CONSTANTS: frozenset[str] = frozenset({"pi"})
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """Return the nodes directly below a node, left to right."""
+    match node:
+        case Negation(operand):
+            return (operand,)
+        case Operation(_, left, right):
+            return (left, right)
+        case Call(_, arguments):
+            return arguments
+        case _:
+            return ()
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """Yield a node and everything below it, in reading order of the parents."""
+    yield node
+    for child in children(node):
+        yield from walk(child)
+
+
+def names(node: Node) -> tuple[str, ...]:
+    """Return the ids of the quantities that a formula uses, each once, in order of appearance."""
+    found = (part.id for part in walk(node) if isinstance(part, Name))
+    return tuple(dict.fromkeys(name for name in found if name not in CONSTANTS))

@@ -1,0 +1,1 @@
+"""Judging: answers against the reference and against the student's own numbers."""

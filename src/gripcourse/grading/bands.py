@@ -1,0 +1,35 @@
+"""Bands: how far an answer may be from the value that it is judged against."""
+
+import math
+
+from gripcourse.course.model import Kind, Quantity, Tolerance
+from gripcourse.course.policy import Policy
+
+# Values that are read from a table or a series differ only by how floating point writes them.
+_EXACT = 1e-6
+
+
+def band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round an expected value, in the declared unit.
+
+    The wider of a relative and an absolute part counts: near zero a relative band is empty. A
+    quantity's own tolerance in the policy goes before its declaration, that before the default.
+    """
+    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
+        return abs(expected) * _EXACT
+    tolerance = tolerance_of(quantity, policy)
+    return max(abs(expected) * tolerance.relative, tolerance.absolute)
+
+
+def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:
+    """Return the tolerance that applies to a quantity."""
+    own = policy.tolerances.get(quantity.id) or quantity.tolerance or policy.tolerance
+    return Tolerance(own.relative, own.absolute or policy.floors.get(quantity.unit, 0.0))
+
+
+def within(value: float, expected: float, half_width: float) -> bool:
+    """Tell whether a value lies in the band; a value that cannot be computed matches nothing."""
+    if not (math.isfinite(value) and math.isfinite(expected)):
+        return False
+    # The slack lets an answer exactly on the edge of the band pass, whatever the last bit says.
+    return abs(value - expected) <= half_width * (1 + 1e-9)

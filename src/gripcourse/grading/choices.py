@@ -1,0 +1,97 @@
+"""Design decisions judged as decisions: a set of sound values, not one number."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from gripcourse.course.model import Choice, Quantity, Rounding
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import Values, choose
+from gripcourse.words import Message, message
+
+# Series hold decimal numbers; a typed entry differs from them only in floating point.
+_SAME = 1e-6
+_SLACK = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Whether a decision is sound, and what is wrong with it where it is not."""
+
+    sound: bool
+    fault: Message | None
+
+
+def judge_choice(
+    plan: Plan, quantity: Quantity, chosen: float, required: float, values: Values
+) -> Verdict:
+    """Judge a decision against the rule of its quantity.
+
+    Args:
+        plan: for the catalogues.
+        quantity: a choice.
+        chosen: the student's value, SI.
+        required: what the chosen entry must not be below, SI.
+        values: the numbers that the rule's condition is judged with, SI.
+    """
+    choice = quantity.choice
+    if choice is None or not math.isfinite(required):
+        return Verdict(sound=False, fault=None)
+    if not _in_series(plan, choice, chosen):
+        return Verdict(sound=False, fault=message("This size is not in the series."))
+    if chosen < required * (1 - _SLACK):
+        return Verdict(
+            sound=False,
+            fault=message("Rounded down: the size is below the required value."),
+        )
+    if chosen > _upper_limit(plan, choice, required) * (1 + _SAME):
+        return Verdict(
+            sound=False,
+            fault=message(
+                "Wastefully large: more than {steps} steps above the smallest size that fits.",
+                steps=choice.steps,
+            ),
+        )
+    if not _condition_holds(plan, quantity, chosen, values):
+        return Verdict(
+            sound=False,
+            fault=message("The size does not satisfy the condition of the rule."),
+        )
+    return Verdict(sound=True, fault=None)
+
+
+def printed_choice(plan: Plan, quantity: Quantity, required: float) -> float | None:
+    """Return the entry that a source takes where it rounds in another way, SI."""
+    choice = quantity.choice
+    rounding = next((one.rounding for one in quantity.as_printed if one.rounding), None)
+    if choice is None or rounding is None:
+        return None
+    return float(choose(np.asarray(required), choice, Rounding(rounding), plan))
+
+
+def same_size(one: float, other: float) -> bool:
+    """Tell whether two sizes are one entry of a series."""
+    return math.isclose(one, other, rel_tol=_SAME)
+
+
+def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
+    entries = np.concatenate([plan.columns[name].sizes for name in (choice.column, *choice.also)])
+    return bool(np.any(np.isclose(entries, chosen, rtol=_SAME, atol=0.0)))
+
+
+def _upper_limit(plan: Plan, choice: Choice, required: float) -> float:
+    """Return the largest size that is not wasteful: so many steps above the smallest that fits."""
+    series = plan.columns[choice.column].sizes
+    if choice.steps is None:
+        return math.inf
+    first = int(np.searchsorted(series, required * (1 - _SLACK)))
+    return float(series[min(first + choice.steps, len(series) - 1)])
+
+
+def _condition_holds(plan: Plan, quantity: Quantity, chosen: float, values: Values) -> bool:
+    if quantity.choice is None or quantity.choice.condition is None:
+        return True
+    own = {**values, quantity.id: np.asarray(chosen)}
+    return bool(evaluate_formula(quantity.choice.condition, "", own, plan.columns) == 1.0)

@@ -1,0 +1,86 @@
+"""What an instructor should look at before marks are published."""
+
+import hmac
+import math
+from collections.abc import Iterator, Sequence
+
+from gripcourse.assignment.model import Issued
+from gripcourse.grading.model import Finding, Flag, Outcome
+from gripcourse.submission.model import Submission
+from gripcourse.words import message
+
+# Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
+_SAME = 1e-12
+
+
+def flags_of(
+    submission: Submission, issued: Issued, findings: Sequence[Finding]
+) -> tuple[Flag, ...]:
+    """Return the flags of a judged submission."""
+    return (
+        *_identity_flags(submission, issued),
+        *_given_flags(submission, issued),
+        *_finding_flags(findings),
+    )
+
+
+def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
+    identity = submission.identity
+    if not identity.student:
+        yield Flag(
+            "identity_missing",
+            message("The workbook no longer says to whom it was issued."),
+        )
+    elif identity.student != issued.student.id:
+        yield Flag(
+            "issued_to_other",
+            message(
+                "The workbook was issued to {other}; it was handed in by {student}, "
+                "against whose variant it was graded.",
+                other=identity.student,
+                student=issued.student.id,
+            ),
+        )
+    elif not hmac.compare_digest(identity.signature, issued.signature):
+        yield Flag(
+            "signature",
+            message("The signature of the workbook is not the one that was issued."),
+        )
+
+
+def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
+    """Changed givens matter only in the student's own workbook: another's are all different."""
+    if submission.identity.student not in {"", issued.student.id}:
+        return
+    changed = [
+        name
+        for name, value in issued.variant.given.items()
+        if name in submission.givens
+        and not math.isclose(submission.givens[name], value, rel_tol=_SAME)
+    ]
+    missing = [name for name in issued.variant.given if name not in submission.givens]
+    if changed:
+        yield Flag(
+            "givens_changed",
+            message(
+                "Given values were changed in the workbook: {names}. The issued values count.",
+                names=", ".join(changed),
+            ),
+        )
+    if missing:
+        yield Flag(
+            "givens_missing",
+            message(
+                "Given values are missing in the workbook: {names}. The issued values count.",
+                names=", ".join(missing),
+            ),
+        )
+
+
+def _finding_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
+    not_judged = [one.quantity for one in findings if one.outcome is Outcome.NOT_JUDGED]
+    if not_judged:
+        yield Flag(
+            "not_judged",
+            message("A person must judge: {names}.", names=", ".join(not_judged)),
+        )

@@ -1,0 +1,84 @@
+"""Judging a design decision against the required value, the reference's or the student's own."""
+
+import math
+
+import numpy as np
+
+from gripcourse.formula.tree import Formula
+from gripcourse.grading.choices import judge_choice, printed_choice, same_size
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.view import Judgement, View
+from gripcourse.units import factor
+from gripcourse.words import Message, message
+
+
+def judge_choice_answer(view: View) -> Judgement:
+    """Judge a decision: sound by the reference, by the student's own numbers, or as printed."""
+    formula = view.plan.reference_formula(view.quantity.id)
+    if formula is None:
+        return _conclude(view, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
+    if not view.answer.unit_fits:
+        said = message("A size was expected, in {unit}.", unit=view.quantity.unit)
+        return _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, said)
+    required, own_required = _required(view, formula)
+    chosen = view.value * factor(view.quantity.unit)
+    reference_values = {name: np.asarray(v) for name, v in view.reference_values.items()}
+    if judge_choice(view.plan, view.quantity, chosen, required, reference_values).sound:
+        said = message("A sound decision.")
+        return _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
+    own_values = view.own.evaluation.values
+    own = judge_choice(view.plan, view.quantity, chosen, own_required, own_values)
+    if own.sound:
+        said = message("A sound decision for your own earlier numbers.")
+        credit = view.policy.carried_credit
+        return _conclude(view, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
+    return _judge_printed(view, chosen, own_required) or _conclude(
+        view,
+        Outcome.WRONG,
+        Against.NOTHING,
+        0.0,
+        own.fault or message("The required value cannot be told from your numbers."),
+    )
+
+
+def _required(view: View, formula: Formula) -> tuple[float, float]:
+    """Return what the size must not be below, by the reference and by the student's numbers, SI."""
+    scale = factor(view.quantity.unit)
+    reference, own = view.both(formula)
+    return reference * scale, own * scale
+
+
+def _judge_printed(view: View, chosen: float, required: float) -> Judgement | None:
+    printed = printed_choice(view.plan, view.quantity, required)
+    credit = view.policy.printed_credit
+    if printed is None or credit is None or not same_size(chosen, printed):
+        return None
+    erratum = next(one for one in view.quantity.as_printed if one.rounding is not None)
+    remark = message(
+        "As the source prints it (erratum {erratum}): {note}",
+        erratum=erratum.erratum,
+        note=erratum.note,
+    )
+    said = message("Accepted as the source prints it.")
+    return _conclude(view, Outcome.CORRECT, Against.PRINTED, credit, said, (remark,))
+
+
+def _conclude(
+    view: View,
+    outcome: Outcome,
+    against: Against,
+    credit: float,
+    said: Message,
+    remarks: tuple[Message, ...] = (),
+) -> Judgement:
+    expected = view.expected
+    return Judgement(
+        outcome=outcome,
+        against=against,
+        expected=expected if math.isfinite(expected) else None,
+        band=0.0,
+        credit=credit,
+        slip="",
+        message=said,
+        remarks=remarks,
+    )

@@ -1,0 +1,110 @@
+"""Judging a computed value, a value picked from a table, or a verdict."""
+
+import math
+from collections.abc import Iterator
+
+from gripcourse.course.model import Kind
+from gripcourse.grading.bands import band, within
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.view import Judgement, View
+from gripcourse.words import Message, message
+
+
+def judge_value(view: View) -> Judgement:
+    """Judge an answer: reference, own inputs, printed errata, slips, in this order."""
+    if not view.answer.unit_fits:
+        return _judge_wrong_unit(view)
+    found = next(_matches(view), None)
+    return found or _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))
+
+
+def _matches(view: View) -> Iterator[Judgement]:
+    if _fits(view, view.reference):
+        yield _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, message("Correct."))
+    if _fits(view, view.expected):
+        yield _conclude(
+            view,
+            Outcome.CARRIED,
+            Against.OWN_INPUTS,
+            view.policy.carried_credit,
+            message("Follows from your own earlier numbers."),
+        )
+    yield from _printed(view)
+    yield from _slips(view)
+
+
+def _fits(view: View, expected: float) -> bool:
+    return within(view.value, expected, band(view.quantity, expected, view.policy))
+
+
+def _printed(view: View) -> Iterator[Judgement]:
+    for printed in view.quantity.as_printed:
+        if printed.formula is None or not any(_fits(view, v) for v in view.both(printed.formula)):
+            continue
+        remark = message(
+            "As the source prints it (erratum {erratum}): {note}",
+            erratum=printed.erratum,
+            note=printed.note,
+        )
+        credit = view.policy.printed_credit
+        if credit is None:
+            said = message("As the source prints it; this course does not accept the erratum.")
+            yield _conclude(
+                view, Outcome.SLIP, Against.PRINTED, 0.0, said, slip=printed.erratum, remark=remark
+            )
+        else:
+            said = message("Accepted as the source prints it.")
+            yield _conclude(view, Outcome.CORRECT, Against.PRINTED, credit, said, remark=remark)
+
+
+def _slips(view: View) -> Iterator[Judgement]:
+    for slip in view.quantity.slips:
+        if any(_fits(view, value) for value in view.both(slip.formula)):
+            yield _conclude(
+                view,
+                Outcome.SLIP,
+                Against.NOTHING,
+                slip.credit,
+                message("A known slip: {hint}", hint=slip.hint),
+                slip=slip.id,
+            )
+
+
+def _judge_wrong_unit(view: View) -> Judgement:
+    """The right number with a unit that measures something else earns what the policy says."""
+    if _fits(view, view.reference) or _fits(view, view.expected):
+        said = message("The number is right, the unit is not.")
+        return _conclude(view, Outcome.WRONG, Against.NOTHING, view.policy.wrong_unit_credit, said)
+    return _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))
+
+
+def _wrong(view: View) -> Message:
+    if view.quantity.kind is Kind.VERDICT:
+        return message("The numbers say the opposite.")
+    if view.quantity.kind is Kind.PICK:
+        return message("The table gives another value for your size.")
+    return message("Does not follow from the formula with your numbers.")
+
+
+def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
+    view: View,
+    outcome: Outcome,
+    against: Against,
+    credit: float,
+    said: Message,
+    *,
+    slip: str = "",
+    remark: Message | None = None,
+) -> Judgement:
+    target = view.expected
+    known = math.isfinite(target)
+    return Judgement(
+        outcome=outcome,
+        against=against,
+        expected=target if known else None,
+        band=band(view.quantity, target, view.policy) if known else 0.0,
+        credit=credit,
+        slip=slip,
+        message=said,
+        remarks=() if remark is None else (remark,),
+    )

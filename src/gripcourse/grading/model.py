@@ -1,0 +1,114 @@
+"""The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.words import Message
+
+
+class Outcome(StrEnum):
+    """What was found out about one answer."""
+
+    CORRECT = "correct"  # equals the reference
+    CARRIED = "carried"  # follows from the student's own earlier numbers
+    SLIP = "slip"  # a recognised wrong method
+    WRONG = "wrong"
+    BLANK = "blank"
+    UNREADABLE = "unreadable"
+    NOT_JUDGED = "not_judged"  # ours; a person decides
+    MANUAL = "manual"  # marked by a person from a rubric
+
+
+class Against(StrEnum):
+    """What an answer was judged against."""
+
+    REFERENCE = "reference"
+    OWN_INPUTS = "own_inputs"
+    PRINTED = "printed"  # an erratum of a source, accepted by policy
+    NOTHING = "nothing"
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """The judgement of one quantity.
+
+    Attributes:
+        quantity, section: ids.
+        outcome: what was found.
+        against: what the answer was judged against.
+        given: the student's value, in the declared unit; None for none.
+        typed: what the cell shows.
+        cell: where it stands.
+        reference: the reference value, in the declared unit; None where there is none.
+        expected: the value at the student's own inputs, in the declared unit; None for none.
+        band: how far the answer may be from the expected value, in the declared unit.
+        inputs: the student's own numbers and given values that `expected` was computed from, in
+            declared units, by id: what the worked line substitutes.
+        points, max_points: earned and possible.
+        slip: id of the recognised slip, empty for none.
+        message: the verdict in a sentence.
+        remarks: hints and notes that go with it.
+    """
+
+    quantity: str
+    section: str
+    outcome: Outcome
+    against: Against
+    given: float | None
+    typed: str
+    cell: str
+    reference: float | None
+    expected: float | None
+    band: float
+    inputs: Mapping[str, float]
+    points: float
+    max_points: float
+    slip: str
+    message: Message
+    remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Flag:
+    """Something a person should look at before the marks are published."""
+
+    code: str
+    message: Message
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """The judgement of one submission.
+
+    Attributes:
+        file: path as the user gave it.
+        student: id; empty where nobody could be told.
+        name: as the roster writes it.
+        variant, scheme: ids.
+        options: what the variant chooses.
+        language: of the student's documents.
+        score, max_score: in points; the manual items count in neither until they are marked.
+        open_points: points of manual items that wait for a person.
+        flags: for the instructor.
+        findings: one for each answered or manual quantity, in the order of the assignment.
+        remarks: about the workbook as a whole.
+        judged: False where the file could not be judged at all; the flags say why.
+        digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
+    """
+
+    file: str
+    student: str
+    name: str
+    variant: str
+    scheme: str
+    options: Mapping[str, str]
+    language: str
+    score: float
+    max_score: float
+    open_points: float
+    flags: tuple[Flag, ...]
+    findings: tuple[Finding, ...]
+    remarks: tuple[Message, ...]
+    judged: bool
+    digest: str = ""

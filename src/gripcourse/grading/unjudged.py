@@ -1,0 +1,51 @@
+"""Reports of files that could not be judged: never a zero mark, always a flag that says why."""
+
+from gripcourse.assignment.model import Issued
+from gripcourse.grading.model import Flag, Report
+from gripcourse.submission.model import Rejected
+from gripcourse.words import message
+
+
+def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
+    """Report a file that is no workbook that we can read."""
+    return unjudged(rejected.file, Flag("rejected", rejected.reason), issued, rejected.digest)
+
+
+def unknown_student_report(file: str, student: str, digest: str) -> Report:
+    """Report a workbook of somebody who is not in the register."""
+    said = (
+        message("The register has no student '{student}'.", student=student)
+        if student
+        else message("Neither the file's name nor the workbook says whose it is.")
+    )
+    return unjudged(file, Flag("unknown_student", said), None, digest)
+
+
+def incident_report(file: str, number: str, issued: Issued | None) -> Report:
+    """Report a file whose grading failed on our side."""
+    said = message(
+        "Grading failed on our side (incident {number}); the file waits for a person.",
+        number=number,
+    )
+    return unjudged(file, Flag("incident", said), issued, "")
+
+
+def unjudged(file: str, flag: Flag, issued: Issued | None, digest: str) -> Report:
+    """Make the report of a file without a judgement."""
+    return Report(
+        file=file,
+        student=issued.student.id if issued else "",
+        name=issued.student.name if issued else "",
+        variant=issued.variant.id if issued else "",
+        scheme=issued.variant.scheme if issued else "",
+        options=issued.variant.options if issued else {},
+        language=issued.student.language if issued else "",
+        score=0.0,
+        max_score=0.0,
+        open_points=0.0,
+        flags=(flag,),
+        findings=(),
+        remarks=(),
+        judged=False,
+        digest=digest,
+    )

@@ -1,0 +1,194 @@
+"""Templates of a course made into PDF files, the same bytes for the same content.
+
+The look belongs to a designer: this module only knows the folder with the templates and the style
+sheets. It offers to every template
+
+    _("English sentence")    a sentence of the template in the reader's language
+    say(message)             a message that was made in Python
+    language                 the reader's language
+    value | points           points with at most two decimals
+    value | percent          a share of one as a percentage
+    value | day              a date written out
+    text | symbol            a declared symbol as a formula writes it
+    box | formula            a formula
+
+and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
+style sheets. A value that a template does not get is an error, never an empty place.
+"""
+
+import gc
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import date
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from gripcourse.formula.boxes import Box, Row, Text
+from gripcourse.formula.markup import html
+from gripcourse.formula.typeset import symbol_box
+from gripcourse.units import unit_text
+from gripcourse.words import LANGUAGES, Words
+
+# Jinja2, Babel and WeasyPrint cost 40, 60 and 450 ms to import: only who makes a document pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+NO_BREAK_SPACE = "\u00a0"
+
+_DAY_PATTERN = "d MMMM y"
+_COLLECTOR_THRESHOLD = 100_000
+_VARIANT = "pdf/ua-1"
+_RELATION = re.compile(r"\s+([≤≥<>=])\s+")
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """One document to render.
+
+    Attributes:
+        template: name of the template in the folder, for example `student.html.j2`.
+        styles: names of style sheets in its `style` folder, in order of precedence.
+        values: what the template gets, by name.
+    """
+
+    template: str
+    styles: tuple[str, ...]
+    values: Mapping[str, object]
+
+
+def render_pdf(document: Document, templates: Path, words: Words) -> bytes:
+    """Render a document; tagged, with title and language, without any date of its own.
+
+    Args:
+        document: what to render.
+        templates: the folder of the course with the templates and their `style` folder.
+        words: the reader's language.
+
+    Returns:
+        The bytes of the PDF file; equal for equal content.
+
+    Raises:
+        jinja2.TemplateError: a template is missing, does not parse, or asks for a value it does
+            not get.
+        OSError: a style sheet cannot be read.
+    """
+    return pdf_from_html(render_html(document, templates, words), document.styles, templates)
+
+
+def render_html(document: Document, templates: Path, words: Words) -> str:
+    """Fill the template of a document; see `render_pdf` for the arguments and the errors."""
+    environment = _environment(templates, words.language)
+    return environment.get_template(document.template).render(document.values)
+
+
+def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
+    """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
+    from weasyprint import HTML, URLFetcher
+
+    sheets = [_style_sheet(path, path.stat().st_mtime_ns) for path in _paths(templates, styles)]
+    with _few_collections():
+        source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))
+        return bytes(
+            source.write_pdf(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
+        )
+
+
+def points_text(value: float, words: Words) -> str:
+    """Write points with at most two decimals."""
+    # Rounded first: four significant figures of 100.25 would lose the quarter of a point.
+    return words.number(round(value, 2), 7)
+
+
+def percent_text(share: float, words: Words) -> str:
+    """Write a share of one as a percentage: `12.5%`, `12,5 %`."""
+    space = "" if words.language == "en" else NO_BREAK_SPACE
+    return f"{words.number(round(100 * share, 1), 5)}{space}%"
+
+
+def day_text(day: date, words: Words) -> str:
+    """Write a date out, the month in words."""
+    from babel.dates import format_date
+
+    return str(format_date(day, _DAY_PATTERN, locale=words.language))
+
+
+def amount_text(value: float, unit: str, words: Words, figures: int = 5) -> str:
+    """Write a number with its unit, never broken across lines: `60,08 мм`, `36,87°`."""
+    number, written = words.number(value, figures), unit_text(unit, words.language)
+    joint = "" if not written or written.startswith("°") else NO_BREAK_SPACE
+    return f"{number}{joint}{written}"
+
+
+def _paths(templates: Path, styles: tuple[str, ...]) -> tuple[Path, ...]:
+    return tuple(templates / "style" / name for name in styles)
+
+
+def _symbol_box(symbol: str) -> Box:
+    """Lay out a declared symbol; that of a verdict, `σ ≤ [σ]`, is several joined by relations."""
+    first, *rest = _RELATION.split(symbol)
+    items = [symbol_box(first)]
+    for relation, part in zip(rest[::2], rest[1::2], strict=True):
+        items += [Text("relation", relation), symbol_box(part)]
+    return Row(tuple(items)) if rest else items[0]
+
+
+# One environment for each folder and language of a run.
+@lru_cache(maxsize=4 * len(LANGUAGES))
+def _environment(templates: Path, language: str) -> "Environment":
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    words = Words(language)
+    environment = Environment(
+        loader=FileSystemLoader(templates),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.globals.update({"_": words.translate, "say": words.say, "language": language})
+    environment.filters.update(
+        {
+            "points": lambda value: points_text(value, words),
+            "percent": lambda share: percent_text(share, words),
+            "day": lambda day: day_text(day, words),
+            "symbol": lambda symbol: Markup(html(_symbol_box(symbol))) if symbol else "",
+            "formula": lambda box: Markup(html(box)),
+        }
+    )
+    return environment
+
+
+@lru_cache(maxsize=1)
+def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    from weasyprint.text.fonts import FontConfiguration
+
+    return FontConfiguration()
+
+
+@lru_cache(maxsize=32)
+def _style_sheet(path: Path, _changed: int) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    """Parse a style sheet once for each time that the file was changed."""
+    from weasyprint import CSS, URLFetcher
+
+    return CSS(
+        string=path.read_text(encoding="utf-8"),
+        font_config=_fonts(),
+        url_fetcher=URLFetcher(allowed_protocols=("data",)),
+    )
+
+
+@contextmanager
+def _few_collections() -> Iterator[None]:
+    """Collect garbage rarely: a layout makes many objects that live, 15 % of its time otherwise."""
+    before = gc.get_threshold()
+    gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])
+    try:
+        yield
+    finally:
+        gc.set_threshold(*before)

@@ -1,0 +1,1 @@
+"""What people read: student reports, cohort reports and grade tables."""

@@ -1,0 +1,205 @@
+"""The report on a cohort, for the instructor: summary, students, quantities, and what to look at."""
+
+from base64 import b64encode
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import date
+
+from gripcourse.course.compose import compose
+from gripcourse.course.model import Course, Quantity
+from gripcourse.course.policy import Policy
+from gripcourse.grading.model import Outcome, Report
+from gripcourse.pdf import Document, percent_text, points_text, render_pdf
+from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.report.totals import (
+    QuantityTotal,
+    quantity_totals,
+    section_totals,
+    shares,
+    spread,
+)
+from gripcourse.report.verdicts import OUTCOME_WORDS, SIGNS
+from gripcourse.words import Message, Words, message
+
+TEMPLATE = "cohort.html.j2"
+STYLES = ("page.css", "formula.css", "cohort.css")
+
+COUNTED = (
+    Outcome.CORRECT,
+    Outcome.CARRIED,
+    Outcome.SLIP,
+    Outcome.WRONG,
+    Outcome.BLANK,
+    Outcome.UNREADABLE,
+    Outcome.NOT_JUDGED,
+)
+
+_PLOTTED = 50  # bars on one page; many schemes together have more quantities
+
+
+@dataclass(frozen=True, slots=True)
+class StudentRow:
+    """A student's line: texts in the order of the columns; `flags` counts what to look at."""
+
+    name: str
+    variant: str
+    score: str
+    sections: tuple[str, ...]
+    open_points: str
+    flags: str
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityRow:
+    """A quantity's line: how often each outcome of `COUNTED` occurred, and its facility."""
+
+    symbol: str
+    title: str
+    counts: tuple[str, ...]
+    facility: str
+
+
+@dataclass(frozen=True, slots=True)
+class FlaggedFile:
+    """A file that somebody should look at, and why."""
+
+    name: str
+    file: str
+    sentences: tuple[str, ...]
+
+
+def cohort_report(
+    reports: Sequence[Report], policy: Policy, course: Course, words: Words, graded_on: date
+) -> bytes:
+    """Make the report on a cohort as a PDF file.
+
+    Args:
+        reports: one for each file, judged or rejected, in the order of the table.
+        policy: points of the sections.
+        course: titles, declarations and the folder with the templates.
+        words: the language of the report.
+        graded_on: the day that is printed.
+    """
+    values = cohort_values(reports, policy, course, words) | {"graded_on": graded_on}
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+
+
+def cohort_values(
+    reports: Sequence[Report], policy: Policy, course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs but the date; see `cohort_report` for the arguments."""
+    declared, totals, scores = _declared(reports, course), quantity_totals(reports), shares(reports)
+    bars = [
+        Bar(_title(total, declared, words), total.facility)
+        for total in totals
+        if total.facility is not None
+    ]
+    sections = [section for section in course.sections if section.id in policy.section_points]
+    return {
+        "course": course.title.of(words.language),
+        "summary": list(_summary(reports, scores, words)),
+        "sections": [
+            (number, section.title.of(words.language), policy.section_points[section.id])
+            for number, section in enumerate(sections, start=1)
+        ],
+        "students": [_student(one, [section.id for section in sections], words) for one in reports],
+        "score_plot": _image(score_plot(scores, words)) if scores else "",
+        "facility_plots": [
+            _image(facility_plot(bars[start : start + _PLOTTED], words))
+            for start in range(0, len(bars), _PLOTTED)
+        ],
+        "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
+        "quantities": [
+            _quantity(total, declared, words)
+            for total in totals
+            if any(total.outcomes.get(outcome) for outcome in COUNTED)
+        ],
+        "flagged": [_flagged(report, words) for report in reports if report.flags],
+    }
+
+
+def _declared(reports: Sequence[Report], course: Course) -> dict[str, Quantity]:
+    """Return the declaration of every quantity that occurs, by id; the first scheme's counts."""
+    declared: dict[str, Quantity] = {}
+    seen: set[tuple[str, frozenset[tuple[str, str]]]] = set()
+    for report in reports:
+        kind = (report.scheme, frozenset(report.options.items()))
+        if kind in seen or report.scheme not in course.schemes:
+            continue
+        seen.add(kind)
+        declared = compose(course, course.schemes[report.scheme], report.options) | declared
+    return declared
+
+
+def _summary(
+    reports: Sequence[Report], scores: Sequence[float], words: Words
+) -> Iterator[tuple[str, str]]:
+    judged = sum(report.judged for report in reports)
+    found = spread(scores)
+    numbers: tuple[tuple[Message, str], ...] = (
+        (message("Files"), str(len(reports))),
+        (message("Judged"), str(judged)),
+        (message("Not judged"), str(len(reports) - judged)),
+        (message("To look at"), str(sum(bool(report.flags) for report in reports))),
+        (message("Mean"), _share(found.mean, words)),
+        (message("Median"), _share(found.median, words)),
+        (message("Standard deviation"), _share(found.deviation, words)),
+        (message("Lowest and highest"), _range(found.lowest, found.highest, words)),
+    )
+    for label, value in numbers:
+        yield words.say(label), value
+
+
+def _share(share: float | None, words: Words) -> str:
+    return "—" if share is None else percent_text(share, words)
+
+
+def _range(lowest: float | None, highest: float | None, words: Words) -> str:
+    if lowest is None or highest is None:
+        return "—"
+    return f"{percent_text(lowest, words)} … {percent_text(highest, words)}"
+
+
+def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
+    totals = section_totals(report) if report.judged else {}
+    return StudentRow(
+        name=report.name or report.student or report.file,
+        variant=report.variant or "—",
+        score=points_text(report.score, words) if report.judged else "—",
+        sections=tuple(
+            points_text(totals[section].points, words) if section in totals else "—"
+            for section in sections
+        ),
+        open_points=points_text(report.open_points, words) if report.open_points else "",
+        flags=str(len(report.flags)) if report.flags else "",
+    )
+
+
+def _quantity(
+    total: QuantityTotal, declared: Mapping[str, Quantity], words: Words
+) -> QuantityRow:
+    quantity = declared.get(total.quantity)
+    return QuantityRow(
+        symbol=quantity.symbol.of(words.language) if quantity else "",
+        title=_title(total, declared, words),
+        counts=tuple(str(total.outcomes.get(outcome, 0) or "") for outcome in COUNTED),
+        facility=_share(total.facility, words),
+    )
+
+
+def _title(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words) -> str:
+    quantity = declared.get(total.quantity)
+    return quantity.title.of(words.language) if quantity else total.quantity
+
+
+def _flagged(report: Report, words: Words) -> FlaggedFile:
+    return FlaggedFile(
+        name=report.name or report.student or "—",
+        file=report.file,
+        sentences=tuple(words.say(flag.message) for flag in report.flags),
+    )
+
+
+def _image(svg: str) -> str:
+    """Return a drawing as an address that holds it, so that its ids cannot meet another one's."""
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode('ascii')}"

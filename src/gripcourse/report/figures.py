@@ -1,0 +1,109 @@
+"""Plots of the cohort report, as SVG text that is the same for the same numbers.
+
+Text stays text: WeasyPrint sets it with the fonts of the document, it can be searched and copied. The
+bars are grey with dark edges, so that a grey printer loses nothing.
+"""
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from gripcourse.words import Words, message
+
+# matplotlib costs 0.4 s to import: only a cohort report pays for it.
+# ruff: noqa: PLC0415
+
+_STYLE = {
+    "svg.fonttype": "none",
+    "svg.hashsalt": "gripcourse",
+    "font.family": ["PT Sans", "DejaVu Sans"],
+    "font.size": 8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+}
+_FILL, _EDGE, _GRID = "#b9c7d6", "#1d3b5c", "#d5dae0"
+_WIDTH = 6.8  # inches; the text column is 173 mm
+_BINS = 10
+_LETTERS = 46  # of a label; longer titles end with an ellipsis
+
+
+@dataclass(frozen=True, slots=True)
+class Bar:
+    """A bar of the facility plot: a name in the reader's language and a share of one."""
+
+    label: str
+    share: float
+
+
+def score_plot(shares: Sequence[float], words: Words) -> str:
+    """Draw how often which score occurs.
+
+    Args:
+        shares: scores as shares of the possible points, 0…1, at least one.
+        words: the language of the axes.
+    """
+    counts = [0] * _BINS
+    for share in shares:
+        counts[min(max(int(share * _BINS + 1e-9), 0), _BINS - 1)] += 1
+
+    def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
+        step = 100 / _BINS
+        places = [step * (number + 0.5) for number in range(_BINS)]
+        axes.bar(places, counts, width=step, color=_FILL, edgecolor=_EDGE, linewidth=0.6)
+        axes.set_xlim(0, 100)
+        axes.set_xticks([step * number for number in range(_BINS + 1)])
+        axes.xaxis.set_major_formatter(_whole(words))
+        axes.set_xlabel(words.say(message("score, %")))
+        axes.set_ylabel(words.say(message("students")))
+        axes.yaxis.get_major_locator().set_params(integer=True)
+        axes.yaxis.set_major_formatter(_whole(words))
+        axes.yaxis.grid(visible=True, color=_GRID, linewidth=0.5)
+        axes.set_axisbelow(True)
+
+    return _svg(draw, height=2.2)
+
+
+def facility_plot(bars: Sequence[Bar], words: Words) -> str:
+    """Draw the mean share of the points that each quantity earned, in the order given."""
+
+    def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
+        places = range(len(bars))
+        values = [100 * bar.share for bar in bars]
+        axes.barh(places, values, height=0.66, color=_FILL, edgecolor=_EDGE, linewidth=0.5)
+        axes.set_yticks(places, [_short(bar.label) for bar in bars], parse_math=False)
+        axes.tick_params(axis="y", length=0)
+        axes.set_ylim(len(bars) - 0.4, -0.6)
+        axes.set_xlim(0, 100)
+        axes.set_xticks(range(0, 101, 20))
+        axes.xaxis.set_major_formatter(_whole(words))
+        axes.set_xlabel(words.say(message("mean share of the points, %")))
+        axes.xaxis.grid(visible=True, color=_GRID, linewidth=0.5)
+        axes.set_axisbelow(True)
+
+    return _svg(draw, height=0.7 + 0.165 * len(bars))
+
+
+def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matplotlib's axes
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    with rc_context(_STYLE):
+        figure = Figure(figsize=(_WIDTH, height), layout="constrained")
+        draw(figure.subplots())
+        stream = io.StringIO()
+        figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+    return stream.getvalue()
+
+
+def _whole(words: Words) -> Any:  # noqa: ANN401 - matplotlib's formatter
+    from matplotlib.ticker import FuncFormatter
+
+    return FuncFormatter(lambda value, _place: words.number(value, 4))
+
+
+def _short(label: str) -> str:
+    return label if len(label) <= _LETTERS else f"{label[: _LETTERS - 1].rstrip()}…"

@@ -1,0 +1,92 @@
+"""The table of grades: one row for each file, for a spreadsheet program or a learning platform.
+
+UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and commas between cells
+in every language, so that a program reads it the same everywhere.
+"""
+
+import csv
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+
+from gripcourse.files import write_bytes
+from gripcourse.grading.model import Report
+from gripcourse.report.totals import section_totals
+
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+_NO_GROUPS: Mapping[str, str] = MappingProxyType({})
+
+
+def grades_csv(
+    reports: Iterable[Report], path: Path, groups: Mapping[str, str] = _NO_GROUPS
+) -> None:
+    """Write the grades of a batch.
+
+    A file that could not be judged has its row with empty points: it is not a zero.
+
+    Args:
+        reports: of the batch, in the order of the rows.
+        path: file to write; it appears whole or not at all.
+        groups: group of each student by id, where the roster knows it.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
+    write_bytes(path, grades_text(tuple(reports), groups).encode("utf-8-sig"))
+
+
+def grades_text(reports: Sequence[Report], groups: Mapping[str, str] = _NO_GROUPS) -> str:
+    """Return the table as text; see `grades_csv`."""
+    sections = tuple(
+        dict.fromkeys(finding.section for report in reports for finding in report.findings)
+    )
+    stream = io.StringIO(newline="")
+    table = csv.writer(stream, lineterminator="\r\n")
+    table.writerow(
+        (
+            *("student", "name", "group", "variant"),
+            *("score", "max_score", "percent", "open_points"),
+            *sections,
+            *("flags", "file"),
+        )
+    )
+    table.writerows(_row(report, sections, groups) for report in reports)
+    return stream.getvalue()
+
+
+def _row(report: Report, sections: tuple[str, ...], groups: Mapping[str, str]) -> tuple[str, ...]:
+    flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
+    return (
+        *map(_cell, (report.student, report.name, groups.get(report.student, ""), report.variant)),
+        *_points(report),
+        *_section_points(report, sections),
+        _cell(flags),
+        _cell(report.file),
+    )
+
+
+def _points(report: Report) -> tuple[str, str, str, str]:
+    if not report.judged:
+        return ("", "", "", "")
+    percent = _number(100 * report.score / report.max_score) if report.max_score else ""
+    return (_number(report.score), _number(report.max_score), percent, _number(report.open_points))
+
+
+def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...]:
+    if not report.judged:
+        return ("",) * len(sections)
+    totals = section_totals(report)
+    return tuple(
+        _number(totals[section].points) if section in totals else "" for section in sections
+    )
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 4):.10g}"
+
+
+def _cell(text: str) -> str:
+    """Keep a spreadsheet program from running a text as a formula."""
+    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text

@@ -1,0 +1,112 @@
+"""One variant fully worked, for the instructor: every quantity as symbols = numbers = result."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gripcourse.assignment.sheet import given_data, option_pairs
+from gripcourse.course.model import Course, Quantity
+from gripcourse.formula.boxes import Box
+from gripcourse.pdf import Document, render_pdf
+from gripcourse.report.worked import entering_units, worked_line
+from gripcourse.solver.plan import Plan
+from gripcourse.variants.model import Variant
+from gripcourse.words import Words, message
+
+TEMPLATE = "solution.html.j2"
+STYLES = ("page.css", "formula.css", "solution.css")
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One worked quantity: its name, its line, the units of bare numbers, its source."""
+
+    title: str
+    line: Box
+    units: tuple[tuple[str, str], ...]
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """The steps of one section."""
+
+    title: str
+    steps: tuple[Step, ...]
+
+
+def solution_pdf(
+    plan: Plan, variant: Variant, values: Mapping[str, float], course: Course, words: Words
+) -> bytes:
+    """Make the worked solution of a variant as a PDF file.
+
+    Args:
+        plan: of the variant's scheme and options.
+        variant: what is solved.
+        values: value of every quantity by id, in declared units; NaN where there is none.
+        course: titles, sections and cited works.
+        words: the language of the solution.
+    """
+    content = solution_values(plan, variant, values, course, words)
+    return render_pdf(Document(TEMPLATE, STYLES, content), course.root / "templates", words)
+
+
+def solution_values(
+    plan: Plan, variant: Variant, values: Mapping[str, float], course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs; see `solution_pdf` for the arguments."""
+    known = {name: value for name, value in values.items() if not math.isnan(value)}
+    return {
+        "course": course.title.of(words.language),
+        "variant": variant.id,
+        "pairs": list(_pairs(plan, variant, words)),
+        "data": given_data(plan.givens, known, words),
+        "constants": given_data(plan.constants, known, words),
+        "chapters": list(_chapters(plan, known, course, words)),
+        "works": _works(plan, course),
+    }
+
+
+def _pairs(plan: Plan, variant: Variant, words: Words) -> Iterator[tuple[str, str]]:
+    yield words.say(message("Variant")), variant.id
+    yield words.say(message("Scheme")), plan.scheme.title.of(words.language)
+    yield from option_pairs(plan, words)
+
+
+def _chapters(
+    plan: Plan, values: Mapping[str, float], course: Course, words: Words
+) -> Iterator[Chapter]:
+    for section in course.sections:
+        steps = tuple(
+            _step(quantity, plan, values, words)
+            for quantity in plan.answered
+            if quantity.section == section.id
+        )
+        if steps:
+            yield Chapter(section.title.of(words.language), steps)
+
+
+def _step(quantity: Quantity, plan: Plan, values: Mapping[str, float], words: Words) -> Step:
+    inputs = {name: values[name] for name in plan.inputs[quantity.id] if name in values}
+    return Step(
+        title=quantity.title.of(words.language),
+        line=worked_line(quantity, inputs, values.get(quantity.id), plan, words),
+        units=entering_units(quantity, plan, words),
+        source=_source(quantity, words),
+    )
+
+
+def _source(quantity: Quantity, words: Words) -> str:
+    """Cite briefly: the id of the work, as the list below has it, and the equation."""
+    equation = quantity.source.equation
+    numbered = f"({equation})" if equation[:1].isdigit() else equation
+    cited = f"{quantity.source.work} {numbered}".strip()
+    errata = ", ".join(printed.erratum for printed in quantity.as_printed)
+    if errata:
+        cited += words.say(message("; corrected: {errata}", errata=errata))
+    return cited
+
+
+def _works(plan: Plan, course: Course) -> list[tuple[str, str]]:
+    cited = {quantity.source.work for quantity in plan.answered}
+    return [(work.id, work.title) for work in course.works.values() if work.id in cited]

@@ -1,0 +1,125 @@
+"""Sums that several documents print: points of sections, outcomes of quantities."""
+
+import statistics
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from gripcourse.grading.model import Finding, Outcome, Report
+
+# Nobody has decided about these yet: they neither cost points nor say how hard a quantity is.
+OPEN_OUTCOMES = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
+
+
+@dataclass(frozen=True, slots=True)
+class SectionTotal:
+    """Points of one section of one report.
+
+    Attributes:
+        points: earned.
+        max_points: possible, without the manual items, as in the report's score.
+        open_points: of the manual items.
+    """
+
+    points: float
+    max_points: float
+    open_points: float
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityTotal:
+    """How a quantity was answered by everybody who was asked for it.
+
+    Attributes:
+        quantity, section: ids.
+        outcomes: how often each outcome occurred.
+        facility: mean share of the points earned, 0…1, over the answers that are judged; None for
+            none.
+    """
+
+    quantity: str
+    section: str
+    outcomes: Mapping[Outcome, int]
+    facility: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """Summary of the scores of judged files, as shares of the possible points.
+
+    Attributes:
+        mean, median: None where nothing was judged.
+        deviation: standard deviation of the sample; None below two files.
+        lowest, highest: None where nothing was judged.
+    """
+
+    mean: float | None
+    median: float | None
+    deviation: float | None
+    lowest: float | None
+    highest: float | None
+
+
+def section_totals(report: Report) -> dict[str, SectionTotal]:
+    """Add up the points of each section of a report, in the order of its findings."""
+    totals: dict[str, SectionTotal] = {}
+    for section in dict.fromkeys(finding.section for finding in report.findings):
+        inside = [finding for finding in report.findings if finding.section == section]
+        manual = [finding for finding in inside if finding.outcome is Outcome.MANUAL]
+        scored = [finding for finding in inside if finding.outcome is not Outcome.MANUAL]
+        totals[section] = SectionTotal(
+            points=sum(finding.points for finding in scored),
+            max_points=sum(finding.max_points for finding in scored),
+            open_points=sum(finding.max_points for finding in manual),
+        )
+    return totals
+
+
+def is_open(finding: Finding) -> bool:
+    """Whether a person still has to decide about an item."""
+    return finding.outcome in OPEN_OUTCOMES
+
+
+def shares(reports: Sequence[Report]) -> list[float]:
+    """Return the score of each judged report as a share of its possible points."""
+    return [
+        report.score / report.max_score for report in reports if report.judged and report.max_score
+    ]
+
+
+def spread(scores: Sequence[float]) -> Spread:
+    """Summarise scores."""
+    if not scores:
+        return Spread(None, None, None, None, None)
+    return Spread(
+        mean=statistics.fmean(scores),
+        median=statistics.median(scores),
+        deviation=statistics.stdev(scores) if len(scores) > 1 else None,
+        lowest=min(scores),
+        highest=max(scores),
+    )
+
+
+def quantity_totals(reports: Sequence[Report]) -> tuple[QuantityTotal, ...]:
+    """Count outcomes of each quantity over judged reports, in the order of the assignment."""
+    findings: dict[str, list[Finding]] = {}
+    for report in reports:
+        if report.judged:
+            for finding in report.findings:
+                findings.setdefault(finding.quantity, []).append(finding)
+    return tuple(_quantity_total(group) for group in findings.values())
+
+
+def _quantity_total(findings: Sequence[Finding]) -> QuantityTotal:
+    closed = [finding for finding in findings if not is_open(finding) and finding.max_points]
+    facility = (
+        statistics.fmean(finding.points / finding.max_points for finding in closed)
+        if closed
+        else None
+    )
+    return QuantityTotal(
+        quantity=findings[0].quantity,
+        section=findings[0].section,
+        outcomes=Counter(finding.outcome for finding in findings),
+        facility=facility,
+    )

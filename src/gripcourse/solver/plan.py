@@ -1,0 +1,143 @@
+"""The plan of a calculation: a scheme with a variant's options, put into order."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+
+from gripcourse.course.catalogue import columns_of
+from gripcourse.course.compose import compose, direct_inputs, reference_formula
+from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem, UsageError
+from gripcourse.formula.evaluate import Column
+from gripcourse.formula.tree import Formula
+from gripcourse.words import message
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What is computed, in which order, from what.
+
+    Attributes:
+        course, scheme: what the plan belongs to.
+        options: what the variant chose.
+        convention: whose version of a formula is the reference.
+        quantities: every quantity by id, in order of calculation: inputs before what needs them.
+        inputs: ids that the formula of each quantity uses directly.
+        columns: catalogue columns in SI, by `catalogue.column`.
+        answered, givens, manual: quantities in the order of the assignment: by section, inside a
+            section in order of calculation.
+        constants: the course's constants that the reference uses.
+    """
+
+    course: Course
+    scheme: Scheme
+    options: Mapping[str, str]
+    convention: Convention
+    quantities: Mapping[str, Quantity]
+    inputs: Mapping[str, tuple[str, ...]]
+    columns: Mapping[str, Column]
+    answered: tuple[Quantity, ...]
+    givens: tuple[Quantity, ...]
+    manual: tuple[Quantity, ...]
+    constants: tuple[Quantity, ...]
+
+    def reference_formula(self, identifier: str) -> Formula | None:
+        """Return the formula that gives the reference of a quantity in this plan's convention."""
+        return reference_formula(self.quantities[identifier], self.convention)
+
+
+def make_plan(
+    course: Course,
+    scheme_id: str,
+    options: Mapping[str, str],
+    convention: Convention | None = None,
+) -> Plan:
+    """Put a scheme with a variant's options into the order of calculation.
+
+    Raises:
+        UsageError: for an unknown scheme, or an option that is missing or unknown.
+    """
+    scheme = _scheme(course, scheme_id)
+    _check_options(scheme, options)
+    convention = convention or course.convention
+    declared = compose(course, scheme, options)
+    inputs = {name: direct_inputs(one, convention) for name, one in declared.items()}
+    order = _stable_order(inputs)
+    used = {name for one in inputs.values() for name in one}
+    ranks = {section.id: rank for rank, section in enumerate(course.sections)}
+
+    def of_kind(*kinds: Kind) -> tuple[Quantity, ...]:
+        chosen = (declared[name] for name in order if declared[name].kind in kinds)
+        return tuple(sorted(chosen, key=lambda one: ranks.get(one.section, -1)))
+
+    return Plan(
+        course=course,
+        scheme=scheme,
+        options=options,
+        convention=convention,
+        quantities={name: declared[name] for name in order},
+        inputs=inputs,
+        columns=columns_of(course.catalogues),
+        answered=of_kind(*(kind for kind in Kind if kind.answered)),
+        givens=of_kind(Kind.GIVEN),
+        manual=of_kind(Kind.MANUAL),
+        constants=tuple(one for one in of_kind(Kind.CONSTANT) if one.id in used),
+    )
+
+
+def default_options(scheme: Scheme) -> dict[str, str]:
+    """Return the options of a scheme's worked example, else the first choice of each."""
+    if scheme.example is not None:
+        return dict(scheme.example.options)
+    return {option.id: option.choices[0].id for option in scheme.options}
+
+
+def _scheme(course: Course, scheme_id: str) -> Scheme:
+    if scheme_id in course.schemes:
+        return course.schemes[scheme_id]
+    what = message("The course has no scheme '{scheme}'.", scheme=scheme_id)
+    raise UsageError([Problem("", "", what, did_you_mean(scheme_id, course.schemes))])
+
+
+def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:
+    problems = []
+    for option in scheme.options:
+        choices = [choice.id for choice in option.choices]
+        if options.get(option.id) not in choices:
+            what = message(
+                "The option '{option}' of the scheme {scheme} cannot be '{choice}'.",
+                option=option.id,
+                scheme=scheme.id,
+                choice=options.get(option.id, ""),
+            )
+            problems.append(
+                Problem("", "", what, did_you_mean(options.get(option.id, ""), choices))
+            )
+    known = {option.id for option in scheme.options}
+    problems += [
+        Problem(
+            "",
+            "",
+            message("The scheme {scheme} has no option '{option}'.", scheme=scheme.id, option=name),
+            did_you_mean(name, known),
+        )
+        for name in options
+        if name not in known
+    ]
+    if problems:
+        raise UsageError(problems)
+
+
+def _stable_order(inputs: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """Order by dependency; among those that are ready, by order of declaration."""
+    rank = {name: number for number, name in enumerate(inputs)}
+    sorter = TopologicalSorter(inputs)
+    sorter.prepare()
+    ordered: list[str] = []
+    ready: list[str] = []
+    while sorter.is_active():
+        ready = sorted([*ready, *sorter.get_ready()], key=rank.__getitem__)
+        ordered.append(ready.pop(0))
+        sorter.done(ordered[-1])
+    return tuple(ordered)

@@ -1,0 +1,119 @@
+"""One pure function serves the solver, the grader, the diagnosis and what-if.
+
+`evaluate(plan, known)`: a value in `known` replaces the formula's value for everything downstream.
+All values are in SI; NaN means "not supplied" in `known` and "cannot be computed" in the result.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gripcourse.course.model import Choice, Convention, Kind, Quantity, Rounding
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Call, Formula, Name
+from gripcourse.solver.plan import Plan
+from gripcourse.units import factor
+
+Values = Mapping[str, NDArray[np.float64]]
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """The values of a plan in SI, by id.
+
+    Attributes:
+        values: what counts downstream: the known value where there is one, else the computed one.
+        computed: what each formula gives at these values of its direct inputs.
+    """
+
+    values: Values
+    computed: Values
+
+
+def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
+    """Compute every quantity of a plan, known values first.
+
+    Args:
+        plan: what is computed.
+        known: SI values by id, scalars or arrays of one shape (n,); NaN where not supplied. They
+            must hold the givens, and may hold anything else.
+
+    Returns:
+        Values and computed values, each of shape () or (n,); NaN where an input is missing or
+        outside a formula's domain.
+    """
+    values: dict[str, NDArray[np.float64]] = {}
+    computed: dict[str, NDArray[np.float64]] = {}
+    for name, quantity in plan.quantities.items():
+        if quantity.kind is Kind.MANUAL:
+            continue
+        computed[name] = _compute(plan, quantity, values)
+        if name in known:
+            supplied = np.asarray(known[name], dtype=np.float64)
+            values[name] = np.where(np.isnan(supplied), computed[name], supplied)
+        else:
+            values[name] = computed[name]
+    return Evaluation(values, computed)
+
+
+def solve_variant(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
+    """Compute one variant in declared units.
+
+    Args:
+        plan: what is computed.
+        given: givens, and constants or decisions that differ, in declared units.
+
+    Returns:
+        The value of every quantity but the manual ones, in declared units; NaN where it cannot be
+        computed.
+    """
+    return from_si(plan, evaluate(plan, to_si(plan, given)).values)
+
+
+def to_si(plan: Plan, values: Mapping[str, float]) -> dict[str, float]:
+    """Convert values by id from declared units to SI."""
+    return {name: value * factor(plan.quantities[name].unit) for name, value in values.items()}
+
+
+def from_si(plan: Plan, values: Mapping[str, NDArray[np.float64] | float]) -> dict[str, float]:
+    """Convert single values by id from SI to declared units."""
+    return {
+        name: _tidy(float(value) / factor(plan.quantities[name].unit))
+        for name, value in values.items()
+    }
+
+
+def choose(
+    required: NDArray[np.float64], choice: Choice, rounding: Rounding, plan: Plan
+) -> NDArray[np.float64]:
+    """Return the entry of a choice's series for a required value (SI, any shape)."""
+    function = "at_least" if rounding is Rounding.UP else "nearest"
+    call = Formula("", Call(function, (Name("required"),), choice.column), {})
+    return evaluate_formula(call, "", {"required": required}, plan.columns)
+
+
+def _compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float64]:
+    if quantity.value is not None:
+        return np.asarray(quantity.value * factor(quantity.unit))
+    formula = plan.reference_formula(quantity.id)
+    if formula is None:
+        return np.asarray(np.nan)
+    result = evaluate_formula(formula, quantity.unit, values, plan.columns)
+    if quantity.choice is None:
+        return result
+    return choose(result, quantity.choice, reference_rounding(quantity, plan.convention), plan)
+
+
+def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:
+    """Return how a convention takes the entry of a choice from its series."""
+    printed = [one.rounding for one in quantity.as_printed if one.rounding is not None]
+    if convention is Convention.GUIDE and printed:
+        return printed[0]
+    return quantity.choice.rounding if quantity.choice is not None else Rounding.UP
+
+
+def _tidy(value: float) -> float:
+    """Remove what converting units adds in the last place: 63 mm, not 63.00000000000001 mm."""
+    return float(f"{value:.14g}")

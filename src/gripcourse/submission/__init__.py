@@ -1,0 +1,1 @@
+"""A returned workbook of unknown origin, read into answers and remarks."""

@@ -1,0 +1,92 @@
+"""Raw cells → answers in declared units. Nothing is guessed and nothing silently becomes a zero."""
+
+from collections.abc import Iterable, Mapping
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.number_reading import NumberRead, read_number
+from gripcourse.submission.measure import Understood
+from gripcourse.submission.model import Answer, Reading, Submission
+from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.submission.understand import shown, understand
+from gripcourse.words import Message, message
+
+
+def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
+    """Make answers of the cells of a workbook.
+
+    Args:
+        raw: what stands in the file.
+        quantities: of the plan; those that are neither answered nor given are passed over.
+
+    Returns:
+        One answer for each answered quantity, also where its cell is gone.
+    """
+    asked = tuple(quantities)
+    answered = (quantity for quantity in asked if quantity.kind.answered)
+    return Submission(
+        file=raw.file,
+        digest=raw.digest,
+        identity=raw.identity,
+        creator=raw.creator,
+        givens=_givens(raw.givens, asked),
+        answers={one.id: _answer(one, raw.answers.get(one.id)) for one in answered},
+        remarks=raw.remarks,
+    )
+
+
+def _givens(cells: Mapping[str, RawCell], quantities: Iterable[Quantity]) -> dict[str, float]:
+    """Read the given values that are still numbers."""
+    given = (one for one in quantities if one.kind is Kind.GIVEN and one.id in cells)
+    values = ((one.id, _number(cells[one.id])) for one in given)
+    return {identifier: value for identifier, value in values if value is not None}
+
+
+def _number(cell: RawCell) -> float | None:
+    value = cell.value
+    if isinstance(value, str):
+        read = read_number(value)
+        return read.value if isinstance(read, NumberRead) else None
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        return float(value)
+    except OverflowError:
+        return None
+
+
+def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
+    if cell is None:
+        gone = message("The answer cell is missing from the workbook.")
+        return _without_value(quantity, Reading.BLANK, "", "", (gone,))
+    understood = understand(quantity, cell)
+    if isinstance(understood, Understood):
+        return Answer(
+            quantity=quantity.id,
+            reading=Reading.READ,
+            value=understood.value,
+            typed=shown(cell),
+            cell=cell.cell,
+            half_unit=understood.half_unit,
+            unit=understood.unit,
+            unit_fits=understood.unit_fits,
+            remarks=understood.remarks,
+        )
+    if understood is None:
+        return _without_value(quantity, Reading.BLANK, "", cell.cell, ())
+    return _without_value(quantity, Reading.UNREADABLE, shown(cell), cell.cell, (understood,))
+
+
+def _without_value(
+    quantity: Quantity, reading: Reading, typed: str, cell: str, remarks: tuple[Message, ...]
+) -> Answer:
+    return Answer(
+        quantity=quantity.id,
+        reading=reading,
+        value=None,
+        typed=typed,
+        cell=cell,
+        half_unit=0.0,
+        unit="",
+        unit_fits=True,
+        remarks=remarks,
+    )

@@ -1,0 +1,162 @@
+"""Numbers of answer cells in the declared unit, with the unit that stands behind a typed one."""
+
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Final
+
+from gripcourse.course.model import Quantity
+from gripcourse.number_reading import NumberRead, Unreadable, read_number, readable
+from gripcourse.units import UnitError, dimension, factor, read_unit, unit_text
+from gripcourse.words import LANGUAGES, Message, Texts, message
+
+_ANGLES: Final = frozenset({"deg", "rad"})
+_PERCENT: Final = "%"
+_OUT_OF_RANGE: Final = message("The number is too large or too small to compute with.")
+
+
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """A value that was read.
+
+    Attributes:
+        value: in the declared unit; as typed where the typed unit does not fit.
+        half_unit: half a unit of the last digit, likewise.
+        unit: the unit that was typed, in our spelling; empty for none.
+        unit_fits: False where that unit measures something else.
+        remarks: how it was read, where the cell is not a plain number.
+    """
+
+    value: float
+    half_unit: float
+    unit: str
+    unit_fits: bool
+    remarks: tuple[Message, ...]
+
+
+def from_number(quantity: Quantity, value: float, number_format: str) -> Understood | Message:
+    """Read a cell that holds a number.
+
+    Args:
+        quantity: that the cell answers.
+        value: as the file stores it; an integer may have any size.
+        number_format: of the cell; a percent format shows a hundred times the value.
+    """
+    try:
+        number = float(value)
+    except OverflowError:
+        return _OUT_OF_RANGE
+    if not math.isfinite(number):
+        return _OUT_OF_RANGE
+    half_unit = _half_unit(number)
+    if _PERCENT not in number_format or quantity.unit == "":
+        return _plain(number, half_unit, ())
+    if quantity.unit == _PERCENT:
+        return _plain(100 * number, 100 * half_unit, ())
+    remark = message(
+        "The cell has a percent format: it shows {shown} %, but its value is {number}.",
+        shown=readable(100 * number),
+        number=readable(number),
+    )
+    return _plain(number, half_unit, (remark,))
+
+
+def from_text(quantity: Quantity, text: str) -> Understood | Message:
+    """Read a cell that holds text: a number, perhaps with a unit behind it."""
+    read = read_number(text)
+    if isinstance(read, Unreadable):
+        return read.reason
+    unit = read_unit(read.unit) if read.unit else ""
+    if unit is None or not _measures(unit):
+        unknown = message(
+            "The text “{text}” after the number is no known unit; the number was taken in the "
+            "unit that the workbook asks for.",
+            text=read.unit,
+        )
+        return _plain(read.value, read.half_unit, (_as_number(read), *read.remarks, unknown))
+    if unit in {"", quantity.unit}:
+        return Understood(
+            read.value,
+            read.half_unit,
+            unit,
+            unit_fits=True,
+            remarks=(_as_number(read), *read.remarks),
+        )
+    if not _fits(unit, quantity.unit):
+        return Understood(
+            read.value,
+            read.half_unit,
+            unit,
+            unit_fits=False,
+            remarks=(*read.remarks, _unfit(unit, quantity)),
+        )
+    return _converted(read, unit, quantity)
+
+
+def _plain(value: float, half_unit: float, remarks: tuple[Message, ...]) -> Understood:
+    return Understood(value, half_unit, "", unit_fits=True, remarks=remarks)
+
+
+def _half_unit(value: float) -> float:
+    """Return half a unit of the last digit that a spreadsheet shows, of fifteen at most."""
+    exponent = Decimal(f"{value:.15g}").as_tuple().exponent
+    return float(f"5e{int(exponent) - 1}") if value else 0.0
+
+
+def _measures(unit: str) -> bool:
+    """Whether a unit has a finite size; a power like `mm**9999` has none."""
+    try:
+        return math.isfinite(factor(unit)) and factor(unit) > 0
+    except (UnitError, ArithmeticError):
+        return False
+
+
+def _fits(unit: str, declared: str) -> bool:
+    """Whether a value can be converted; an angle is a plain number, but no percentage is one."""
+    same_kind = (unit in _ANGLES) == (declared in _ANGLES)
+    return same_kind and dimension(unit) == dimension(declared)
+
+
+def _converted(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:
+    scale = factor(unit) / factor(quantity.unit)
+    value = float(f"{read.value * scale:.14g}")  # without what the conversion adds at the end
+    if not math.isfinite(value):
+        return _OUT_OF_RANGE
+    remark = message(
+        "Read as {number} {unit} = {value} {declared}; the cell needs the number alone.",
+        number=readable(read.value),
+        unit=_written(unit),
+        value=readable(value),
+        declared=_written(quantity.unit),
+    )
+    return Understood(
+        value, read.half_unit * scale, unit, unit_fits=True, remarks=(remark, *read.remarks)
+    )
+
+
+def _as_number(read: NumberRead) -> Message:
+    return message(
+        "The cell holds text, which was read as the number {number}; the cell needs the number "
+        "alone, typed with the decimal sign of the spreadsheet program.",
+        number=readable(read.value),
+    )
+
+
+def _unfit(unit: str, quantity: Quantity) -> Message:
+    if quantity.unit == "":
+        return message(
+            "The unit {unit} does not fit: {title} is a plain number.",
+            unit=_written(unit),
+            title=quantity.title,
+        )
+    return message(
+        "The unit {unit} does not fit: {title} is asked in {declared}.",
+        unit=_written(unit),
+        title=quantity.title,
+        declared=_written(quantity.unit),
+    )
+
+
+def _written(unit: str) -> Texts:
+    """Return a unit as each language writes it."""
+    return Texts({language: unit_text(unit, language) for language in LANGUAGES})

@@ -1,0 +1,92 @@
+"""What was read from a returned workbook."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.words import Message
+
+
+class Reading(StrEnum):
+    """How an answer cell was read: three different things, none of which is a zero."""
+
+    READ = "read"
+    BLANK = "blank"
+    UNREADABLE = "unreadable"
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One answer cell.
+
+    Attributes:
+        quantity: id of the quantity.
+        reading: read, blank or unreadable.
+        value: in the quantity's declared unit; None unless read. A verdict reads as 1.0 or 0.0.
+        typed: what the cell shows, at most 80 characters, for the report.
+        cell: where it stands now, `sheet!address`; empty where the cell is gone.
+        half_unit: half a unit of the last typed digit, in the declared unit; 0.0 where the cell
+            holds a computed number.
+        unit: the unit that was typed beside the number, in our spelling; empty for none.
+        unit_fits: False where that unit measures something else; the value is then as typed.
+        remarks: what the student should learn about how the cell was read, or why it was not.
+    """
+
+    quantity: str
+    reading: Reading
+    value: float | None
+    typed: str
+    cell: str
+    half_unit: float
+    unit: str
+    unit_fits: bool
+    remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """Who and what a workbook says it belongs to; empty where it does not say.
+
+    Attributes:
+        student, variant, scheme: ids.
+        options: what the variant chooses.
+        signature: hexadecimal, over all of it and the given values.
+    """
+
+    student: str
+    variant: str
+    scheme: str
+    options: Mapping[str, str]
+    signature: str
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """A workbook that could be read.
+
+    Attributes:
+        file: path as the user gave it.
+        digest: SHA-256 of the file's bytes, hexadecimal.
+        identity: as written in the hidden sheet, or in the custom property where the sheet is gone.
+        creator: the author that the workbook's properties name.
+        givens: given values as they stand in the workbook now, in declared units.
+        answers: by quantity id; one for each answered quantity, also for missing cells.
+        remarks: about the workbook as a whole.
+    """
+
+    file: str
+    digest: str
+    identity: Identity
+    creator: str
+    givens: Mapping[str, float]
+    answers: Mapping[str, Answer]
+    remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rejected:
+    """A file that is no workbook that we can read, and why, for the person who sent it."""
+
+    file: str
+    digest: str
+    reason: Message

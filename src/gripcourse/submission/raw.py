@@ -1,0 +1,54 @@
+"""The cells of a returned workbook as they stand in the file, before anything is made of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date, datetime, time, timedelta
+from typing import TypeAlias
+
+from gripcourse.submission.model import Identity
+from gripcourse.words import Message
+
+CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
+"""What a spreadsheet cell can hold; `date` includes `datetime`."""
+
+
+@dataclass(frozen=True, slots=True)
+class RawCell:
+    """One named cell.
+
+    Attributes:
+        value: what the file stores for it.
+        number_format: as the file spells it, for example `General` or `0.00%`.
+        error: whether `value` is an error of a formula, for example `#DIV/0!`.
+        formula: the formula of a cell whose file stores no value for it; empty for none.
+        cell: where it stands, `sheet!address`.
+    """
+
+    value: CellValue
+    number_format: str
+    error: bool
+    formula: str
+    cell: str
+
+
+@dataclass(frozen=True, slots=True)
+class RawWorkbook:
+    """The named cells of a workbook.
+
+    Attributes:
+        file: path as the user gave it.
+        digest: SHA-256 of the file's bytes, hexadecimal.
+        identity: what the workbook says it belongs to.
+        creator: who saved it last, or who made it; empty where it does not say.
+        givens: cells of given values, by quantity id; ids whose cell is gone are absent.
+        answers: answer cells, likewise.
+        remarks: about the workbook as a whole.
+    """
+
+    file: str
+    digest: str
+    identity: Identity
+    creator: str
+    givens: Mapping[str, RawCell]
+    answers: Mapping[str, RawCell]
+    remarks: tuple[Message, ...]

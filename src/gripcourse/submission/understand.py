@@ -1,0 +1,110 @@
+"""What one answer cell means: a value, nothing, or the reason why it cannot be read."""
+
+from datetime import date, datetime, time, timedelta
+from typing import Final
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.submission.dates import about_date, about_time, is_serial_date, serial_date
+from gripcourse.submission.measure import Understood, from_number, from_text
+from gripcourse.submission.raw import CellValue, RawCell
+from gripcourse.words import Message, message
+
+LONGEST_SHOWN: Final = 80
+"""Characters of a cell that a report repeats."""
+
+_YES: Final = frozenset({"да", "так", "yes", "+", "1", "true", "истина", "істина"})
+_NO: Final = frozenset(
+    {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність"}
+)
+# Files store errors in English; the Russian words come as text that was pasted.
+_ERRORS: Final = frozenset(
+    {
+        *("#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A", "#NULL!"),
+        *("#ДЕЛ/0!", "#ЗНАЧ!", "#ССЫЛКА!", "#ИМЯ?", "#ЧИСЛО!", "#Н/Д", "#ПУСТО!"),
+    }
+)
+_VERDICT_NEEDED: Final = message("Yes or no is needed here.")
+_NUMBER_NEEDED: Final = message("A number is needed here, not a logical value.")
+_NO_NUMBER: Final = message("A number is needed here.")
+
+
+def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None:
+    """Tell what a cell means.
+
+    Args:
+        quantity: that the cell answers.
+        cell: as it stands in the file.
+
+    Returns:
+        The value in the declared unit; None for a blank cell; else why it cannot be read.
+    """
+    if cell.value is None and not cell.formula:
+        return None
+    if isinstance(cell.value, str) and not cell.value.strip():
+        return None
+    return _spoiled(cell) or _value(quantity, cell)
+
+
+def _spoiled(cell: RawCell) -> Message | None:
+    """Tell what the spreadsheet program made of a cell that is no number any more."""
+    value = cell.value
+    if cell.formula:
+        return message(
+            "The cell holds a formula whose result is not stored in the file. Open the workbook in "
+            "a spreadsheet program, save it there and send it again."
+        )
+    if cell.error or (isinstance(value, str) and value.strip().upper() in _ERRORS):
+        return message(
+            "The formula in the cell {cell} gives the error {error}.",
+            cell=cell.cell,
+            error=shown(cell),
+        )
+    if isinstance(value, date):  # a `datetime` is one too
+        return about_date(value)
+    return about_time() if isinstance(value, time | timedelta) else None
+
+
+def _value(quantity: Quantity, cell: RawCell) -> Understood | Message:
+    value = cell.value
+    if quantity.kind is Kind.VERDICT:
+        return _verdict(value)
+    match value:
+        case bool():
+            return _NUMBER_NEEDED
+        case str():
+            return from_text(quantity, value)
+        case int() | float() if is_serial_date(value, quantity.bounds):
+            return about_date(serial_date(value))
+        case int() | float():
+            return from_number(quantity, value, cell.number_format)
+        case _:
+            return _NO_NUMBER
+
+
+def shown(cell: RawCell) -> str:
+    """Return what the cell shows, as one short line; a computed number with all its digits."""
+    value = cell.value
+    if cell.formula:
+        text = cell.formula
+    elif isinstance(value, bool):
+        text = str(value).upper()
+    elif isinstance(value, float):
+        text = f"{value:.15g}"
+    elif isinstance(value, int):
+        text = f"{value:d}" if abs(value) < 10**LONGEST_SHOWN else "1E+80…"
+    elif isinstance(value, datetime) and value.time() == time():
+        text = f"{value:%d.%m.%Y}"
+    else:
+        text = "" if value is None else str(value)
+    line = " ".join(text[: LONGEST_SHOWN * 4].split())
+    return "".join(sign for sign in line if sign.isprintable())[:LONGEST_SHOWN]
+
+
+def _verdict(value: CellValue) -> Understood | Message:
+    """Read yes or no in any of the three languages, or as a spreadsheet's logical value."""
+    word = str(value).strip().rstrip(".!").strip().casefold()
+    if word in _YES or value == 1:
+        return Understood(1.0, 0.0, "", unit_fits=True, remarks=())
+    if word in _NO or value == 0:
+        return Understood(0.0, 0.0, "", unit_fits=True, remarks=())
+    return _VERDICT_NEEDED

@@ -1,0 +1,1 @@
+"""Variant tables: drawn from a space or imported, stored as values."""

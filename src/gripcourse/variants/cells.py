@@ -1,0 +1,48 @@
+"""One cell of a table: a number that is exactly what was written, or none."""
+
+import re
+
+from gripcourse.units import factor
+
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_INVISIBLE = str.maketrans({" ": None, "\u00a0": None, "\u202f": None, "\u2009": None, "−": "-"})
+
+
+def exact_number(text: str, *, decimal_comma: bool) -> float | None:
+    """Read a number; None where the text is none, or could be read in two ways.
+
+    Args:
+        text: as it stands in the cell; blanks between groups of digits are allowed.
+        decimal_comma: whether a comma can only be a decimal one.
+
+    Returns:
+        The nearest float; None also for a number too large for one.
+    """
+    plain = text.translate(_INVISIBLE)
+    if decimal_comma and "." not in plain:
+        plain = plain.replace(",", ".", 1)
+    if not _NUMBER.fullmatch(plain):
+        return None
+    value = float(plain)
+    return value if abs(value) < float("inf") else None
+
+
+def number_text(value: float) -> str:
+    """Write a number in the fewest digits that are read back as the same: `60`, `0.15`."""
+    if value.is_integer() and abs(value) < 1e15:  # noqa: PLR2004 - all digits of a float are known
+        return str(int(value)) if value else "0"
+    return repr(value)
+
+
+def converted(value: float, unit: str, wanted: str) -> float:
+    """Convert a number from one unit to another of its kind, without digits that nobody wrote.
+
+    Args:
+        value: in `unit`.
+        unit: as written over the column.
+        wanted: as declared.
+    """
+    if unit == wanted:
+        return value
+    # Fourteen figures: 0.15 m is 150 mm, not 149.99999999999997.
+    return float(f"{value * (factor(unit) / factor(wanted)):.14g}")

@@ -1,0 +1,265 @@
+"""Drawing variants: a seeded low-discrepancy sequence over the spaces, refusing the unsolvable.
+
+Candidates are tried in rounds of growing size, each solved in one evaluation. The same course,
+spaces, count and seed give the same variants.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, TableError
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.explain import in_short, listed
+from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
+from gripcourse.variants.model import Variant
+from gripcourse.variants.space import Case, Space
+from gripcourse.words import Message, message
+
+_FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
+_CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
+_MOST_TRIED = 1 << 18  # candidates of one case before giving up
+_REASONS_TOLD = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Feasible candidates of one case, in the order in which they would be accepted.
+
+    Attributes:
+        plan: of the scheme and its options.
+        given: values in declared units, arrays of shape (n,).
+        feasibility: of the candidates before the infeasible ones were left out.
+        positions: where the candidates stand in `feasibility`, shape (n,).
+    """
+
+    plan: Plan
+    given: Mapping[str, Array]
+    feasibility: Feasibility
+    positions: NDArray[np.intp]
+
+
+Filter: TypeAlias = Callable[[Batch], Mask]
+"""A further condition on candidates, shape (n,): for example that they are far enough apart.
+
+It is asked batch by batch and in order, so that it may remember what it let through.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """How often candidates were refused for a reason; one candidate may have several."""
+
+    what: Message
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class Tally:
+    """How drawing went for one scheme.
+
+    Attributes:
+        scheme: its id.
+        tried: candidates judged.
+        sound: candidates that could have been accepted.
+        refusals: the reasons for the others, the most frequent first.
+    """
+
+    scheme: str
+    tried: int
+    sound: int
+    refusals: tuple[Refusal, ...]
+
+    @property
+    def acceptance(self) -> float:
+        """Share of the candidates that could have been accepted, 0 to 1."""
+        return self.sound / self.tried
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Variants and how they were found."""
+
+    variants: tuple[Variant, ...]
+    tallies: tuple[Tally, ...]
+
+
+def draw(
+    course: Course, spaces: Sequence[Space], count: int, seed: int, further: Filter | None = None
+) -> Drawn:
+    """Draw variants.
+
+    Args:
+        course: whose schemes are drawn.
+        spaces: what is drawn from, each with its share.
+        count: how many variants.
+        seed: the same seed gives the same variants.
+        further: a further condition on feasible candidates.
+
+    Returns:
+        The variants, named `001`, `002`, ..., schemes and options mixed, and the tallies.
+
+    Raises:
+        TableError: too few candidates can be solved; the main reasons are named.
+    """
+    search = [_Search(course, space, case, further) for space in spaces for case in space.cases]
+    shares = [space.weight / len(space.cases) for space in spaces for _ in space.cases]
+    counts = _apportion(count, shares)
+    seeds = np.random.SeedSequence(seed).spawn(len(search) + 1)
+    found = [
+        one.find(wanted, own) for one, wanted, own in zip(search, counts, seeds[:-1], strict=True)
+    ]
+    rows = [(one.space.scheme, one.case.options, row)
+            for one, result in zip(search, found, strict=True) for row in result.rows]  # fmt: skip
+    order = np.random.default_rng(seeds[-1]).permutation(len(rows)) if len(search) > 1 else None
+    mixed = rows if order is None else [rows[position] for position in order]
+    width = max(3, len(str(count)))
+    variants = tuple(
+        Variant(f"{number:0{width}d}", scheme, options, given)
+        for number, (scheme, options, given) in enumerate(mixed, start=1)
+    )
+    return Drawn(variants, _tallies(search, found))
+
+
+def _apportion(count: int, shares: Sequence[float]) -> list[int]:
+    """Split a count by shares: whole parts first, the rest to the largest remainders."""
+    exact = [count * share / sum(shares) for share in shares]
+    parts = [int(one) for one in exact]
+    by_rest = sorted(range(len(exact)), key=lambda place: parts[place] - exact[place])
+    for place in by_rest[: count - sum(parts)]:
+        parts[place] += 1
+    return parts
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """What a search brought: accepted values, and counts of all that was tried."""
+
+    rows: tuple[Mapping[str, float], ...]
+    tried: int
+    sound: int
+    refusals: tuple[Refusal, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Search:
+    """The search for variants of one case."""
+
+    course: Course
+    space: Space
+    case: Case
+    further: Filter | None
+
+    def find(self, wanted: int, seed: np.random.SeedSequence) -> _Found:
+        """Try candidates until enough are accepted."""
+        plan = make_plan(self.course, self.space.scheme, self.case.options)
+        rows: dict[tuple[float, ...], Mapping[str, float]] = {}
+        reasons: Counter[Reason] = Counter()
+        doubles = set_aside = tried = 0
+        for drawn in self._candidates(wanted, np.random.default_rng(seed)):
+            if len(rows) >= wanted:
+                break
+            given = {quantity.id: drawn[quantity.id] for quantity in plan.givens}
+            feasibility = reasons_infeasible(plan, given, self.case.constraints)
+            reasons.update({one: int(where.sum()) for one, where in feasibility.refused.items()})
+            tried += len(feasibility.feasible)
+            batch = _batch(plan, given, feasibility)
+            keep = np.ones(len(batch.positions), dtype=np.bool_)
+            if self.further is not None:
+                keep = self.further(batch)
+            set_aside += int((~keep).sum())
+            for values in zip(*(values[keep] for values in batch.given.values()), strict=True):
+                key = tuple(float(value) for value in values)
+                doubles += key in rows
+                rows.setdefault(key, dict(zip(batch.given, key, strict=True)))
+        refusals = (
+            *(Refusal(in_short(plan, one), number) for one, number in reasons.items()),
+            Refusal(message("too near to another variant"), set_aside),
+            Refusal(message("the same numbers as another variant"), doubles),
+        )
+        result = _Found(tuple(rows.values())[:wanted], tried, len(rows), _by_count(refusals))
+        if len(rows) < wanted:
+            raise _too_few(self.space, wanted, result)
+        return result
+
+    def _candidates(self, wanted: int, rng: np.random.Generator) -> Iterator[Mapping[str, Array]]:
+        """Yield candidates in chunks, in declared units; round by round as many as before."""
+        from scipy.stats import qmc  # noqa: PLC0415 - costs 700 ms, only drawing pays
+
+        ids = list(self.case.given)
+        sequence = qmc.Sobol(max(len(ids), 1), scramble=True, rng=rng)
+        tried = 0
+        while tried < _MOST_TRIED:
+            size = max(tried, _FIRST_ROUND, 1 << max(2 * wanted - 1, 1).bit_length())
+            points = sequence.random_base2(size.bit_length() - 1)
+            tried += size
+            for start in range(0, size, _CHUNK):
+                yield self._values(ids, points[start : start + _CHUNK])
+
+    def _values(self, ids: Sequence[str], points: Array) -> dict[str, Array]:
+        """Turn points of the unit cube, shape (n, d), into allowed values."""
+        given: dict[str, Array] = {}
+        for place, id_ in enumerate(ids):
+            allowed = np.asarray(self.case.given[id_])
+            given[id_] = allowed[(points[:, place] * len(allowed)).astype(np.intp)]
+        for id_, follower in self.case.followers.items():
+            given[id_] = np.array([follower.values[value] for value in given[follower.leader]])
+        return given
+
+
+def _batch(plan: Plan, given: Mapping[str, Array], feasibility: Feasibility) -> Batch:
+    positions = np.flatnonzero(feasibility.feasible)
+    return Batch(
+        plan, {id_: values[positions] for id_, values in given.items()}, feasibility, positions
+    )
+
+
+def _too_few(space: Space, wanted: int, found: _Found) -> TableError:
+    common = [
+        message("{what}: {count}", what=one.what, count=one.count)
+        for one in found.refusals[:_REASONS_TOLD]
+    ]
+    return TableError([Problem(
+        space.file,
+        "",
+        message(
+            "Of {tried} tried variants of '{scheme}' only {sound} can be handed out, {wanted} are"
+            " wanted. Most often: {reasons}.",
+            tried=found.tried, scheme=space.scheme, sound=found.sound, wanted=wanted,
+            reasons=listed(common) if common else "—",
+        ),
+        message("Widen or move the ranges of these quantities, or loosen the constraints."),
+    )])  # fmt: skip
+
+
+def _tallies(search: Sequence[_Search], found: Sequence[_Found]) -> tuple[Tally, ...]:
+    """Add the cases of each scheme up."""
+    by_scheme: dict[str, list[_Found]] = {}
+    for one, result in zip(search, found, strict=True):
+        if result.tried:  # a share too small for a single variant is not searched for
+            by_scheme.setdefault(one.space.scheme, []).append(result)
+    return tuple(_tally(scheme, results) for scheme, results in by_scheme.items())
+
+
+def _tally(scheme: str, results: Sequence[_Found]) -> Tally:
+    counts: dict[str, Refusal] = {}
+    for one in (refusal for result in results for refusal in result.refusals):
+        earlier = counts.get(str(one.what))
+        total = one.count + (earlier.count if earlier else 0)
+        counts[str(one.what)] = Refusal(one.what, total)
+    return Tally(
+        scheme,
+        sum(result.tried for result in results),
+        sum(result.sound for result in results),
+        _by_count(counts.values()),
+    )
+
+
+def _by_count(refusals: Iterable[Refusal]) -> tuple[Refusal, ...]:
+    """Sort by count, the most frequent first; what never happened is left out."""
+    return tuple(sorted((one for one in refusals if one.count), key=lambda one: -one.count))

@@ -1,0 +1,154 @@
+"""A refusal in a sentence: the quantity, its value, and the values it came from."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
+
+import numpy as np
+
+from gripcourse.course.model import Quantity
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Formula, names
+from gripcourse.solver.plan import Plan
+from gripcourse.units import factor, unit_text
+from gripcourse.variants.feasible import Cause, Feasibility, Reason, reasons_infeasible
+from gripcourse.words import LANGUAGES, Message, Texts, message
+
+
+def why_infeasible(
+    plan: Plan, given: Mapping[str, float], constraints: Sequence[Formula] = ()
+) -> tuple[Message, ...]:
+    """Say why one variant cannot be handed out.
+
+    Args:
+        plan: of the variant's scheme and options.
+        given: its values in declared units.
+        constraints: conditions that it must satisfy as well.
+
+    Returns:
+        A sentence per reason; empty for a sound variant.
+    """
+    arrays = {id_: np.array([value]) for id_, value in given.items()}
+    feasibility = reasons_infeasible(plan, arrays, constraints)
+    return tuple(explain(plan, feasibility, reason, 0) for reason in feasibility.refused)
+
+
+def explain(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> Message:
+    """Say what one candidate is refused for, with its values.
+
+    Args:
+        plan: that the batch was evaluated with.
+        feasibility: the judged batch.
+        reason: one of its reasons.
+        row: position of the candidate in the batch.
+    """
+    quantity = plan.quantities.get(reason.quantity)
+    if quantity is None or reason.formula is not None:
+        return _broken_rule(plan, feasibility, reason, row)
+    value = _value(plan, feasibility, quantity.id, row)
+    if reason.cause is Cause.NO_VALUE:
+        return _no_value(plan, feasibility, quantity, row)
+    if reason.cause is Cause.NOT_WHOLE:
+        return message("{quantity} must be a whole number, not {value}.",
+                       quantity=_named(quantity), value=value)  # fmt: skip
+    low, high = quantity.bounds
+    return message(
+        "{quantity} is {value}; it must lie between {low} and {high}.",
+        quantity=_named(quantity),
+        value=value,
+        low=low,
+        high=_with_unit(high, quantity),
+    )
+
+
+def in_short(plan: Plan, reason: Reason) -> Message:
+    """Say what candidates are refused for, without values: for counting."""
+    quantity = plan.quantities.get(reason.quantity)
+    if quantity is None:
+        return message("{rule} does not hold", rule=reason.formula.text if reason.formula else "")
+    named = _named(quantity)
+    match reason.cause:
+        case Cause.NO_VALUE if quantity.choice is not None:
+            return message("{quantity} is not in the catalogue", quantity=named)
+        case Cause.NO_VALUE:
+            return message("{quantity} has no value", quantity=named)
+        case Cause.BOUNDS:
+            return message("{quantity} is out of bounds", quantity=named)
+        case Cause.NOT_WHOLE:
+            return message("{quantity} is no whole number", quantity=named)
+        case _:
+            rule = reason.formula.text if reason.formula else ""
+            return message("{quantity}: {rule} does not hold", quantity=named, rule=rule)
+
+
+def listed(said: Iterable[Message]) -> Message:
+    """Join messages into one, separated by semicolons."""
+    return reduce(lambda left, right: message("{left}; {right}", left=left, right=right), said)
+
+
+def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int) -> Message:
+    inputs = plan.inputs.get(quantity.id, ())
+    formula = plan.reference_formula(quantity.id)
+    if quantity.choice is not None and formula is not None:
+        required = evaluate_formula(
+            formula, quantity.unit, feasibility.evaluation.values, plan.columns
+        )
+        required_in_unit = float(np.ravel(required)[_position(required, row)])
+        return message(
+            "{quantity}: the catalogue {catalogue} has no entry for {required}.",
+            quantity=_named(quantity),
+            catalogue=quantity.choice.column,
+            required=_with_unit(required_in_unit / factor(quantity.unit), quantity),
+        )
+    if not inputs:
+        return message("{quantity} has no value.", quantity=_named(quantity))
+    return message(
+        "{quantity} has no value: {formula}, where {values}.",
+        quantity=_named(quantity),
+        formula=formula.text if formula else "",
+        values=_values(plan, feasibility, inputs, row),
+    )
+
+
+def _broken_rule(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> Message:
+    formula = reason.formula
+    if formula is None:
+        return in_short(plan, reason)
+    values = _values(plan, feasibility, names(formula.tree), row)
+    if not reason.quantity:
+        return message("{rule} does not hold, where {values}.", rule=formula.text, values=values)
+    return message(
+        "{quantity}: {rule} does not hold, where {values}.",
+        quantity=_named(plan.quantities[reason.quantity]),
+        rule=formula.text,
+        values=values,
+    )
+
+
+def _values(plan: Plan, feasibility: Feasibility, ids: Sequence[str], row: int) -> Message:
+    return listed(
+        message("{name} = {value}", name=id_, value=_value(plan, feasibility, id_, row))
+        for id_ in ids
+    )
+
+
+def _value(plan: Plan, feasibility: Feasibility, id_: str, row: int) -> Message:
+    quantity = plan.quantities[id_]
+    values = feasibility.evaluation.values[id_]
+    value = float(np.ravel(values)[_position(values, row)])
+    return _with_unit(value / factor(quantity.unit), quantity)
+
+
+def _position(values: object, row: int) -> int:
+    """A value that is the same for all candidates has one entry only."""
+    return row if np.size(np.asarray(values)) > 1 else 0
+
+
+def _named(quantity: Quantity) -> Message:
+    return message("{title} ({id})", title=quantity.title, id=quantity.id)
+
+
+def _with_unit(value: float, quantity: Quantity) -> Message:
+    if not quantity.unit:
+        return message("{value}", value=value)
+    units = Texts({language: unit_text(quantity.unit, language) for language in LANGUAGES})
+    return message("{value} {unit}", value=value, unit=units)

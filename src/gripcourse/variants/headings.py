@@ -1,0 +1,226 @@
+"""What a column of a table is: ids, titles and symbols in any language, with or without a unit.
+
+A heading is `mass`, `mass [kg]`, `Масса, кг` or `m (kg)`. What people call the columns that every
+table has is in `headings.toml`.
+"""
+
+import re
+import tomllib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+
+from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.units import dimension, read_unit
+from gripcourse.variants.sheet import Sheet, column_name
+from gripcourse.words import LANGUAGES, Texts, message
+
+_WITH_UNIT = (
+    re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
+    re.compile(r"(?P<name>.+?)\s*\((?P<unit>[^()]*)\)"),
+    re.compile(r"(?P<name>.+),\s*(?P<unit>[^,]+)"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column that is understood.
+
+    Attributes:
+        position: from 0.
+        name: what a person calls it.
+        unit: that its heading names, None where it names none.
+    """
+
+    position: int
+    name: str
+    unit: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Vocabulary:
+    """What the columns of one kind of table may be called.
+
+    Attributes:
+        ids: ids by themselves and by the words of `headings.toml`, in small letters.
+        titles: ids by titles in any language, in small letters.
+        symbols: ids by symbols, in which capitals count.
+        quantities: those of the ids that carry a unit.
+    """
+
+    ids: Mapping[str, frozenset[str]]
+    titles: Mapping[str, frozenset[str]]
+    symbols: Mapping[str, frozenset[str]]
+    quantities: Mapping[str, Quantity]
+
+    def find(self, name: str) -> frozenset[str]:
+        """Return the ids that a name may mean: ids go before titles, titles before symbols."""
+        small = plain(name)
+        return (
+            self.ids.get(small)
+            or self.titles.get(small)
+            or self.symbols.get(name.strip(), frozenset())
+        )
+
+
+def plain(text: str) -> str:
+    """Return a text without what people do not see: capitals, spare blanks, `ё`."""
+    return " ".join(text.casefold().replace("ё", "е").split())
+
+
+@lru_cache(maxsize=1)
+def _declared() -> Mapping[str, Mapping[str, tuple[str, ...]]]:
+    source = files("gripcourse") / "variants" / "headings.toml"
+    read = tomllib.loads(source.read_text(encoding="utf-8"))
+    return {table: {id_: tuple(names) for id_, names in ids.items()} for table, ids in read.items()}
+
+
+def declared_names(table: str) -> Mapping[str, frozenset[str]]:
+    """Return the ids of a table of `headings.toml` by what people call them."""
+    pairs = ((plain(name), id_) for id_, names in _declared()[table].items() for name in names)
+    return _grouped(pairs)
+
+
+def roster_vocabulary() -> Vocabulary:
+    """Return what the columns of a roster may be called."""
+    return Vocabulary(declared_names("roster"), {}, {}, {})
+
+
+def table_vocabulary(course: Course) -> Vocabulary:
+    """Return what the columns of a variant table may be called.
+
+    Options are found as `option:<id>`, so that no quantity of the same name is in their way.
+    """
+    givens = given_quantities(course)
+    options = [option for scheme in course.schemes.values() for option in scheme.options]
+    ids = [(name, id_) for name, found in declared_names("table").items() for id_ in found]
+    ids += [(plain(option.id), f"option:{option.id}") for option in options]
+    ids += [(plain(id_), id_) for id_ in givens]
+    titles = [
+        (plain(one), f"option:{option.id}") for option in options for one in _all(option.title)
+    ]
+    titles += [(plain(one), id_) for id_, given in givens.items() for one in _all(given.title)]
+    symbols = [(one, id_) for id_, given in givens.items() for one in _all(given.symbol)]
+    symbols += [(symbol.replace("_", ""), id_) for symbol, id_ in symbols]
+    return Vocabulary(_grouped(ids), _grouped(titles), _grouped(symbols), givens)
+
+
+def given_quantities(course: Course) -> dict[str, Quantity]:
+    """Return the given quantities of all schemes by id; of one id the first declaration."""
+    found: dict[str, Quantity] = {}
+    for scheme in course.schemes.values():
+        for options in option_sets(scheme):
+            for quantity in compose(course, scheme, options).values():
+                if quantity.kind is Kind.GIVEN:
+                    found.setdefault(quantity.id, quantity)
+    return found
+
+
+def find_columns(
+    sheet: Sheet, vocabulary: Vocabulary, problems: list[Problem]
+) -> dict[str, Column]:
+    """Return the columns of a sheet by id.
+
+    Args:
+        sheet: the table.
+        vocabulary: what its columns may be called.
+        problems: where unknown, ambiguous and doubled headings and unfit units are recorded.
+    """
+    found: dict[str, Column] = {}
+    for position, heading in enumerate(sheet.header):
+        column = column_name(position, sheet.header)
+        key = f"column {column}"
+        if not heading:
+            what = message("The column has values but no heading.")
+            problems.append(Problem(sheet.file, key, what, message("Write one, or clear it.")))
+            continue
+        name, unit_text = _split(heading, vocabulary)
+        ids = vocabulary.find(name)
+        if len(ids) != 1:
+            problems.append(_unknown(sheet, key, ids, name, vocabulary))
+            continue
+        id_ = next(iter(ids))
+        if id_ in found:
+            what = message("The columns '{first}' and '{second}' mean the same.",
+                           first=found[id_].name, second=heading)  # fmt: skip
+            problems.append(Problem(sheet.file, key, what, message("Keep one of the two.")))
+            continue
+        unit = None
+        if unit_text is not None and id_ in vocabulary.quantities:
+            unit = _unit(sheet, key, unit_text, vocabulary.quantities[id_], problems)
+        found[id_] = Column(position, column, unit)
+    return found
+
+
+def _split(heading: str, vocabulary: Vocabulary) -> tuple[str, str | None]:
+    """Split a heading into name and unit; a title with a comma of its own stays whole."""
+    if vocabulary.find(heading):
+        return heading, None
+    for pattern in _WITH_UNIT:
+        match = pattern.fullmatch(heading)
+        if match is not None and vocabulary.find(match["name"]):
+            return match["name"], match["unit"]
+    match = _WITH_UNIT[0].fullmatch(heading)
+    return (match["name"], match["unit"]) if match is not None else (heading, None)
+
+
+def _unknown(
+    sheet: Sheet, key: str, ids: Iterable[str], name: str, vocabulary: Vocabulary
+) -> Problem:
+    several = sorted(ids)
+    if several:
+        return Problem(
+            sheet.file,
+            key,
+            message("'{name}' may mean {ids}.", name=name, ids=", ".join(several)),
+            message("Write the id instead."),
+        )
+    return Problem(
+        sheet.file,
+        key,
+        message("There is no quantity or option '{name}'.", name=name),
+        did_you_mean(plain(name), {*vocabulary.ids, *vocabulary.titles}),
+    )
+
+
+def _unit(
+    sheet: Sheet, key: str, text: str, quantity: Quantity, problems: list[Problem]
+) -> str | None:
+    unit = read_unit(text)
+    if unit is None:
+        problems.append(
+            Problem(
+                sheet.file,
+                key,
+                message("The unit '{unit}' is not known.", unit=text),
+                message("Write '{unit}'.", unit=quantity.unit or "1"),
+            )
+        )
+        return None
+    if dimension(unit) != dimension(quantity.unit):
+        problems.append(
+            Problem(
+                sheet.file,
+                key,
+                message("'{unit}' does not measure {quantity}.", unit=text,
+                        quantity=quantity.title),
+                message("Write the numbers in '{unit}'.", unit=quantity.unit or "1"),
+            )
+        )  # fmt: skip
+        return None
+    return unit
+
+
+def _all(texts: Texts) -> tuple[str, ...]:
+    return tuple(texts.of(language) for language in LANGUAGES)
+
+
+def _grouped(pairs: Iterable[tuple[str, str]]) -> Mapping[str, frozenset[str]]:
+    grouped: dict[str, set[str]] = {}
+    for name, id_ in pairs:
+        grouped.setdefault(name, set()).add(id_)
+    return {name: frozenset(ids) for name, ids in grouped.items()}

@@ -1,0 +1,41 @@
+"""A variant and a student: what tables and rosters hold."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """The numbers of one individual assignment.
+
+    Attributes:
+        id: as the table writes it.
+        scheme: id of its kinematic scheme.
+        options: what it chooses, by option id.
+        given: value of every given quantity, in the declared unit.
+    """
+
+    id: str
+    scheme: str
+    options: Mapping[str, str]
+    given: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Student:
+    """A row of the roster.
+
+    Attributes:
+        id: key of the student; the learning platform's or the department's.
+        name: as it is printed.
+        group, email: may be empty.
+        language: of the student's documents; empty for the course's.
+        variant: fixed by the instructor; empty for the next free one.
+    """
+
+    id: str
+    name: str
+    group: str
+    email: str
+    language: str
+    variant: str

@@ -1,0 +1,221 @@
+"""From the rows of a table to variants: every cell is judged, nothing is guessed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from gripcourse.course.model import Course, Option, Quantity, Scheme
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.cells import converted, exact_number
+from gripcourse.variants.explain import explain
+from gripcourse.variants.feasible import reasons_infeasible
+from gripcourse.variants.headings import Column, plain
+from gripcourse.variants.model import Variant
+from gripcourse.variants.sheet import Row, Sheet
+from gripcourse.words import LANGUAGES, Message, Texts, message
+
+
+@dataclass(frozen=True, slots=True)
+class RowReader:
+    """Reads the rows of one table.
+
+    Attributes:
+        course: whose variants they are.
+        sheet: the table.
+        columns: its columns by id.
+        absent: ids of columns that are not there, which has been said once for all rows.
+        problems: where everything that is wrong is recorded.
+    """
+
+    course: Course
+    sheet: Sheet
+    columns: Mapping[str, Column]
+    absent: frozenset[str]
+    problems: list[Problem]
+    plans: dict[tuple[str, tuple[str, ...]], Plan] = field(default_factory=dict)
+
+    def read(self) -> list[Variant]:
+        """Return the variants of all rows that are right."""
+        rows: list[tuple[Row, Variant]] = []
+        seen: dict[str, Row] = {}
+        for row in self.sheet.rows:
+            variant = self._variant(row, seen)
+            if variant is not None:
+                rows.append((row, variant))
+        self._refuse_infeasible(rows)
+        return [variant for _, variant in rows]
+
+    def _variant(self, row: Row, seen: dict[str, Row]) -> Variant | None:
+        before = len(self.problems)
+        id_ = self._id(row, seen)
+        scheme = self._scheme(row)
+        if scheme is None:
+            return None
+        options = self._options(row, scheme)
+        if len(options) < len(scheme.options):
+            return None
+        plan = self._plan(scheme, options)
+        given = {quantity.id: self._given(row, quantity, plan) for quantity in plan.givens}
+        self._refuse_unused(row, plan)
+        if len(self.problems) > before:
+            return None
+        return Variant(id_, scheme.id, options, {k: v for k, v in given.items() if v is not None})
+
+    def _id(self, row: Row, seen: dict[str, Row]) -> str:
+        id_ = self._cell(row, "variant")
+        if not id_:
+            self._add(row, "variant", message("The variant has no name."), message("Write one."))
+        elif id_ in seen:
+            self._add(
+                row,
+                "variant",
+                message("The variant '{variant}' is in row {row} already.", variant=id_,
+                        row=seen[id_].number),
+                message("Give each variant a name of its own."),
+            )  # fmt: skip
+        seen.setdefault(id_, row)
+        return id_
+
+    def _scheme(self, row: Row) -> Scheme | None:
+        written = self._cell(row, "scheme")
+        if not written and "scheme" not in self.columns and len(self.course.schemes) == 1:
+            return next(iter(self.course.schemes.values()))
+        for scheme in self.course.schemes.values():
+            if _means(written, scheme.id, scheme.title):
+                return scheme
+        what = (
+            message("There is no scheme '{scheme}'.", scheme=written)
+            if written
+            else message("The scheme is missing.")
+        )
+        self._add(row, "scheme", what, did_you_mean(written, self.course.schemes))
+        return None
+
+    def _options(self, row: Row, scheme: Scheme) -> dict[str, str]:
+        found = {option.id: self._option(row, option) for option in scheme.options}
+        return {id_: choice for id_, choice in found.items() if choice is not None}
+
+    def _option(self, row: Row, option: Option) -> str | None:
+        key = f"option:{option.id}"
+        written = self._cell(row, key)
+        for choice in option.choices:
+            if _means(written, choice.id, choice.title):
+                return choice.id
+        what = (
+            message("There is no choice '{choice}'.", choice=written)
+            if written
+            else message("The choice is missing.")
+        )
+        self._add(row, key, what, did_you_mean(written, (one.id for one in option.choices)))
+        return None
+
+    def _plan(self, scheme: Scheme, options: Mapping[str, str]) -> Plan:
+        key = (scheme.id, tuple(options.values()))
+        if key not in self.plans:
+            self.plans[key] = make_plan(self.course, scheme.id, options)
+        return self.plans[key]
+
+    def _given(self, row: Row, quantity: Quantity, plan: Plan) -> float | None:
+        written = self._cell(row, quantity.id)
+        if not written:
+            self._add(
+                row,
+                quantity.id,
+                message("The value is missing: the scheme '{scheme}' needs it.",
+                        scheme=plan.scheme.id),
+                message("Write a number."),
+            )  # fmt: skip
+            return None
+        value = exact_number(written, decimal_comma=self.sheet.decimal_comma)
+        if value is None:
+            self._add(
+                row,
+                quantity.id,
+                message("'{text}' is not a number.", text=written),
+                message("Write digits and one decimal sign; if the program made a date of it, set"
+                        " the format of the column to a number and write it again."),
+            )  # fmt: skip
+            return None
+        unit = self.columns[quantity.id].unit
+        value = converted(value, quantity.unit if unit is None else unit, quantity.unit)
+        self._check(row, quantity, value)
+        return value
+
+    def _check(self, row: Row, quantity: Quantity, value: float) -> None:
+        low, high = quantity.bounds
+        if not low <= value <= high:
+            self._add(
+                row,
+                quantity.id,
+                message("The value {value} is not thinkable for '{quantity}'.", value=value,
+                        quantity=quantity.title),
+                message("Write a number from {low} to {high} {unit}.", low=low, high=high,
+                        unit=quantity.unit),
+            )  # fmt: skip
+        elif quantity.integer and not value.is_integer():
+            self._add(
+                row,
+                quantity.id,
+                message("The value {value} is not a whole number.", value=value),
+                message("Write a whole number."),
+            )
+
+    def _refuse_unused(self, row: Row, plan: Plan) -> None:
+        """Refuse a number that the scheme would not use: it stands in the wrong row or column."""
+        used = {quantity.id for quantity in plan.givens}
+        used |= {"variant", "scheme", *(f"option:{id_}" for id_ in plan.options)}
+        for id_ in self.columns:
+            if id_ not in used and self._cell(row, id_):
+                self._add(
+                    row,
+                    id_,
+                    message("The scheme '{scheme}' with these options does not use this.",
+                            scheme=plan.scheme.id),
+                    message("Clear the cell."),
+                )  # fmt: skip
+
+    def _refuse_infeasible(self, rows: list[tuple[Row, Variant]]) -> None:
+        groups: dict[tuple[str, tuple[str, ...]], list[tuple[Row, Variant]]] = {}
+        for row, variant in rows:
+            key = (variant.scheme, tuple(variant.options.values()))
+            groups.setdefault(key, []).append((row, variant))
+        found: list[tuple[int, Problem]] = []
+        for key, group in groups.items():
+            plan = self.plans[key]
+            given = {
+                quantity.id: np.array([variant.given[quantity.id] for _, variant in group])
+                for quantity in plan.givens
+                if all(quantity.id in variant.given for _, variant in group)
+            }
+            if len(given) < len(plan.givens):
+                continue  # a column is missing altogether, which is said elsewhere
+            feasibility = reasons_infeasible(plan, given)
+            for reason, refused in feasibility.refused.items():
+                for place in np.flatnonzero(refused):
+                    row = group[place][0]
+                    what = explain(plan, feasibility, reason, int(place))
+                    remedy = message("Change the numbers that it comes from.")
+                    problem = Problem(self.sheet.file, f"row {row.number}", what, remedy)
+                    found.append((row.number, problem))
+        self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
+
+    def _cell(self, row: Row, id_: str) -> str:
+        column = self.columns.get(id_)
+        return row.cells[column.position] if column is not None else ""
+
+    def _add(self, row: Row, id_: str, what: Message, remedy: Message) -> None:
+        if id_ in self.absent:
+            return
+        column = self.columns.get(id_)
+        name = column.name if column is not None else id_.removeprefix("option:")
+        key = f"row {row.number}, column {name}"
+        self.problems.append(Problem(self.sheet.file, key, what, remedy))
+
+
+def _means(written: str, id_: str, title: Texts) -> bool:
+    """Whether a cell names something by its id or by its title in any language."""
+    names = {id_, *(title.of(language) for language in LANGUAGES)}
+    return plain(written) in {plain(name) for name in names}

@@ -1,0 +1,210 @@
+"""Reading a table that a person made: CSV of either kind, or a spreadsheet.
+
+Nothing is understood here: cells come out as text, rows keep the number that a spreadsheet shows.
+"""
+
+import io
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import date, time
+from pathlib import Path
+
+from gripcourse.errors import Problem, TableError
+from gripcourse.words import Message, message
+
+_DELIMITERS = ("\t", ";", ",")
+"""In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row as it stands in the file.
+
+    Attributes:
+        number: as a spreadsheet shows it; the heading is row 1.
+        cells: text without surrounding blanks, as many as there are headings.
+    """
+
+    number: int
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A table as text.
+
+    Attributes:
+        file: the path, as the user would type it.
+        header: the headings; an empty one where a column has cells but no heading.
+        rows: without those that are blank from end to end.
+        decimal_comma: whether a comma in a number can only be a decimal one; in a file whose cells
+            are separated by commas it could group thousands.
+    """
+
+    file: str
+    header: tuple[str, ...]
+    rows: tuple[Row, ...]
+    decimal_comma: bool
+
+
+def read_sheet(path: Path) -> Sheet:
+    """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
+
+    Args:
+        path: the file.
+
+    Returns:
+        Its cells as text. A number of a spreadsheet is written with all its digits, a formula
+        without a stored result as the formula.
+
+    Raises:
+        TableError: the file is missing, not a table, empty, or not in UTF-8.
+    """
+    if not path.is_file():
+        raise _failure(path, message("There is no such file."), message("Check the path."))
+    if path.suffix.lower() == ".xlsx":
+        return _sheet(path, _spreadsheet_rows(path), decimal_comma=True)
+    if path.suffix.lower() in {".csv", ".txt", ".tsv"}:
+        text = _text(path)
+        delimiter = _delimiter(text)
+        return _sheet(path, _csv_rows(path, text, delimiter), decimal_comma=delimiter != ",")
+    raise _failure(
+        path,
+        message("A table of this kind cannot be read."),
+        message("Save it as .csv (CSV UTF-8) or as .xlsx."),
+    )
+
+
+def column_name(position: int, header: tuple[str, ...]) -> str:
+    """Return what a person calls a column: its heading, or its letter where it has none.
+
+    Args:
+        position: from 0.
+        header: the headings.
+    """
+    if header[position]:
+        return header[position]
+    letters = ""
+    rest = position + 1
+    while rest:
+        rest, letter = divmod(rest - 1, 26)
+        letters = chr(ord("A") + letter) + letters
+    return letters
+
+
+def _sheet(path: Path, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
+    """Cut blank rows and columns off and number the rest."""
+    rows = [Row(number, row) for number, row in enumerate(cells, start=1) if any(row)]
+    if not rows or rows[0].number != 1:
+        raise _failure(
+            path,
+            message("The first row is blank; it must hold the headings."),
+            message("Put the headings into the first row of the first sheet."),
+        )
+    width = max(_width(row.cells) for row in rows)
+    padded = [Row(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
+    return Sheet(str(path), padded[0].cells, tuple(padded[1:]), decimal_comma)
+
+
+def _width(cells: tuple[str, ...]) -> int:
+    return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as fault:
+        raise _failure(
+            path,
+            message("The file is not in UTF-8: line {line} cannot be read.",
+                    line=fault.object[: fault.start].count(b"\n") + 1),
+            message("Save it again as “CSV UTF-8”: Excel has it in its list of file types."),
+        ) from fault  # fmt: skip
+
+
+def _delimiter(text: str) -> str:
+    """Return what separates the cells, judged by the headings outside quotation marks."""
+    heading = text.partition("\n")[0]
+    plain = "".join(heading.split('"')[::2])
+    return next((sign for sign in _DELIMITERS if sign in plain), ",")
+
+
+def _csv_rows(path: Path, text: str, delimiter: str) -> list[tuple[str, ...]]:
+    """Read every record, whatever its length; a quoted line break does not end a row."""
+    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who read a table pay
+
+    if not text.strip():
+        return []
+    width = max(line.count(delimiter) for line in text.splitlines()) + 1
+    try:
+        frame = pd.read_csv(
+            io.StringIO(text),
+            sep=delimiter,
+            header=None,
+            names=range(width),
+            index_col=False,
+            dtype=str,
+            keep_default_na=False,
+            skip_blank_lines=False,
+        )
+    except pd.errors.ParserError as fault:
+        raise _failure(
+            path,
+            message("The rows cannot be told apart: {fault}.", fault=fault),
+            message("Look for a quotation mark that is opened and never closed."),
+        ) from fault
+    # A row shorter than the widest one ends in missing cells: they are blank as well.
+    return _stripped(frame.fillna("").itertuples(index=False, name=None))
+
+
+def _spreadsheet_rows(path: Path) -> list[tuple[str, ...]]:
+    """Read the first sheet: stored results, and the formula where no result is stored."""
+    results = _sheet_values(path, results=True)
+    if any(cell is None for row in results for cell in row):
+        formulas = _sheet_values(path, results=False)
+        pairs = zip(results, formulas, strict=True)
+        results = [
+            tuple(formula if value is None else value for value, formula in zip(*pair, strict=True))
+            for pair in pairs
+        ]
+    return _stripped([tuple(_cell_text(cell) for cell in row) for row in results])
+
+
+def _sheet_values(path: Path, *, results: bool) -> list[tuple[object, ...]]:
+    import zipfile  # noqa: PLC0415 - with openpyxl, which costs 200 ms, only where it is needed
+
+    import openpyxl  # noqa: PLC0415 - as above
+    from openpyxl.utils.exceptions import InvalidFileException  # noqa: PLC0415 - as above
+
+    try:
+        workbook = openpyxl.load_workbook(path, read_only=True, data_only=results)
+    except (zipfile.BadZipFile, InvalidFileException, KeyError, ValueError) as fault:
+        raise _failure(
+            path,
+            message("The file is damaged, protected by a password, or no spreadsheet."),
+            message("Open it in a spreadsheet program and save it again as .xlsx."),
+        ) from fault
+    try:
+        sheet = workbook.worksheets[0]
+        sheet.reset_dimensions()  # what some programs write there is smaller than the table
+        return [tuple(row) for row in sheet.iter_rows(values_only=True)]
+    finally:
+        workbook.close()
+
+
+def _cell_text(cell: object) -> str:
+    if cell is None:
+        return ""
+    if isinstance(cell, float) and cell.is_integer():
+        return str(int(cell))
+    if isinstance(cell, date | time):
+        return cell.isoformat()
+    return str(cell)
+
+
+def _stripped(rows: Iterable[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    return [tuple(cell.strip() for cell in row) for row in rows]
+
+
+def _failure(path: Path, what: Message, remedy: Message) -> TableError:
+    return TableError([Problem(str(path), "", what, remedy)])

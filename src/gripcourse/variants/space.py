@@ -1,0 +1,177 @@
+"""The ranges that variants are drawn from: `variants/spaces/*.toml`, one file per scheme.
+
+Every range is turned into the list of values it allows, so that students get tidy numbers and
+nothing has to be rounded later.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.errors import CourseError, Problem
+from gripcourse.formula.tree import Formula, names
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.ranges import Follower, Range, RangeReader
+from gripcourse.words import message
+
+_KEYS = ("scheme", "weight", "options", "given", "constraint")
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """One combination of options and what may be drawn for it.
+
+    Attributes:
+        options: choice by option id.
+        given: allowed values of the given quantities, in their declared units, ascending.
+        followers: the given quantities that another one decides.
+        constraints: what a variant must satisfy besides being solvable.
+    """
+
+    options: Mapping[str, str]
+    given: Mapping[str, tuple[float, ...]]
+    followers: Mapping[str, Follower]
+    constraints: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Space:
+    """What variants of one scheme are drawn from.
+
+    Attributes:
+        scheme: its id.
+        weight: its share among the schemes.
+        cases: the combinations of options, equally frequent.
+        file: where it is declared, for messages.
+    """
+
+    scheme: str
+    weight: float
+    cases: tuple[Case, ...]
+    file: str
+
+
+def load_spaces(course: Course) -> tuple[Space, ...]:
+    """Read all spaces of a course.
+
+    Raises:
+        CourseError: with every problem of every file: unknown names, ranges that allow nothing or
+            leave the bounds, givens without a range, constraints that mean nothing.
+    """
+    problems: list[Problem] = []
+    spaces: list[Space] = []
+    for path in sorted((course.root / "variants" / "spaces").glob("*.toml")):
+        table = read_toml(path, course.root, problems)
+        space = None if table is None else _space(course, table)
+        if table is not None and space is not None:
+            _refuse_second(table, spaces, space)
+            spaces.append(space)
+    if problems:
+        raise CourseError(problems)
+    return tuple(spaces)
+
+
+def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
+    for earlier in spaces:
+        if earlier.scheme == space.scheme:
+            table.add(
+                "scheme",
+                message("The scheme '{scheme}' already has {file}.", scheme=space.scheme,
+                        file=earlier.file),
+                message("Keep one of the two files."),
+            )  # fmt: skip
+
+
+def _space(course: Course, table: Table) -> Space | None:
+    table.known_keys(_KEYS)
+    id_ = table.text("scheme")
+    if id_ not in course.schemes:
+        if id_:
+            table.add(
+                "scheme",
+                message("There is no scheme '{scheme}'.", scheme=id_),
+                did_you_mean(id_, course.schemes),
+            )
+        return None
+    weight = table.number("weight", 1.0)
+    if not 0 < weight < float("inf"):
+        table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
+    plans = _plans(course, course.schemes[id_], table)
+    return Space(id_, weight, _cases(course, table, plans), table.file)
+
+
+def _plans(course: Course, scheme: Scheme, table: Table) -> tuple[Plan, ...]:
+    """Make a plan of every combination of the options that the space mixes."""
+    mixed = table.table("options") or Table({}, table.file, "options", table.problems)
+    mixed.known_keys(option.id for option in scheme.options)
+    choices = [_choices(option, mixed) for option in scheme.options]
+    return tuple(
+        make_plan(
+            course,
+            scheme.id,
+            {option.id: choice for option, choice in zip(scheme.options, chosen, strict=True)},
+        )
+        for chosen in product(*choices)
+    )
+
+
+def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
+    """Return the choices that the space lists; all of them where it lists none."""
+    known = tuple(choice.id for choice in option.choices)
+    listed = mixed.strings(option.id)
+    for choice in listed:
+        if choice not in known:
+            mixed.add(
+                option.id,
+                message("There is no choice '{choice}'.", choice=choice),
+                did_you_mean(choice, known),
+            )
+    return tuple(choice for choice in known if choice in listed or not listed)
+
+
+def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[Case, ...]:
+    ranges = table.named_tables("given")
+    givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
+    for id_, written in ranges.items():
+        if id_ not in givens:
+            written.add(
+                "",
+                message("No such quantity is given in this scheme."),
+                did_you_mean(id_, givens),
+            )
+    for id_ in givens:
+        if id_ not in ranges:
+            table.add(
+                f"given.{id_}",
+                message("The given quantity has no range."),
+                message("Write low, high and step, or values, or catalogue, or follows."),
+            )
+    known = {id_: written for id_, written in ranges.items() if id_ in givens}
+    options = {
+        name: {plan.options[name] for plan in plans} for plan in plans for name in plan.options
+    }
+    constraints = read_constraints(table)
+    for place, constraint in constraints:
+        check_constraint(place, constraint, plans)
+    reader = RangeReader(course, givens, options)
+    read = {id_: reader.read(written, givens[id_]) for id_, written in known.items()}
+    reader.check_leaders(known, read)
+    return tuple(_case(plan, read, [one for _, one in constraints]) for plan in plans)
+
+
+def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula]) -> Case:
+    """Take from the ranges what counts for one combination of options."""
+    chosen = {
+        quantity.id: read[quantity.id].chosen(plan.options)
+        for quantity in plan.givens
+        if quantity.id in read
+    }
+    return Case(
+        plan.options,
+        {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
+        {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
+        tuple(one for one in constraints if set(names(one.tree)) <= set(plan.quantities)),
+    )

@@ -1,0 +1,128 @@
+"""The table of variants: CSV that a person can open and change, or a spreadsheet to import.
+
+For example:
+
+    variant,scheme,drive,mass [kg],friction,...
+    001,rack_parallelogram,hydraulic,60,0.15,...
+
+A cell is blank where the scheme of its row has no such quantity.
+"""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.errors import Problem, TableError
+from gripcourse.files import write_bytes
+from gripcourse.variants.cells import converted, number_text
+from gripcourse.variants.headings import (
+    Column,
+    find_columns,
+    given_quantities,
+    table_vocabulary,
+)
+from gripcourse.variants.model import Variant
+from gripcourse.variants.rows import RowReader
+from gripcourse.variants.sheet import Sheet, read_sheet
+from gripcourse.words import message
+
+
+def read_table(path: Path, course: Course) -> tuple[Variant, ...]:
+    """Read variants from a `.csv` or `.xlsx` file and judge each.
+
+    Args:
+        path: of the file; headings may be ids, symbols or titles, with or without a unit.
+        course: whose variants they are.
+
+    Returns:
+        The variants in the order of the rows, values in declared units.
+
+    Raises:
+        TableError: with every problem of the table: headings, cells, and variants that cannot be
+            solved, each with its row as a spreadsheet shows it.
+    """
+    sheet = read_sheet(path)
+    problems: list[Problem] = []
+    columns = find_columns(sheet, table_vocabulary(course), problems)
+    absent = _absent_columns(sheet, columns, course, problems)
+    variants = RowReader(course, sheet, columns, absent, problems).read()
+    if not sheet.rows:
+        what = message("The table has headings but no variants.")
+        problems.append(Problem(sheet.file, "", what, message("Write or draw some.")))
+    if problems:
+        raise TableError(problems)
+    return tuple(variants)
+
+
+def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None:
+    """Write variants as CSV in UTF-8 with a byte order mark, so that Excel shows every letter.
+
+    Args:
+        path: of the file.
+        variants: with values in declared units.
+        course: whose variants they are; it decides the columns.
+    """
+    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who write a table pay
+
+    listed = tuple(variants)
+    options = list(dict.fromkeys(id_ for variant in listed for id_ in variant.options))
+    used = {id_ for variant in listed for id_ in variant.given}
+    givens = [one for one in given_quantities(course).values() if one.id in used]
+    units = _units(course)
+    header = ["variant", "scheme", *options, *(_heading(quantity) for quantity in givens)]
+    rows = [
+        [
+            variant.id,
+            variant.scheme,
+            *(variant.options.get(id_, "") for id_ in options),
+            *(_text(variant, quantity, units) for quantity in givens),
+        ]
+        for variant in listed
+    ]
+    text = pd.DataFrame(rows, columns=header, dtype=str).to_csv(index=False, lineterminator="\n")
+    write_bytes(path, text.encode("utf-8-sig"))
+
+
+def _heading(quantity: Quantity) -> str:
+    return f"{quantity.id} [{quantity.unit}]" if quantity.unit else quantity.id
+
+
+def _text(variant: Variant, quantity: Quantity, units: dict[tuple[str, str], str]) -> str:
+    """Write a value in the unit of the heading; schemes may declare the id in different ones."""
+    if quantity.id not in variant.given:
+        return ""
+    unit = units[variant.scheme, quantity.id]
+    return number_text(converted(variant.given[quantity.id], unit, quantity.unit))
+
+
+def _units(course: Course) -> dict[tuple[str, str], str]:
+    """Return the declared unit of every given quantity by scheme and id."""
+    return {
+        (scheme.id, quantity.id): quantity.unit
+        for scheme in course.schemes.values()
+        for options in option_sets(scheme)
+        for quantity in compose(course, scheme, options).values()
+        if quantity.kind is Kind.GIVEN
+    }
+
+
+def _absent_columns(
+    sheet: Sheet, columns: Mapping[str, Column], course: Course, problems: list[Problem]
+) -> frozenset[str]:
+    """Name once each column that every variant of the course needs and the table lacks."""
+    needed = [
+        {f"option:{id_}" for id_ in options}
+        | {one.id for one in compose(course, scheme, options).values() if one.kind is Kind.GIVEN}
+        for scheme in course.schemes.values()
+        for options in option_sets(scheme)
+    ]
+    always = set.intersection(*needed) if needed else set()
+    scheme_column = ("scheme",) if len(course.schemes) > 1 else ()
+    absent = [id_ for id_ in ("variant", *scheme_column, *sorted(always)) if id_ not in columns]
+    for id_ in absent:
+        name = id_.removeprefix("option:")
+        what = message("There is no column '{column}'.", column=name)
+        remedy = message("Add it: every variant needs it.")
+        problems.append(Problem(sheet.file, "", what, remedy))
+    return frozenset(absent)

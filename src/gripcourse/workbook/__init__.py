@@ -1,0 +1,1 @@
+"""Workbooks: where each cell is, the answer workbook and the instructor's key workbook."""

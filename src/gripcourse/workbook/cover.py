@@ -1,0 +1,172 @@
+"""The first sheet of the answer workbook: who, how to fill in, progress, given data."""
+
+from typing import TYPE_CHECKING, Final
+
+from gripcourse.assignment.model import Issued
+from gripcourse.pdf import day_text
+from gripcourse.solver.plan import Plan
+from gripcourse.words import Words, message
+from gripcourse.workbook import names
+from gripcourse.workbook.guidance import HOW_TO
+from gripcourse.workbook.layout import (
+    COVER_TITLE,
+    IDENTITY,
+    Column,
+    Cover,
+    Layout,
+    Line,
+    quoted,
+)
+from gripcourse.workbook.style import Styles, set_page, write_symbol
+
+if TYPE_CHECKING:
+    from xlsxwriter import Workbook
+    from xlsxwriter.worksheet import Worksheet
+
+WIDTHS: Final = {
+    Column.NUMBER: 6,
+    Column.SYMBOL: 12,
+    Column.TITLE: 48,
+    Column.UNIT: 9,
+    Column.VALUE: 18,
+    Column.CHECK: 24,
+}
+"""Of the columns, in characters."""
+
+_TEXT_COLUMN: Final = Column.TITLE
+LOCKED: Final = {"select_locked_cells": True, "format_columns": True, "format_rows": True}
+"""What a student may do with locked cells: look, copy, and change widths and heights."""
+
+
+def write_cover(
+    book: "Workbook", placed: Layout, plan: Plan, issued: Issued, words: Words, styles: Styles
+) -> None:
+    """Write the first sheet.
+
+    Args:
+        book: that it is added to.
+        placed: where everything stands.
+        plan: titles of the scheme and its options.
+        issued: the student and the given values.
+        words: the student's language.
+        styles: of `book`.
+    """
+    cover = placed.cover
+    sheet = book.add_worksheet(cover.name)
+    for column, width in WIDTHS.items():
+        sheet.set_column(column, column, width)
+    title = plan.course.title.of(words.language)
+    sheet.set_row(COVER_TITLE, 26)
+    sheet.write_string(COVER_TITLE, 0, title, styles.title)
+    _write_particulars(sheet, plan, issued, words, styles)
+    _write_guidance(sheet, cover, words, styles)
+    _write_progress(sheet, placed, words, styles)
+    _write_givens(book, sheet, cover, issued, words, styles)
+    set_page(sheet, title, issued.student.name)
+    sheet.protect("", LOCKED)
+    sheet.activate()
+
+
+def _write_particulars(
+    sheet: "Worksheet", plan: Plan, issued: Issued, words: Words, styles: Styles
+) -> None:
+    student, language = issued.student, words.language
+    options = [
+        (option.title.of(language), choice.title.of(language))
+        for option in plan.scheme.options
+        for choice in option.choices
+        if choice.id == plan.options.get(option.id)
+    ]
+    pairs = [
+        (words.say(message("Student")), student.name),
+        (words.say(message("Group")), student.group),
+        (words.say(message("Variant")), issued.variant.id),
+        (words.say(message("Scheme")), plan.scheme.title.of(language)),
+        *options,
+        (words.say(message("Issued on")), day_text(issued.issued_on, words)),
+        (
+            words.say(message("Deadline")),
+            day_text(issued.deadline, words) if issued.deadline else "—",
+        ),
+    ]
+    for row, (label, value) in enumerate(pairs, start=IDENTITY):
+        sheet.write_string(row, 0, label, styles.label)
+        sheet.write_string(row, _TEXT_COLUMN, value or "—", styles.particular)
+
+
+def _write_guidance(sheet: "Worksheet", cover: Cover, words: Words, styles: Styles) -> None:
+    heading = words.say(message("How to fill in this workbook"))
+    sheet.write_string(cover.guidance, 0, heading, styles.heading)
+    for number, sentence in enumerate(HOW_TO, start=1):
+        row = cover.guidance + number
+        sheet.write_string(row, 0, f"{number}.", styles.label)
+        sheet.write_string(row, 1, words.say(sentence), styles.label)
+
+
+def _write_progress(sheet: "Worksheet", placed: Layout, words: Words, styles: Styles) -> None:
+    """Write how many cells of each section are filled in; spreadsheet programs keep it current."""
+    row = placed.cover.progress
+    sheet.write_string(row, 0, words.say(message("Filled in")), styles.heading)
+    for offset, section in enumerate(placed.sheets, start=1):
+        link = f"internal:{quoted(section.name)}!A1"
+        title = section.section.title.of(words.language)
+        sheet.write_string(row + offset, Column.NUMBER, f"{section.number}.", styles.label)
+        sheet.write_url(row + offset, Column.SYMBOL, link, styles.label, title)
+        if not section.answered:
+            continue
+        first, last = section.answered[0].place, section.answered[-1].place
+        cells = f"{first.reference}:{last.reference.rpartition('!')[2]}"
+        total = words.say(message("of {total}", total=len(section.answered)))
+        sheet.write_formula(
+            row + offset, Column.UNIT, f"=COUNTA({cells})", styles.particular, value=0
+        )
+        sheet.write_string(row + offset, Column.VALUE, total, styles.label)
+
+
+def _write_givens(
+    book: "Workbook",
+    sheet: "Worksheet",
+    cover: Cover,
+    issued: Issued,
+    words: Words,
+    styles: Styles,
+) -> None:
+    row = cover.given_header
+    sheet.write_string(row - 1, 0, words.say(message("Given data")), styles.heading)
+    for column, heading in enumerate(headings(words)[: Column.CHECK - 1]):
+        sheet.write_string(row, column, heading, styles.head)
+    sheet.write_string(row, Column.VALUE, words.say(message("Value")), styles.head)
+    for line in cover.givens:
+        _write_given(sheet, line, issued.variant.given[line.quantity.id], styles)
+        name = names.cell_name(names.GIVEN, line.quantity.id)
+        book.define_name(name, f"={line.place.reference}")
+    for line in cover.constants:
+        given = issued.variant.given.get(line.quantity.id, line.quantity.value)
+        if given is not None:
+            _write_given(sheet, line, given, styles)
+
+
+def _write_given(sheet: "Worksheet", line: Line, value: float, styles: Styles) -> None:
+    write_line(sheet, line, styles)
+    sheet.write_number(line.place.row, line.place.column, value, styles.given)
+
+
+def headings(words: Words) -> tuple[str, ...]:
+    """Return the headings of the columns up to the unit, then of the answer and its check."""
+    return (
+        words.say(message("No.")),
+        words.say(message("Symbol")),
+        words.say(message("Quantity")),
+        words.say(message("Unit")),
+        words.say(message("Answer")),
+        words.say(message("Check")),
+    )
+
+
+def write_line(sheet: "Worksheet", line: Line, styles: Styles) -> None:
+    """Write what names a quantity: number, symbol, title, unit."""
+    row = line.place.row
+    sheet.write_string(row, Column.NUMBER, line.number, styles.number)
+    write_symbol(sheet, row, Column.SYMBOL, line.symbol, styles)
+    sheet.write_string(row, Column.TITLE, line.title, styles.text)
+    sheet.write_string(row, Column.UNIT, line.unit, styles.unit)

@@ -1,0 +1,250 @@
+"""Where everything stands in the answer workbook: the only place that knows its cells.
+
+The first sheet tells the student what to do and shows the given data; each section of the course
+has a sheet of its own with one row per quantity; a hidden sheet says whose workbook it is.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Final
+
+from gripcourse.course.model import Quantity, Section
+from gripcourse.solver.plan import Plan
+from gripcourse.units import unit_text
+from gripcourse.words import Words, message
+from gripcourse.workbook.guidance import HOW_TO
+from gripcourse.workbook.names import FIELDS, HIDDEN_SHEET
+
+LONGEST_SHEET_NAME: Final = 31
+_NOT_IN_SHEET_NAMES: Final = re.compile(r"[\[\]:*?/\\]")
+_SHORT_WORD: Final = 2  # letters of a word that must not end a shortened name
+
+
+class Column(IntEnum):
+    """Columns of every table, counted from zero."""
+
+    NUMBER = 0
+    SYMBOL = 1
+    TITLE = 2
+    UNIT = 3
+    VALUE = 4
+    CHECK = 5
+
+
+COVER_TITLE: Final = 0
+IDENTITY: Final = 2
+"""First row of the student's particulars on the cover."""
+
+PARTICULARS: Final = 6
+"""Student, group, variant, scheme, day of issue, deadline; the options follow."""
+
+SECTION_HEADER: Final = 4
+"""Row of a section's sheet with the headings; the quantities follow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A cell; row and column count from zero."""
+
+    sheet: str
+    row: int
+    column: int
+
+    @property
+    def address(self) -> str:
+        """The cell inside its sheet: `E6`."""
+        return f"{_letters(self.column)}{self.row + 1}"
+
+    @property
+    def reference(self) -> str:
+        """The cell from anywhere in the workbook: `'1. Scheme'!$E$6`."""
+        return f"{quoted(self.sheet)}!${_letters(self.column)}${self.row + 1}"
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """The row of one quantity.
+
+    Attributes:
+        quantity: its declaration.
+        number: as printed, `2.3` or `12`.
+        symbol: as declared, in the reader's language.
+        title, unit: in the reader's language.
+        place: of the value: given, answered or marked by hand.
+    """
+
+    quantity: Quantity
+    number: str
+    symbol: str
+    title: str
+    unit: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class SectionSheet:
+    """A sheet with the quantities of one section.
+
+    Attributes:
+        name: of the sheet, unique.
+        number: of the section, from one.
+        section: what it is about.
+        answered: rows that the student fills, one below the other.
+        manual: rows of what a person marks; they follow.
+    """
+
+    name: str
+    number: int
+    section: Section
+    answered: tuple[Line, ...]
+    manual: tuple[Line, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Cover:
+    """The first sheet: four blocks one below the other.
+
+    Attributes:
+        name: of the sheet.
+        guidance: row of the heading of how to fill in; the sentences follow.
+        progress: row of the headings of the progress; one row per section sheet follows.
+        given_header: row of the headings of the given data.
+        givens, constants: rows of the given data.
+    """
+
+    name: str
+    guidance: int
+    progress: int
+    given_header: int
+    givens: tuple[Line, ...]
+    constants: tuple[Line, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The whole workbook.
+
+    Attributes:
+        cover: the first sheet.
+        sheets: of the sections, in the order of the course.
+        meta: cells of the hidden sheet by field.
+    """
+
+    cover: Cover
+    sheets: tuple[SectionSheet, ...]
+    meta: Mapping[str, Place]
+
+    @property
+    def answers(self) -> dict[str, Place]:
+        """Answer cells by the id of their quantity."""
+        lines = (line for sheet in self.sheets for line in sheet.answered)
+        return {line.quantity.id: line.place for line in lines}
+
+    @property
+    def givens(self) -> dict[str, Place]:
+        """Cells of given values by the id of their quantity."""
+        return {line.quantity.id: line.place for line in self.cover.givens}
+
+
+def layout(plan: Plan, words: Words) -> Layout:
+    """Lay out the answer workbook of a plan.
+
+    Args:
+        plan: which quantities are given, asked and marked by hand.
+        words: the student's language.
+    """
+    name = _sheet_name(words.say(message("Assignment")), ())
+    sheets = tuple(_section_sheets(plan, words, name))
+    return Layout(
+        cover=_cover(plan, words, name, len(sheets)),
+        sheets=sheets,
+        meta={field: Place(HIDDEN_SHEET, row, 1) for row, field in enumerate(FIELDS)},
+    )
+
+
+def _cover(plan: Plan, words: Words, name: str, sections: int) -> Cover:
+    """Stack the blocks of the cover, one empty row between two."""
+    guidance = IDENTITY + PARTICULARS + len(plan.scheme.options) + 1
+    progress = guidance + len(HOW_TO) + 2
+    given_header = progress + sections + 2
+    first = given_header + 1
+    return Cover(
+        name=name,
+        guidance=guidance,
+        progress=progress,
+        given_header=given_header,
+        givens=_lines(plan.givens, name, first, words),
+        constants=_lines(plan.constants, name, first + len(plan.givens), words),
+    )
+
+
+def quoted(sheet: str) -> str:
+    """Write the name of a sheet as formulas do."""
+    return "'" + sheet.replace("'", "''") + "'"
+
+
+def _section_sheets(plan: Plan, words: Words, cover: str) -> Iterator[SectionSheet]:
+    """Yield a sheet for each section that asks for anything."""
+    taken = [cover, HIDDEN_SHEET]
+    for section in plan.course.sections:
+        answered = [quantity for quantity in plan.answered if quantity.section == section.id]
+        manual = [quantity for quantity in plan.manual if quantity.section == section.id]
+        if not answered and not manual:
+            continue
+        number = len(taken) - 1
+        name = _sheet_name(f"{number}. {section.title.of(words.language)}", taken)
+        taken.append(name)
+        first = SECTION_HEADER + 1
+        prefix = f"{number}."
+        yield SectionSheet(
+            name=name,
+            number=number,
+            section=section,
+            answered=_lines(answered, name, first, words, prefix),
+            manual=_lines(manual, name, first + len(answered), words, prefix, len(answered)),
+        )
+
+
+def _lines(
+    quantities: Iterable[Quantity],
+    sheet: str,
+    first: int,
+    words: Words,
+    prefix: str = "",
+    before: int = 0,
+) -> tuple[Line, ...]:
+    """Make rows one below the other, from row `first` on."""
+    return tuple(
+        Line(
+            quantity=quantity,
+            number=f"{prefix}{before + index + 1}",
+            symbol=quantity.symbol.of(words.language),
+            title=quantity.title.of(words.language),
+            unit=unit_text(quantity.unit, words.language),
+            place=Place(sheet, first + index, Column.VALUE),
+        )
+        for index, quantity in enumerate(quantities)
+    )
+
+
+def _sheet_name(title: str, taken: Iterable[str]) -> str:
+    """Shorten a title to what a sheet's name may be, at a word's end, unlike the others."""
+    plain = _NOT_IN_SHEET_NAMES.sub(" ", title).strip("' ")
+    kept = plain.split()
+    while kept and len(" ".join(kept)) > LONGEST_SHEET_NAME:
+        kept.pop()
+    if kept != plain.split():
+        while len(kept) > 1 and len(kept[-1]) <= _SHORT_WORD:
+            kept.pop()
+    name = " ".join(kept) or plain[:LONGEST_SHEET_NAME]
+    used = {other.casefold() for other in taken}
+    return (
+        name if name.casefold() not in used else f"{name[: LONGEST_SHEET_NAME - 4]} ({len(used)})"
+    )
+
+
+def _letters(column: int) -> str:
+    """Return the letters of a column of the first 26."""
+    return chr(ord("A") + column)

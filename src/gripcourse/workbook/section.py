@@ -1,0 +1,171 @@
+"""The sheet of one section: a row per quantity, its answer cell, and a cell that checks the kind.
+
+A check cell says what is wrong with the kind of an answer, never with its value.
+"""
+
+import math
+from typing import TYPE_CHECKING, Final
+
+from gripcourse.assignment.model import Issued
+from gripcourse.course.model import Course, Kind
+from gripcourse.words import Words, message
+from gripcourse.workbook import names
+from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
+from gripcourse.workbook.guidance import DECIMAL_SIGN
+from gripcourse.workbook.layout import SECTION_HEADER, Column, Line, SectionSheet
+from gripcourse.workbook.style import Styles, set_page
+
+if TYPE_CHECKING:
+    from xlsxwriter import Workbook
+    from xlsxwriter.worksheet import Worksheet
+
+_TITLE_ROW: Final = 0
+_TASK_ROW: Final = 1
+_HINT_ROW: Final = 2
+_CHARACTERS: Final = 118  # of a line of text across all columns
+_LINE_HEIGHT: Final = 13.5  # points
+_LONGEST_PROMPT_TITLE: Final = 32
+_LONGEST_PROMPT: Final = 255
+_WIDEST: Final = 1e15  # bound of an answer that declares none
+
+
+def write_section(
+    book: "Workbook",
+    section: SectionSheet,
+    issued: Issued,
+    course: Course,
+    words: Words,
+    styles: Styles,
+) -> None:
+    """Write the sheet of a section.
+
+    Args:
+        book: that it is added to.
+        section: where everything stands.
+        issued: the student, for the header of the page.
+        course: its title, likewise.
+        words: the student's language.
+        styles: of `book`.
+    """
+    sheet = book.add_worksheet(section.name)
+    for column, width in WIDTHS.items():
+        sheet.set_column(column, column, width)
+    _write_top(sheet, section, words, styles)
+    for line in section.answered:
+        write_line(sheet, line, styles)
+        _write_answer(sheet, line, words, styles)
+        name = names.cell_name(names.ANSWER, line.quantity.id)
+        book.define_name(name, f"={line.place.reference}")
+    for line in section.manual:
+        write_line(sheet, line, styles)
+        said = words.say(message("marked by a person"))
+        sheet.write_string(line.place.row, line.place.column, said, styles.manual)
+    sheet.freeze_panes(SECTION_HEADER + 1, 0)
+    sheet.repeat_rows(SECTION_HEADER)
+    set_page(sheet, course.title.of(words.language), issued.student.name)
+    sheet.protect("", LOCKED)
+
+
+def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: Styles) -> None:
+    """Write title, task and headings; merged cells do not grow by themselves: heights are set."""
+    title = f"{section.number}. {section.section.title.of(words.language)}"
+    sheet.set_row(_TITLE_ROW, 26)
+    sheet.write_string(_TITLE_ROW, 0, title, styles.title)
+    task = section.section.task.of(words.language)
+    for row, text, style in (
+        (_TASK_ROW, task, styles.paragraph),
+        (_HINT_ROW, words.say(DECIMAL_SIGN), styles.hint),
+    ):
+        sheet.merge_range(row, 0, row, Column.CHECK, "", style)
+        sheet.write_string(row, 0, text, style)
+        sheet.set_row(row, _LINE_HEIGHT * math.ceil(len(text) / _CHARACTERS) + 3)
+    sheet.set_row(SECTION_HEADER, 22)
+    for column, heading in enumerate(headings(words)):
+        sheet.write_string(SECTION_HEADER, column, heading, styles.head)
+
+
+def _write_answer(sheet: "Worksheet", line: Line, words: Words, styles: Styles) -> None:
+    """Write an empty answer cell with its rule, and the cell that checks its kind."""
+    row, column = line.place.row, line.place.column
+    sheet.write_blank(row, column, None, styles.answer)
+    verdict = line.quantity.kind is Kind.VERDICT
+    rule = _yes_or_no(line, words) if verdict else _decimal(line, words)
+    sheet.data_validation(row, column, row, column, rule)
+    check = _verdict_check(line, words) if verdict else _number_check(line, words)
+    sheet.write_formula(row, Column.CHECK, check, styles.check, value="")
+
+
+def _decimal(line: Line, words: Words) -> dict[str, object]:
+    """Return the rule that a cell holds a number between the quantity's bounds."""
+    low, high = _bounds(line)
+    told = message("A number from {low} to {high} {unit}", low=low, high=high, unit=line.unit)
+    stop = message(
+        "One number from {low} to {high} is needed here, without a unit. {decimal_sign}",
+        low=low,
+        high=high,
+        decimal_sign=DECIMAL_SIGN,
+    )
+    return {
+        "validate": "decimal",
+        "criteria": "between",
+        "minimum": low,
+        "maximum": high,
+        **_prompt(line, words.say(told).strip()),
+        "error_title": _cut(words.say(message("A number is needed")), _LONGEST_PROMPT_TITLE),
+        "error_message": _cut(words.say(stop), _LONGEST_PROMPT),
+        "error_type": "stop",
+    }
+
+
+def _yes_or_no(line: Line, words: Words) -> dict[str, object]:
+    needed = words.say(message("Choose yes or no."))
+    return {
+        "validate": "list",
+        "source": list(_answers(words)),
+        **_prompt(line, needed),
+        "error_title": _cut(words.say(message("Yes or no is needed")), _LONGEST_PROMPT_TITLE),
+        "error_message": _cut(needed, _LONGEST_PROMPT),
+        "error_type": "stop",
+    }
+
+
+def _prompt(line: Line, text: str) -> dict[str, object]:
+    """Return the note that a spreadsheet program shows beside the chosen cell."""
+    return {
+        "input_title": _cut(f"{line.number}  {line.symbol}".strip(), _LONGEST_PROMPT_TITLE),
+        "input_message": _cut(f"{line.title}. {text}", _LONGEST_PROMPT),
+    }
+
+
+def _answers(words: Words) -> tuple[str, str]:
+    return words.say(message("yes")), words.say(message("no"))
+
+
+def _number_check(line: Line, words: Words) -> str:
+    cell = line.place.address
+    low, high = _bounds(line)
+    needed = _literal(words.say(message("a number is needed")))
+    beyond = _literal(words.say(message("beyond {low} … {high}", low=low, high=high)))
+    inside = f"AND({cell}>={low:.15g},{cell}<={high:.15g})"
+    return f'=IF(ISBLANK({cell}),"",IF(ISNUMBER({cell}),IF({inside},"",{beyond}),{needed}))'
+
+
+def _verdict_check(line: Line, words: Words) -> str:
+    cell = line.place.address
+    yes, no = map(_literal, _answers(words))
+    needed = _literal(words.say(message("yes or no is needed")))
+    return f'=IF(ISBLANK({cell}),"",IF(OR({cell}={yes},{cell}={no}),"",{needed}))'
+
+
+def _bounds(line: Line) -> tuple[float, float]:
+    low, high = line.quantity.bounds
+    return max(float(low), -_WIDEST), min(float(high), _WIDEST)
+
+
+def _literal(text: str) -> str:
+    """Write text as a formula does."""
+    return '"' + text.replace('"', '""') + '"'
+
+
+def _cut(text: str, longest: int) -> str:
+    return text if len(text) <= longest else f"{text[: longest - 1]}…"

@@ -1,0 +1,157 @@
+"""How workbooks look: formats, symbols with subscripts, the setup of a page."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+
+from gripcourse.formula.boxes import Box, Script, Text, inner
+from gripcourse.formula.typeset import symbol_box
+
+if TYPE_CHECKING:
+    from xlsxwriter import Workbook
+    from xlsxwriter.format import Format
+    from xlsxwriter.worksheet import Worksheet
+
+# Both have free twins of the same widths, so that pages break alike in every office program.
+_FONT: Final = "Arial"
+_SYMBOL_FONT: Final = "Times New Roman"
+_SIZE: Final = 10
+_SYMBOL_SIZE: Final = 12
+
+_INK: Final = "#1F2A37"
+_FAINT: Final = "#5B6775"
+_LINE: Final = "#B8C2CC"
+_HEAD: Final = "#E4EAF1"
+_ANSWER: Final = "#FFF6CC"
+_ANSWER_LINE: Final = "#C9A400"
+_GIVEN: Final = "#F4F7FA"
+_WARNING: Final = "#B42318"
+
+PAPER_A4: Final = 9
+_LONGEST_HEADER: Final = 200  # of 255 characters that a page header may have
+
+RunKind: TypeAlias = Literal["italic", "upright", "sub"]
+
+
+@dataclass(frozen=True, slots=True)
+class Styles:
+    """The formats of one workbook; a format belongs to the workbook that made it."""
+
+    title: "Format"
+    heading: "Format"
+    paragraph: "Format"
+    hint: "Format"
+    label: "Format"
+    particular: "Format"
+    head: "Format"
+    number: "Format"
+    text: "Format"
+    unit: "Format"
+    given: "Format"
+    computed: "Format"
+    answer: "Format"
+    manual: "Format"
+    check: "Format"
+    symbol: "Format"
+    symbol_upright: "Format"
+    italic: "Format"
+    upright: "Format"
+    sub: "Format"
+
+
+def make_styles(book: "Workbook") -> Styles:
+    """Make the formats of a workbook."""
+
+    def style(**properties: object) -> "Format":
+        base = {"font_name": _FONT, "font_size": _SIZE, "font_color": _INK, "valign": "vcenter"}
+        return book.add_format(base | properties)
+
+    cell = {"border": 1, "border_color": _LINE}
+    wrapped = cell | {"text_wrap": True}
+    symbol = {"font_name": _SYMBOL_FONT, "font_size": _SYMBOL_SIZE}
+    middle = cell | {"align": "center"}
+    return Styles(
+        title=style(bold=True, font_size=15),
+        heading=style(bold=True, font_size=11),
+        paragraph=style(text_wrap=True, valign="top"),
+        hint=style(text_wrap=True, italic=True, font_color=_FAINT, valign="top"),
+        label=style(font_color=_FAINT),
+        particular=style(bold=True),
+        head=style(**wrapped, bold=True, bg_color=_HEAD, align="center"),
+        number=style(**middle, font_color=_FAINT),
+        text=style(**wrapped),
+        unit=style(**middle),
+        given=style(**middle, bg_color=_GIVEN, bold=True),
+        computed=style(**middle),
+        answer=style(
+            border=1, border_color=_ANSWER_LINE, bg_color=_ANSWER, align="center", locked=False
+        ),
+        manual=style(**wrapped, italic=True, font_color=_FAINT, align="center"),
+        check=style(text_wrap=True, font_color=_WARNING, font_size=9, indent=1),
+        symbol=style(**middle | symbol, italic=True),
+        symbol_upright=style(**middle | symbol),
+        italic=style(**symbol, italic=True),
+        upright=style(**symbol),
+        sub=style(**symbol, font_script=2),
+    )
+
+
+def write_symbol(sheet: "Worksheet", row: int, column: int, symbol: str, styles: Styles) -> None:
+    """Write a declared symbol as formulas print it: italics, subscripts."""
+    runs = symbol_runs(symbol)
+    if len(runs) < 2:  # noqa: PLR2004 - a rich text has two runs at least
+        kind, text = runs[0] if runs else ("upright", "")
+        sheet.write_string(
+            row, column, text, styles.symbol if kind == "italic" else styles.symbol_upright
+        )
+        return
+    formats = {"italic": styles.italic, "upright": styles.upright, "sub": styles.sub}
+    parts: list[object] = []
+    for kind, text in runs:
+        parts += [formats[kind], text]
+    sheet.write_rich_string(row, column, *parts, styles.symbol_upright)
+
+
+def symbol_runs(symbol: str) -> list[tuple[RunKind, str]]:
+    """Split a declared symbol, or several joined by signs, into runs of one look."""
+    runs: list[tuple[RunKind, str]] = []
+    for index, word in enumerate(symbol.split()):
+        if index:
+            runs.append(("upright", " "))
+        runs += _runs(symbol_box(word))
+    return [
+        (kind, "".join(text for _, text in group))
+        for kind, group in groupby(runs, lambda run: run[0])
+    ]
+
+
+def _runs(box: Box) -> Iterator[tuple[RunKind, str]]:
+    match box:
+        case Text(kind, text):
+            yield ("italic" if kind == "variable" else "upright"), text
+        case Script(base, sub, None) if sub is not None:
+            yield from _runs(base)
+            for _, text in _runs(sub):
+                yield "sub", text
+        case _:
+            for part in inner(box):
+                yield from _runs(part)
+
+
+def set_page(sheet: "Worksheet", left: str, right: str, *, landscape: bool = False) -> None:
+    """Set a sheet up for A4 paper, as wide as the page, with a line above and page numbers."""
+    sheet.set_paper(PAPER_A4)
+    if landscape:
+        sheet.set_landscape()
+    sheet.fit_to_pages(1, 0)
+    sheet.set_margins(left=0.6, right=0.6, top=0.8, bottom=0.7)
+    half = _LONGEST_HEADER // 2
+    sheet.set_header(f"&L{_header_text(left, half)}&R{_header_text(right, half)}")
+    sheet.set_footer("&C&P / &N")
+    sheet.hide_gridlines(2)
+
+
+def _header_text(text: str, longest: int) -> str:
+    """Write text into a page header, where `&` begins a code."""
+    return text[:longest].replace("&", "&&")

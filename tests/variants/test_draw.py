@@ -1,0 +1,115 @@
+"""Drawn variants can be solved, differ, and come again with the same seed."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.errors import TableError
+from gripcourse.solver.plan import make_plan
+from gripcourse.variants.draw import Batch, draw
+from gripcourse.variants.explain import why_infeasible
+from gripcourse.variants.feasible import Mask
+from gripcourse.variants.space import load_spaces
+
+Change = Callable[[str, str], Course]
+
+
+def test_the_same_seed_gives_the_same_variants(small_course: Course) -> None:
+    spaces = load_spaces(small_course)
+    assert draw(small_course, spaces, 40, 7) == draw(small_course, spaces, 40, 7)
+
+
+def test_another_seed_gives_other_variants(small_course: Course) -> None:
+    spaces = load_spaces(small_course)
+    one, other = (draw(small_course, spaces, 40, seed).variants for seed in (7, 8))
+    assert [variant.given for variant in one] != [variant.given for variant in other]
+
+
+def test_variants_are_numbered_with_leading_zeros(small_course: Course) -> None:
+    drawn = draw(small_course, load_spaces(small_course), 12, 7)
+    assert [variant.id for variant in drawn.variants] == [f"{n:03d}" for n in range(1, 13)]
+
+
+def test_no_two_variants_have_the_same_numbers(small_course: Course) -> None:
+    drawn = draw(small_course, load_spaces(small_course), 200, 7)
+    numbers = {(*variant.options.values(), *variant.given.values()) for variant in drawn.variants}
+    assert len(numbers) == 200
+
+
+def test_every_variant_is_feasible_and_on_the_grid(small_course: Course) -> None:
+    spaces = load_spaces(small_course)
+    cases = {case.options["fluid"]: case for case in spaces[0].cases}
+    for variant in draw(small_course, spaces, 100, 7).variants:
+        case = cases[variant.options["fluid"]]
+        plan = make_plan(small_course, variant.scheme, variant.options)
+        assert why_infeasible(plan, variant.given, case.constraints) == ()
+        assert all(variant.given[id_] in allowed for id_, allowed in case.given.items())
+
+
+def test_a_follower_follows_in_every_variant(small_course: Course) -> None:
+    pairs = {17.0: 4.26, 20.0: 4.08, 25.0: 3.9}
+    variants = draw(small_course, load_spaces(small_course), 50, 7).variants
+    assert all(one.given["form_factor"] == pairs[one.given["teeth"]] for one in variants)
+    assert {one.given["teeth"] for one in variants} == set(pairs)
+
+
+def test_options_are_equally_frequent_and_mixed(small_course: Course) -> None:
+    variants = draw(small_course, load_spaces(small_course), 40, 7).variants
+    fluids = [variant.options["fluid"] for variant in variants]
+    assert fluids.count("oil") == fluids.count("air") == 20
+    assert {"oil", "air"} == set(fluids[:10])
+
+
+def test_the_tally_counts_what_was_tried_and_why_it_was_refused(small_course: Course) -> None:
+    (tally,) = draw(small_course, load_spaces(small_course), 40, 7).tallies
+    assert tally.tried >= 2 * 256
+    assert 0.3 < tally.acceptance < 1
+    counts = [refusal.count for refusal in tally.refusals]
+    assert counts == sorted(counts, reverse=True)
+    assert "pressure <= pressure_limit does not hold" in str(tally.refusals[0].what)
+
+
+def test_an_impossible_space_is_given_up_with_the_main_reasons(small_with: Change) -> None:
+    course = small_with("angle <= 60", "angle <= 1")
+    with pytest.raises(TableError, match="angle <= 1 does not hold") as caught:
+        draw(course, load_spaces(course), 5, 7)
+    (problem,) = caught.value.problems
+    assert problem.file == "variants/spaces/press.toml"
+    assert "only 0 can be handed out, 3 are wanted" in str(problem.what)
+
+
+def test_a_space_with_too_few_values_says_how_far_it_went(small_with: Change) -> None:
+    course = small_with("low = 10\nhigh = 80\nstep = 2.5", "values = [20]")
+    spaces = load_spaces(course)
+    assert len(draw(course, spaces, 20, 7).variants) == 20
+
+
+def test_a_further_filter_sees_feasible_candidates_in_order(small_course: Course) -> None:
+    sizes: list[int] = []
+
+    def heavy(batch: Batch) -> Mask:
+        sizes.append(len(batch.positions))
+        assert batch.feasibility.feasible[batch.positions].all()
+        return np.asarray(batch.given["mass"] > 50)
+
+    drawn = draw(small_course, load_spaces(small_course), 20, 7, heavy)
+    assert all(variant.given["mass"] > 50 for variant in drawn.variants)
+    assert sizes
+    (tally,) = drawn.tallies
+    assert "too near to another variant" in [str(refusal.what) for refusal in tally.refusals]
+
+
+def test_numbers_are_spread_over_their_range(small_course: Course) -> None:
+    variants = draw(small_course, load_spaces(small_course), 200, 7).variants
+    masses = np.array([variant.given["mass"] for variant in variants])
+    quarters = np.histogram(masses, bins=4, range=(10, 80))[0]
+    assert quarters.min() > 0.1 * len(variants)
+
+
+def test_the_reference_course_accepts_a_third_of_what_is_tried(reference_course: Course) -> None:
+    drawn = draw(reference_course, load_spaces(reference_course), 300, 7)
+    assert len(drawn.variants) == 300
+    for tally in drawn.tallies:
+        assert tally.acceptance > 0.3, [f"{one.count} {one.what}" for one in tally.refusals[:3]]

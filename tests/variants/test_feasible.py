@@ -1,0 +1,90 @@
+"""What makes a variant impossible is named once, at its cause."""
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.explain import in_short, why_infeasible
+from gripcourse.variants.feasible import Cause, reasons_infeasible
+from gripcourse.words import Words
+
+SOUND = {
+    "mass": 60.0,
+    "acceleration": 5.0,
+    "friction": 0.15,
+    "pressure": 10.0,
+    "teeth": 17.0,
+    "form_factor": 4.26,
+    "arm": 100.0,
+    "travel": 50.0,
+}
+
+
+@pytest.fixture
+def plan(small_course: Course) -> Plan:
+    return make_plan(small_course, "press", {"fluid": "oil"})
+
+
+def test_a_sound_variant_has_no_reason(plan: Plan) -> None:
+    assert why_infeasible(plan, SOUND) == ()
+
+
+@pytest.mark.parametrize(
+    ("change", "cause", "quantity", "said"),
+    [
+        ({"travel": 150.0}, Cause.NO_VALUE, "angle", "travel = 150 mm; arm = 100 mm"),
+        ({"friction": 0.0}, Cause.NO_VALUE, "force", "friction = 0"),
+        ({"friction": 1.5}, Cause.BOUNDS, "friction", "between 0 and 1"),
+        ({"mass": -60.0}, Cause.BOUNDS, "mass", "is −60 kg"),
+        ({"teeth": 17.5}, Cause.NOT_WHOLE, "teeth", "whole number, not 17.5"),
+        ({"acceleration": 0.0}, Cause.GUARD, "force", "force > 0"),
+        ({"pressure": 16.0}, Cause.VERDICT, "pressure_holds", "pressure = 16 MPa"),
+        ({"mass": 5000.0, "pressure": 1.0, "friction": 0.01}, Cause.NO_VALUE, "bore", "mm"),
+    ],
+)
+def test_the_reason_names_quantity_and_values(
+    plan: Plan, change: dict[str, float], cause: Cause, quantity: str, said: str
+) -> None:
+    given = SOUND | change
+    arrays = {id_: np.array([value]) for id_, value in given.items()}
+    reasons = list(reasons_infeasible(plan, arrays).refused)
+    assert (cause, quantity) in [(reason.cause, reason.quantity) for reason in reasons]
+    sentences = [str(sentence) for sentence in why_infeasible(plan, given)]
+    assert any(said in sentence for sentence in sentences), sentences
+
+
+def test_what_follows_from_a_missing_value_is_not_named_again(plan: Plan) -> None:
+    reasons = reasons_infeasible(plan, {k: np.array([v]) for k, v in (SOUND | {"friction": 0.0}).items()})
+    assert [reason.quantity for reason in reasons.refused] == ["force"]
+
+
+def test_a_missing_given_is_named(plan: Plan) -> None:
+    given = {id_: value for id_, value in SOUND.items() if id_ != "mass"}
+    assert [str(one) for one in why_infeasible(plan, given)] == [
+        "mass of the object (mass) has no value."
+    ]
+
+
+def test_a_constraint_is_told_with_its_values(plan: Plan) -> None:
+    text = "mass <= 50"
+    constraint = Formula(text, parse(text), {"mass": "kg"})
+    (sentence,) = why_infeasible(plan, SOUND, [constraint])
+    assert str(sentence) == "mass <= 50 does not hold, where mass = 60 kg."
+
+
+def test_candidates_of_a_batch_are_judged_one_by_one(plan: Plan) -> None:
+    arrays = {id_: np.full(3, value) for id_, value in SOUND.items()}
+    arrays["travel"] = np.array([50.0, 150.0, 60.0])
+    feasibility = reasons_infeasible(plan, arrays)
+    assert feasibility.feasible.tolist() == [True, False, True]
+    (reason,) = feasibility.refused
+    assert str(in_short(plan, reason)) == "angle (angle) has no value"
+
+
+def test_a_reason_is_told_in_the_readers_language(plan: Plan) -> None:
+    (sentence,) = why_infeasible(plan, SOUND | {"mass": -60.5, "acceleration": 0.001})[:1]
+    assert "масса объекта" in Words("ru").say(sentence)
+    assert "−60,5 кг" in Words("ru").say(sentence)

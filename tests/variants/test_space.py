@@ -1,0 +1,116 @@
+"""Spaces are read into lists of tidy values, and every mistake in them is told."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.errors import CourseError
+from gripcourse.variants.ranges import Follower
+from gripcourse.variants.space import Case, Space, load_spaces
+
+Change = Callable[[str, str], Course]
+
+
+def case_of(space: Space, fluid: str) -> Case:
+    return next(case for case in space.cases if case.options["fluid"] == fluid)
+
+
+def problems_of(course: Course) -> dict[str, str]:
+    with pytest.raises(CourseError) as caught:
+        load_spaces(course)
+    return {problem.key: f"{problem.what} {problem.remedy}" for problem in caught.value.problems}
+
+
+def test_a_step_gives_decimals_that_a_person_would_write(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    assert case_of(space, "oil").given["friction"] == (0.1, 0.15, 0.2, 0.25, 0.3)
+
+
+def test_every_combination_of_options_is_a_case_with_its_own_givens(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    assert [case.options for case in space.cases] == [{"fluid": "oil"}, {"fluid": "air"}]
+    assert "noise" in case_of(space, "air").given
+    assert "noise" not in case_of(space, "oil").given
+
+
+def test_a_range_can_depend_on_an_option(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    assert case_of(space, "oil").given["pressure"] == (6.3, 10.0, 16.0)
+    assert case_of(space, "air").given["pressure"] == (0.4, 0.5)
+
+
+def test_a_column_of_a_catalogue_is_read_in_the_declared_unit(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    assert case_of(space, "oil").given["arm"] == (40.0, 63.0, 100.0)
+
+
+def test_a_quantity_can_follow_another(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    follower = case_of(space, "oil").followers["form_factor"]
+    assert follower == Follower("teeth", {17.0: 4.26, 20.0: 4.08, 25.0: 3.9})
+
+
+def test_a_course_without_spaces_has_none(small_course: Course, small_with: Change) -> None:
+    course = small_with("", "")
+    (course.root / "variants" / "spaces" / "press.toml").unlink()
+    assert load_spaces(course) == ()
+    assert len(load_spaces(small_course)) == 1
+
+
+def test_a_second_file_for_a_scheme_is_refused(small_with: Change) -> None:
+    course = small_with("", "")
+    folder = course.root / "variants" / "spaces"
+    (folder / "second.toml").write_bytes((folder / "press.toml").read_bytes())
+    assert "already has variants/spaces/press.toml" in problems_of(course)["scheme"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        ('scheme = "press"', 'scheme = "pres"', "scheme", "no scheme 'pres'. Did you mean 'press'"),
+        ("low = 10\n", "low = 90\n", "given.mass", "upside down"),
+        ("step = 2.5", "step = 3", "given.mass.step", "Write high = 79"),
+        ("step = 2.5", "step = 0.0001", "given.mass.step", "coarser"),
+        ("step = 2.5", "", "given.mass", "four ways"),
+        ("step = 2.5", 'step = "2"', "given.mass.step", "number"),
+        ("low = 10\n", "low = -10\n", "given.mass", "outside the bounds"),
+        ("[given.mass]", "[given.mas]", "given.mas", "Did you mean 'mass'"),
+        ("[given.mass]", "[given.mas]", "given.mass", "no range"),
+        ("[17, 20, 25]", "[]", "given.teeth.values", "list of numbers"),
+        ("[17, 20, 25]", "[17, 20.5, 25]", "given.teeth", "whole numbers only"),
+        ("[17, 20, 25]", "[17, 20, 25, 30]", "given.form_factor.pairs", "teeth = 30"),
+        ("[17, 4.26], ", "[17], ", "given.form_factor.pairs", "pairs of numbers"),
+        ('follows = "teeth"', 'follows = "tooth"', "given.form_factor.follows", "'teeth'"),
+        ("bore.bore", "bore.size", "given.arm.catalogue", "Did you mean 'bore.bore'"),
+        ("low = 40\n", "low = 400\n", "given.arm", "nothing between"),
+        ('choice = "air"', 'choice = "water"', "given.pressure.when[1].choice", "no 'water'"),
+        ("angle <= 60", "angel <= 60", "constraint[1].formula", "Did you mean 'angle'"),
+        ("angle <= 60", "angle", "constraint[1].formula", "not a condition"),
+        ("angle <= 60", "angle <= (60", "constraint[1].formula", "bracket"),
+        ("angle <= 60", "force <= mass", "constraint[1].formula", "like with like"),
+        ('{ angle = "deg" }', '{ angle = "dge" }', "constraint[1].evaluated_in.angle", "'dge'"),
+        ('evaluated_in = { angle = "deg" }', "", "constraint[1].formula", "or in SI"),
+        ("[[constraint]]", "[[constraints]]", "constraints", "Did you mean 'constraint'"),
+    ],
+)
+def test_a_mistake_is_told_with_its_place_and_its_remedy(
+    small_with: Change, old: str, new: str, key: str, said: str
+) -> None:
+    found = problems_of(small_with(old, new))
+    assert said in found.get(key, ""), found
+
+
+def test_all_mistakes_are_told_at_once(small_with: Change, tmp_path: Path) -> None:
+    course = small_with("low = 10\n", "low = 90\n")
+    space = tmp_path / "course" / "variants" / "spaces" / "press.toml"
+    space.write_text(
+        space.read_text(encoding="utf-8").replace("angle <= 60", "angle"), encoding="utf-8"
+    )
+    assert set(problems_of(course)) == {"given.mass", "constraint[1].formula"}
+
+
+def test_the_spaces_of_the_reference_course_are_sound(reference_course: Course) -> None:
+    spaces = load_spaces(reference_course)
+    assert {space.scheme for space in spaces} == set(reference_course.schemes)
