@@ -111,7 +111,7 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
             )
         )
         lines += [
-            f"  {refusal.count}: {words.say(refusal.reason)}" for refusal in tally.refusals[:5]
+            f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]
         ]
     return "\n".join(lines)
 

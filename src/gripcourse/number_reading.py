@@ -265,6 +265,8 @@ def _unit(tail: str) -> str:
         return ""
     if not (unit[0].isalpha() or unit[0] in "%‰°º˚′″'\"\u00b5[("):
         raise _NotANumber(_SEVERAL)
+    if unit[0] in _TIMES and unit[1:].lstrip()[:1].isdigit():  # 12x13
+        raise _NotANumber(_SEVERAL)
     before = ""
     for after in unit:
         if after == "±" or (after in _DIGITS and not _may_precede_a_digit(before)):

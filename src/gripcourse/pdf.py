@@ -18,7 +18,7 @@ style sheets. A value that a template does not get is an error, never an empty p
 
 import gc
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date
@@ -37,6 +37,7 @@ from gripcourse.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+    from markupsafe import Markup
 
 NO_BREAK_SPACE = "\u00a0"
 
@@ -128,6 +129,13 @@ def _paths(templates: Path, styles: tuple[str, ...]) -> tuple[Path, ...]:
     return tuple(templates / "style" / name for name in styles)
 
 
+def _markup(box: Box) -> "Markup":
+    """Return the HTML of a formula; its text was escaped when it was made."""
+    from markupsafe import Markup
+
+    return Markup(html(box))  # noqa: S704 - see above
+
+
 def _symbol_box(symbol: str) -> Box:
     """Lay out a declared symbol; that of a verdict, `σ ≤ [σ]`, is several joined by relations."""
     first, *rest = _RELATION.split(symbol)
@@ -141,7 +149,6 @@ def _symbol_box(symbol: str) -> Box:
 @lru_cache(maxsize=4 * len(LANGUAGES))
 def _environment(templates: Path, language: str) -> "Environment":
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    from markupsafe import Markup
 
     words = Words(language)
     environment = Environment(
@@ -152,15 +159,14 @@ def _environment(templates: Path, language: str) -> "Environment":
         lstrip_blocks=True,
     )
     environment.globals.update({"_": words.translate, "say": words.say, "language": language})
-    environment.filters.update(
-        {
-            "points": lambda value: points_text(value, words),
-            "percent": lambda share: percent_text(share, words),
-            "day": lambda day: day_text(day, words),
-            "symbol": lambda symbol: Markup(html(_symbol_box(symbol))) if symbol else "",
-            "formula": lambda box: Markup(html(box)),
-        }
-    )
+    filters: Mapping[str, Callable[..., str]] = {
+        "points": lambda value: points_text(value, words),
+        "percent": lambda share: percent_text(share, words),
+        "day": lambda day: day_text(day, words),
+        "symbol": lambda symbol: _markup(_symbol_box(symbol)) if symbol else "",
+        "formula": _markup,
+    }
+    environment.filters.update(filters)
     return environment
 
 

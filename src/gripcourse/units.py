@@ -16,6 +16,8 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, Final
 
+from gripcourse.words import LANGUAGES
+
 if TYPE_CHECKING:
     from pint import UnitRegistry
 
@@ -76,8 +78,8 @@ class _Part:
     power: int
 
 
-_OUR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()]+|1)(?:\*\*(-?\d+))?")
-_THEIR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()^-]+|1)(?:\^?(-?\d+))?")
+_OUR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()]+|1(?![\d*]))(?:\*\*(-?\d+))?")
+_THEIR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()^-]+|1(?![\d^-]))(?:\^?(-?\d+))?")
 _SUPERSCRIPTS: Final = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _NO_UNIT: Final = frozenset({"", "-", "–", "—", "1", "б/р"})
 # Capitals and small letters of two alphabets that look alike in print: a student who forgets to
@@ -188,9 +190,8 @@ def _size(unit: str) -> tuple[float, Dimension]:
 def _table() -> Mapping[str, _Row]:
     """Read `units.csv`: rows by our spelling, in the order of the file."""
     text = (files("gripcourse") / "units.csv").read_text(encoding="utf-8")
-    languages = ("en", "ru", "uk")
     rows = [
-        _Row(row["unit"], {name: row[name] for name in languages}, tuple(row["also"].split()))
+        _Row(row["unit"], {name: row[name] for name in LANGUAGES}, tuple(row["also"].split()))
         for row in csv.DictReader(text.splitlines())
     ]
     return {row.unit: row for row in rows}
@@ -247,9 +248,6 @@ def _plain(text: str) -> str:
     return flat.removeprefix(",").strip().rstrip(".,;").strip()
 
 
-_Key = Callable[[str], str]
-
-
 def _as_seen(text: str) -> str:
     return text.translate(_LOOK_ALIKES)
 
@@ -263,7 +261,7 @@ def _capital(text: str) -> str:
 
 
 # From strict to lenient: what is unlike only in look-alikes, then in small and capital letters.
-_KEYS: Final[tuple[_Key, ...]] = (_as_seen, _small, _capital)
+_KEYS: Final[tuple[Callable[[str], str], ...]] = (_as_seen, _small, _capital)
 
 
 @lru_cache(maxsize=1)

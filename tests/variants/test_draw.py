@@ -1,6 +1,7 @@
 """Drawn variants can be solved, differ, and come again with the same seed."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -80,10 +81,14 @@ def test_an_impossible_space_is_given_up_with_the_main_reasons(small_with: Chang
     assert "only 0 can be handed out, 3 are wanted" in str(problem.what)
 
 
-def test_a_space_with_too_few_values_says_how_far_it_went(small_with: Change) -> None:
-    course = small_with("low = 10\nhigh = 80\nstep = 2.5", "values = [20]")
-    spaces = load_spaces(course)
-    assert len(draw(course, spaces, 20, 7).variants) == 20
+def test_a_space_with_a_single_variant_cannot_give_two(small_course: Course) -> None:
+    (space,) = load_spaces(small_course)
+    (oil, _) = space.cases
+    single = {id_: allowed[:1] for id_, allowed in oil.given.items()}
+    narrow = replace(space, cases=(replace(oil, given=single),))
+    assert len(draw(small_course, [narrow], 1, 7).variants) == 1
+    with pytest.raises(TableError, match="the same numbers as another variant"):
+        draw(small_course, [narrow], 2, 7)
 
 
 def test_a_further_filter_sees_feasible_candidates_in_order(small_course: Course) -> None:

@@ -57,7 +57,9 @@ def test_the_reason_names_quantity_and_values(
 
 
 def test_what_follows_from_a_missing_value_is_not_named_again(plan: Plan) -> None:
-    reasons = reasons_infeasible(plan, {k: np.array([v]) for k, v in (SOUND | {"friction": 0.0}).items()})
+    reasons = reasons_infeasible(
+        plan, {k: np.array([v]) for k, v in (SOUND | {"friction": 0.0}).items()}
+    )
     assert [reason.quantity for reason in reasons.refused] == ["force"]
 
 

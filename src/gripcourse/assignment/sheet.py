@@ -124,7 +124,9 @@ def given_data(
     quantities: Iterable[Quantity], values: Mapping[str, float], words: Words
 ) -> list[Datum]:
     """Return rows of given data; a constant that `values` does not have counts as declared."""
-    return [_datum(quantity, values.get(quantity.id, quantity.value), words) for quantity in quantities]
+    return [
+        _datum(quantity, values.get(quantity.id, quantity.value), words) for quantity in quantities
+    ]
 
 
 def _datum(quantity: Quantity, value: float | None, words: Words) -> Datum:
@@ -198,14 +200,15 @@ def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
     )
     yield from _carried(policy, words)
     yield message(
-        "Sizes that you accept from a series are design decisions. They are judged by their rule: an "
-        "entry of the series, not below the required value and not wastefully above it. Your own "
-        "choice is used in everything that follows."
+        "Sizes that you accept from a series are design decisions. They are judged by their rule: "
+        "an entry of the series, not below the required value and not wastefully above it. Your "
+        "own choice is used in everything that follows."
     )
     yield from _errata(plan, policy, words)
     yield message(
-        "Write numbers with a decimal comma or a decimal point, in the unit beside the cell, and keep "
-        "at least four significant figures. An empty cell is no answer; it is not read as zero."
+        "Write numbers with a decimal comma or a decimal point, in the unit beside the cell, and "
+        "keep at least four significant figures. An empty cell is no answer; it is not read as "
+        "zero."
     )
 
 
@@ -230,13 +233,12 @@ def _errata(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
         yield message("The guide has known misprints; only the corrected formulas count.")
     elif policy.printed_credit >= 1:
         yield message(
-            "The guide has known misprints. An answer computed exactly as it prints a formula counts "
-            "in full, with a remark on what is right."
+            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "counts in full, with a remark on what is right."
         )
     else:
         yield message(
-            "The guide has known misprints. An answer computed exactly as it prints a formula earns "
-            "{share} of its points, with a remark on what is right.",
+            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "earns {share} of its points, with a remark on what is right.",
             share=percent_text(policy.printed_credit, words),
         )
-

@@ -1,32 +1,42 @@
 """Grading a whole batch: in processes of their own, bounded in time and memory, none lost.
 
 A spreadsheet can make a parser hang, swallow memory or abort its process. Each file is graded in a
-worker with a memory limit and an alarm; when a worker dies, the files that it took along are graded
-again one by one, and only the one that kills its worker again is set aside for a person.
+worker with a memory limit and an alarm; when a worker dies, the few files that were on their way to
+a worker are graded again one by one, and only the one that kills its worker again is set aside for
+a person.
 """
 
 import hashlib
 import signal
 import sys
 import traceback
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from types import FrameType
+from typing import TypeAlias
 
+from gripcourse.cohort.doubles import mark_doubles
 from gripcourse.cohort.one import Desk, grade_file
 from gripcourse.grading.identify import submitter
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.words import message
 
 # A real answer workbook takes 0.02 s and 60 MB; these are for files that are none.
-SECONDS_PER_FILE = 30
+SECONDS_PER_FILE = 30.0
 MEMORY_PER_WORKER = 3 * 1024**3
+
+# Files handed to the workers at a time: enough to keep them busy, few enough that a worker that
+# dies takes few along.
+_AHEAD = 2
+
+GradeOne: TypeAlias = Callable[[Path, Desk], Report]
+"""Grades one file; it must be found by its name in another process."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +47,20 @@ class Graded:
     incident: str
 
 
-class _TookTooLongError(Exception):
-    """A file was not graded within its time."""
+@dataclass(frozen=True, slots=True)
+class _Job:
+    """What is done with every file."""
+
+    desk: Desk
+    grade_one: GradeOne
+    seconds: float
+
+
+class _TookTooLongError(BaseException):
+    """A file was not graded within its time.
+
+    Not an `Exception`: reading a workbook takes every one of these for a fault of the file.
+    """
 
 
 def grade_files(
@@ -46,6 +68,9 @@ def grade_files(
     desk: Desk,
     workers: int,
     on_done: Callable[[Path], None] = lambda _: None,
+    *,
+    grade_one: GradeOne = grade_file,
+    seconds: float = SECONDS_PER_FILE,
 ) -> tuple[Graded, ...]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -54,38 +79,67 @@ def grade_files(
         desk: the course, its policy, the register.
         workers: how many processes.
         on_done: called with each file when it is done.
+        grade_one: grades one file.
+        seconds: that one file may take.
     """
+    job = _Job(desk, grade_one, seconds)
     done: dict[Path, Graded] = {}
-    lost: list[Path] = []
-    with _pool(workers) as pool:
-        futures = {pool.submit(grade_guarded, file, desk): file for file in files}
-        for future in as_completed(futures):
-            file = futures[future]
-            graded = _result(future)
+    waiting = deque(files)
+    while waiting:
+        lost = []
+        for file, graded in _until_worker_dies(waiting, job, workers):
             if graded is None:
                 lost.append(file)
-            else:
-                done[file] = graded
-                on_done(file)
-    for file in lost:
-        done[file] = _grade_alone(file, desk)
-        on_done(file)
-    return tuple(_mark_doubles([done[file] for file in files]))
+                continue
+            done[file] = graded
+            on_done(file)
+        for file in lost:
+            done[file] = _grade_alone(file, job)
+            on_done(file)
+    reports = mark_doubles([done[file].report for file in files])
+    return tuple(
+        Graded(report, done[file].incident) for file, report in zip(files, reports, strict=True)
+    )
 
 
-def grade_guarded(file: Path, desk: Desk) -> Graded:
+def _until_worker_dies(
+    waiting: deque[Path], job: _Job, workers: int
+) -> Iterator[tuple[Path, Graded | None]]:
+    """Grade files from the left of `waiting`, until none is left or a worker dies.
+
+    Yields:
+        Each file that was taken, with what it came to; None for files that a worker took along.
+    """
+    with _pool(workers) as pool:
+        running: dict[Future[Graded], Path] = {}
+        is_whole = True
+        while running or (waiting and is_whole):
+            while waiting and is_whole and len(running) < workers * _AHEAD:
+                file = waiting.popleft()
+                try:
+                    running[pool.submit(_grade_guarded, file, job)] = file
+                except BrokenProcessPool:
+                    is_whole = False
+                    yield file, None
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                graded = _result(future)
+                is_whole = is_whole and graded is not None
+                yield running.pop(future), graded
+
+
+def _grade_guarded(file: Path, job: _Job) -> Graded:
     """Grade a file; a failure on our side becomes an incident with its trace."""
     try:
-        with _alarm(SECONDS_PER_FILE):
-            return Graded(grade_file(file, desk), "")
-    except Exception:  # noqa: BLE001 (ours: recorded, never counted against the student)
-        return _incident(file, desk, traceback.format_exc())
+        with _alarm(job.seconds):
+            return Graded(job.grade_one(file, job.desk), "")
+    except (Exception, _TookTooLongError):  # noqa: BLE001 (ours: never counted against the student)
+        return _incident(file, job.desk, traceback.format_exc())
 
 
-def _grade_alone(file: Path, desk: Desk) -> Graded:
+def _grade_alone(file: Path, job: _Job) -> Graded:
     with _pool(1) as pool:
-        graded = _result(pool.submit(grade_guarded, file, desk))
-    return graded or _incident(file, desk, f"{file}: the process that graded the file died\n")
+        graded = _result(pool.submit(_grade_guarded, file, job))
+    return graded or _incident(file, job.desk, f"{file}: the process that graded the file died\n")
 
 
 def _result(future: Future[Graded]) -> Graded | None:
@@ -114,43 +168,16 @@ def _limit_memory() -> None:
 
 
 @contextmanager
-def _alarm(seconds: int) -> Iterator[None]:
+def _alarm(seconds: float) -> Iterator[None]:
     """Raise in the main thread of this process when the time is over."""
 
     def ring(_signal: int, _frame: FrameType | None) -> None:
         raise _TookTooLongError(seconds)
 
     before = signal.signal(signal.SIGALRM, ring)
-    signal.alarm(seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
         yield
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
-
-
-def _mark_doubles(graded: Sequence[Graded]) -> Iterator[Graded]:
-    """Flag several files of one student, and equal bytes from several students."""
-    for one in graded:
-        others = [other.report for other in graded if other is not one and other.report.student]
-        flags = tuple(_double_flags(one.report, others))
-        yield replace(one, report=replace(one.report, flags=(*one.report.flags, *flags)))
-
-
-def _double_flags(report: Report, others: Sequence[Report]) -> Iterator[Flag]:
-    same_student = [other.file for other in others if other.student == report.student]
-    if report.student and same_student:
-        yield Flag(
-            "several_files",
-            message("The student handed in more files: {files}.", files=", ".join(same_student)),
-        )
-    same_bytes = [
-        other.student
-        for other in others
-        if report.digest and other.digest == report.digest and other.student != report.student
-    ]
-    if same_bytes:
-        yield Flag(
-            "same_bytes",
-            message("The same file came from: {students}.", students=", ".join(same_bytes)),
-        )

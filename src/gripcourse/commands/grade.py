@@ -164,9 +164,9 @@ def student_pdf(report: Report, course: Course, policy: Policy, graded_on: date)
     """Lay out one student's report; the trace of the failure where that is not possible."""
     from gripcourse.report.student import student_report  # noqa: PLC0415 (WeasyPrint, 450 ms)
 
-    plan = make_plan(course, report.scheme, report.options)
     words = Words(report.language or course.language)
     try:
+        plan = make_plan(course, report.scheme, report.options)
         return student_report(report, plan, policy, course, words, graded_on)
     except Exception:  # noqa: BLE001 (ours: one student's incident, never a lost batch)
         return f"report of {report.file}:\n{traceback.format_exc()}"

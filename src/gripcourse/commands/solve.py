@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity
@@ -13,17 +13,27 @@ from gripcourse.files import replacing, write_bytes
 from gripcourse.number_reading import Unreadable, read_number
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.units import unit_text
+from gripcourse.variants.explain import listed, with_unit
 from gripcourse.variants.model import Variant
-from gripcourse.words import Message, Words, message
+from gripcourse.words import LANGUAGES, Message, Texts, Words, message
 
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """A solved variant: the plan, the variant with all its givens, and every value."""
+    """A solved variant.
+
+    Attributes:
+        plan: of its scheme and options.
+        variant: all its givens, and the constants that it changes, in declared units.
+        values: of every quantity but the manual ones, in declared units.
+        assumed: ids of computed quantities whose values were set by hand.
+    """
 
     plan: Plan
     variant: Variant
     values: Mapping[str, float]
+    assumed: tuple[str, ...] = ()
 
 
 def solve_from_table(
@@ -68,12 +78,14 @@ def solve_scheme(
     defaults = default_options(scheme) if scheme is not None else {}
     plan = make_plan(course, scheme_id, {**defaults, **chosen}, convention)
     known = _example_values(plan) | _settings(plan, settings)
-    given = {one.id: known[one.id] for one in plan.givens if one.id in known}
+    kinds = {Kind.GIVEN, Kind.CONSTANT}
+    given = {name: value for name, value in known.items() if plan.quantities[name].kind in kinds}
     missing = [one.id for one in plan.givens if one.id not in known]
     if missing:
         what = message("These values are not set: {names}.", names=", ".join(missing))
         raise UsageError([Problem("", "--set", what, message("Set them with --set name=value."))])
-    return _solved(plan, Variant("", plan.scheme.id, plan.options, given), known)
+    solved = _solved(plan, Variant("", plan.scheme.id, plan.options, given), known)
+    return replace(solved, assumed=tuple(name for name in known if name not in given))
 
 
 def solution_json(solved: Solved) -> str:
@@ -106,7 +118,15 @@ def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
 
 
 def write_key(solved: Solved, out: Path | None, words: Words) -> Path:
-    """Write the instructor's key workbook and return where it is."""
+    """Write the instructor's key workbook and return where it is.
+
+    Raises:
+        UsageError: something that the key computes was set by hand.
+    """
+    if solved.assumed:
+        what = message("The key computes {names} itself.", names=", ".join(solved.assumed))
+        remedy = message("Set only given values and constants.")
+        raise UsageError([Problem("", "--set", what, remedy)])
     from gripcourse.workbook.key import write_key_workbook  # noqa: PLC0415 (only for this)
 
     path = out or Path(f"key_{_name(solved)}.xlsx")
@@ -132,18 +152,18 @@ def _out_of_bounds(plan: Plan, known: Mapping[str, float]) -> Iterable[Problem]:
     for name, value in known.items():
         quantity = plan.quantities[name]
         low, high = quantity.bounds
-        if not low <= value <= high or (quantity.integer and value != int(value)):
-            yield Problem(
-                "",
-                name,
-                message(
-                    "{title} = {value} {unit} is not possible.",
-                    title=quantity.title,
-                    value=value,
-                    unit=quantity.unit,
-                ),
-                message("It lies from {low} to {high}.", low=low, high=high),
-            )
+        inside = low <= value <= high
+        if inside and not (quantity.integer and value != int(value)):
+            continue
+        units = Texts({one: unit_text(quantity.unit, one) for one in LANGUAGES})
+        what = message(
+            "{title} = {value} {unit} is not possible.",
+            title=quantity.title,
+            value=value,
+            unit=units,
+        )
+        remedy = message("It lies from {low} to {high}.", low=low, high=high)
+        yield Problem("", name, what, message("Write a whole number.") if inside else remedy)
 
 
 def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]:
@@ -152,15 +172,16 @@ def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]
         inputs = plan.inputs[name]
         lost = quantity.kind is not Kind.MANUAL and math.isnan(values[name])
         if lost and not any(math.isnan(values[one]) for one in inputs):
-            used = ", ".join(
-                f"{one} = {values[one]:.6g} {plan.quantities[one].unit}" for one in inputs
+            used = listed(
+                message(
+                    "{name} = {value}", name=one, value=with_unit(values[one], plan.quantities[one])
+                )
+                for one in inputs
             )
             yield Problem(
                 "",
                 name,
-                message(
-                    "{title} has no value for {used}.", title=quantity.title, used=used.strip()
-                ),
+                message("{title} has no value for {used}.", title=quantity.title, used=used),
                 message("The numbers lie outside the domain of its formula or of its catalogue."),
             )
 

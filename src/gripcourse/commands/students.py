@@ -15,7 +15,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.units import factor, unit_text
 from gripcourse.workbook.names import cell_name
 
-Typed = Mapping[str, object]
+Typed = Mapping[str, float | str]
 """What a student types, by quantity id: numbers, or text."""
 
 Behaviour = Callable[[Plan, Issued], Typed]
@@ -46,7 +46,7 @@ def blank(_plan: Plan, _issued: Issued) -> Typed:
 def text_and_units(plan: Plan, issued: Issued) -> Typed:
     """Type numbers as text, with comma, group spaces and units, some of them in other units."""
     values = solve_variant(plan, issued.variant.given)
-    typed = dict(_typed(plan, values))
+    typed = _typed(plan, values)
     for quantity in plan.answered:
         if quantity.kind is Kind.FORMULA and quantity.unit:
             unit = unit_text(quantity.unit, "ru")
@@ -122,7 +122,7 @@ def fill(workbook: Path, typed: Typed, target: Path) -> None:
     book.save(target)
 
 
-def _typed(plan: Plan, values: Mapping[str, float]) -> dict[str, object]:
+def _typed(plan: Plan, values: Mapping[str, float]) -> dict[str, float | str]:
     """Write verdicts as words and everything else as numbers."""
     return {
         one.id: ("да" if values[one.id] else "нет") if one.kind is Kind.VERDICT else values[one.id]

@@ -21,21 +21,21 @@ _REMARKS = ("source", "mark")
 
 
 def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue | None:
-    """Read a catalogue; None (and problems) where it cannot be used."""
+    """Read a catalogue; None (and problems) where not even its columns are known."""
     file = str(path.relative_to(root))
-    before = len(problems)
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
     except UnicodeDecodeError:
         problems.append(_problem(file, "", message("The file is not UTF-8."), _SAVE))
         return None
     remarks = _remarks(file, lines, problems)
-    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
+    before = len(problems)
     units = _header(file, rows, problems)
-    values = _values(file, rows, len(units), problems)
-    _check_order(file, units, values, problems)
     if len(problems) > before:
         return None
+    values = _values(file, rows, len(units), problems)
+    _check_order(file, units, values, problems)
     columns = {
         name: values[:, number] * factor(unit) for number, (name, unit) in enumerate(units.items())
     }
@@ -87,7 +87,7 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
                 )
             )
         units[name] = unit
-    if not units:
+    if len(rows) < 2:  # noqa: PLR2004 (the heading and at least one size)
         problems.append(
             _problem(file, "", message("The catalogue is empty."), message("Write its rows."))
         )

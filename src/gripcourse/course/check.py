@@ -11,12 +11,14 @@ from graphlib import CycleError, TopologicalSorter
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
+from gripcourse.course.check_kinematics import check_kinematics
+from gripcourse.course.check_series import check_series
 from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
-from gripcourse.formula.evaluate import Column
 from gripcourse.units import dimension
+from gripcourse.units import known as known_unit
 from gripcourse.words import LANGUAGES, message
 
 
@@ -32,18 +34,39 @@ def check_course(course: Course) -> list[Problem]:
         for name, unit in catalogue.units.items()
     }
     found: list[Problem] = []
+    seen: set[object] = set()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
             found += _check_declarations(course, quantities)
-            found += check_formulas(quantities, columns, dimensions)
+            new = _not_checked_yet(quantities, seen)
+            found += check_formulas(new, quantities, columns, dimensions)
             found += _check_graph(scheme, quantities)
-            found += _check_series(quantities, columns)
+            found += check_series(quantities, columns, dimensions)
             found += _check_symbols(scheme, quantities)
+            if all(known_unit(one.unit) for one in quantities.values()):
+                found += check_kinematics(scheme, quantities)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())
+
+
+def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> list[Quantity]:
+    """Return the declarations that no composition has shown with the same units of what they use.
+
+    Shared parts come back in dozens of compositions; their formulas need one look.
+    """
+    new: list[Quantity] = []
+    for one in quantities.values():
+        used = sorted(used_names([one]))
+        units = tuple(
+            (name, quantities[name].unit if name in quantities else None) for name in used
+        )
+        if (one.id, one.file, units) not in seen:
+            seen.add((one.id, one.file, units))
+            new.append(one)
+    return new
 
 
 def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
@@ -59,7 +82,7 @@ def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
                 )
         parts = [course.parts[part] for part in ids if part in course.parts]
         declared = Counter(name for part in parts for name in part.quantities)
-        declared.update(scheme.quantities.keys())
+        declared.update([*scheme.quantities, *course.constants])
         for name in (name for name, count in declared.items() if count > 1):
             yield Problem(
                 scheme.file,
@@ -89,36 +112,42 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
 def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
     sections = {section.id for section in course.sections}
     used = used_names(quantities.values())
+    all_is_used = _is_readable(quantities.values()) and used <= {*quantities, *course.constants}
     for one in quantities.values():
         key = f"quantity.{one.id}"
-        if one.kind is not Kind.CONSTANT and one.section not in sections:
+        if one.section and one.section not in sections:
             yield Problem(
                 one.file,
                 f"{key}.section",
                 message("The course has no section '{name}'.", name=one.section),
                 did_you_mean(one.section, sections),
             )
-        if one.source.work not in course.works:
+        if one.source.work and one.source.work not in course.works:
             yield Problem(
                 one.file,
                 f"{key}.source.work",
                 message("The course cites no work '{work}'.", work=one.source.work),
                 did_you_mean(one.source.work, course.works),
             )
-        if one.kind is Kind.GIVEN and one.id not in used:
+        if one.kind is Kind.GIVEN and all_is_used and one.id not in used:
             yield Problem(
                 one.file,
                 key,
                 message("No formula uses the given '{name}'.", name=one.id),
                 message("Use it, or remove it: students would look for its purpose."),
             )
-        if one.kind is Kind.MANUAL and not _rubric_exists(course, one.rubric):
+        if one.rubric and not _rubric_exists(course, one.rubric):
             yield Problem(
                 one.file,
                 f"{key}.rubric",
                 message("There is no rubric '{rubric}'.", rubric=one.rubric),
                 message("Write grader/rubric/{rubric}.toml.", rubric=one.rubric),
             )
+
+
+def _is_readable(quantities: Iterable[Quantity]) -> bool:
+    """Tell whether every formula could be read: else nobody knows what is used."""
+    return all(one.formula is not None for one in quantities if one.kind.answered)
 
 
 def _rubric_exists(course: Course, rubric: str) -> bool:
@@ -144,42 +173,25 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             )
 
 
-def _check_series(
-    quantities: Mapping[str, Quantity], columns: Mapping[str, Column]
-) -> Iterator[Problem]:
-    for one in quantities.values():
-        if one.choice is None:
-            continue
-        for name in (one.choice.column, *one.choice.also):
-            if name not in columns:
-                yield Problem(
-                    one.file,
-                    f"quantity.{one.id}.series",
-                    message("There is no catalogue column '{name}'.", name=name),
-                    did_you_mean(name, columns),
-                )
-
-
 def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    doubled: dict[tuple[str, str, str], list[str]] = {}
     for language in LANGUAGES:
         seen: dict[str, str] = {}
-        for one in _with_symbols(quantities.values()):
+        for one in quantities.values():
             symbol = one.symbol.of(language)
-            if symbol in seen:
-                yield Problem(
-                    one.file,
-                    f"quantity.{one.id}.symbol",
-                    message(
-                        "'{symbol}' ({language}) is the symbol of {other} too, in {scheme}.",
-                        symbol=symbol,
-                        language=language,
-                        other=seen[symbol],
-                        scheme=scheme.id,
-                    ),
-                    message("Give each quantity a symbol of its own."),
-                )
+            if symbol and symbol in seen:
+                doubled.setdefault((one.id, seen[symbol], symbol), []).append(language)
             seen[symbol] = one.id
-
-
-def _with_symbols(quantities: Iterable[Quantity]) -> Iterator[Quantity]:
-    return (one for one in quantities if one.kind is not Kind.MANUAL)
+    for (name, other, symbol), languages in doubled.items():
+        yield Problem(
+            quantities[name].file,
+            f"quantity.{name}.symbol",
+            message(
+                "'{symbol}' ({language}) is the symbol of {other} too, in {scheme}.",
+                symbol=symbol,
+                language=", ".join(languages),
+                other=other,
+                scheme=scheme.id,
+            ),
+            message("Give each quantity a symbol of its own."),
+        )

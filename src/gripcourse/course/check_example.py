@@ -15,6 +15,13 @@ def check_example(course: Course, scheme: Scheme) -> Iterator[Problem]:
     if example is None:
         return
     file = f"{scheme.file.removesuffix('scheme.toml')}worked_example.toml"
+    if example.source.work and example.source.work not in course.works:
+        yield Problem(
+            file,
+            "source.work",
+            message("The course cites no work '{work}'.", work=example.source.work),
+            did_you_mean(example.source.work, course.works),
+        )
     faults = list(_option_faults(scheme, example, file))
     yield from faults
     if not faults:
@@ -24,6 +31,17 @@ def check_example(course: Course, scheme: Scheme) -> Iterator[Problem]:
 
 
 def _option_faults(scheme: Scheme, example: WorkedExample, file: str) -> Iterator[Problem]:
+    known = [option.id for option in scheme.options]
+    for name in example.options:
+        if name not in known:
+            yield Problem(
+                file,
+                f"options.{name}",
+                message(
+                    "The scheme {scheme} has no option '{option}'.", scheme=scheme.id, option=name
+                ),
+                did_you_mean(name, known),
+            )
     for option in scheme.options:
         choices = [choice.id for choice in option.choices]
         chosen = example.options.get(option.id, "")

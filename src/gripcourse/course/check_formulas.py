@@ -1,6 +1,6 @@
 """Checking every formula of a composed scheme: names, dimensions, conditions, slips."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -10,8 +10,8 @@ from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.parse import FormulaFault, caret
-from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, walk
-from gripcourse.units import Dimension, dimension
+from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, names, walk
+from gripcourse.units import Dimension, dimension, known
 from gripcourse.words import message
 
 _COMPARISONS = {"<", "<=", ">", ">=", "==", "and"}
@@ -19,13 +19,21 @@ _FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}
 
 
 def check_formulas(
+    checked: Iterable[Quantity],
     quantities: Mapping[str, Quantity],
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
 ) -> Iterator[Problem]:
-    """Yield the problems of every formula of every declaration."""
-    dimensions = {name: dimension(one.unit) for name, one in quantities.items()}
-    for one in quantities.values():
+    """Yield the problems of every formula of the checked declarations.
+
+    Args:
+        checked: whose formulas.
+        quantities: all of the composition, which the formulas may use.
+        columns: catalogue columns.
+        column_dimensions: of the sizes and of the column, by `catalogue.column`.
+    """
+    dimensions = {name: dimension(one.unit) for name, one in quantities.items() if known(one.unit)}
+    for one in checked:
         for key, formula, is_condition in _keyed_formulas(one):
             faults = list(_name_faults(one, key, formula, quantities, columns))
             yield from faults
@@ -34,6 +42,8 @@ def check_formulas(
             if is_condition != _is_condition(formula):
                 yield _wrong_sort(one, key, is_condition)
                 continue
+            if not {one.id, *names(formula.tree)} <= dimensions.keys():
+                continue  # an unknown unit is reported where it is declared
             try:
                 unit = "" if is_condition else one.unit
                 check_dimension(formula, unit, dimensions, column_dimensions)
@@ -84,14 +94,15 @@ def _name_faults(
     columns: Mapping[str, Column],
 ) -> Iterator[Problem]:
     place = f"quantity.{one.id}.{key}"
+    usable = {name for name, other in quantities.items() if other.kind is not Kind.MANUAL}
     for part in walk(formula.tree):
         match part:
-            case Name(name, span) if name not in CONSTANTS and name not in quantities:
+            case Name(name, span) if name not in CONSTANTS and name not in usable:
                 yield Problem(
                     one.file,
                     place,
                     message("The name '{name}' is not known.", name=name),
-                    did_you_mean(name, quantities),
+                    did_you_mean(name, usable),
                     caret(formula.text, span),
                 )
             case Call(_, _, str(column), span) if column not in columns:
@@ -127,7 +138,7 @@ def _slip_faults(one: Quantity) -> Iterator[Problem]:
                 message("The slip equals the right formula."),
                 message("Write the wrong method, or remove the slip."),
             )
-        if slip.id in seen or not slip.id:
+        if slip.id and slip.id in seen:
             yield Problem(
                 one.file,
                 key,

@@ -1,5 +1,8 @@
 """From a TOML table to the declaration of a quantity."""
 
+import math
+from collections.abc import Mapping
+
 from gripcourse.course.model import (
     AsPrinted,
     Choice,
@@ -11,10 +14,11 @@ from gripcourse.course.model import (
     Tolerance,
 )
 from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.parse import FormulaFault, caret, parse
-from gripcourse.formula.tree import Formula
+from gripcourse.formula.tree import CONSTANTS, Formula, names
 from gripcourse.units import known as known_unit
-from gripcourse.words import Texts, message
+from gripcourse.words import LANGUAGES, Texts, message
 
 _COMMON = {"section", "kind", "symbol", "unit", "title", "explain", "source"}
 _BOUNDED = {"bounds", "integer"}
@@ -41,18 +45,19 @@ _NO_BOUNDS = (float("-inf"), float("inf"))
 _TRUTH_BOUNDS = (0.0, 1.0)
 
 
-def declare(identifier: str, table: Table, constant: bool = False) -> Quantity | None:  # noqa: FBT001, FBT002 (one switch, named at the call)
-    """Read one quantity; None where not even its kind can be told (its faults are recorded)."""
+def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantity:
+    """Read one quantity; its faults are recorded."""
+    _check_id(identifier, table)
     kind = Kind.CONSTANT if constant else _kind(table)
     if kind is None:
-        return None
+        return _stand_in(identifier, table)
     table.known_keys(_KEYS[kind])
     units = _evaluated_in(table)
     return Quantity(
         id=identifier,
         section="" if constant else table.text("section"),
         kind=kind,
-        symbol=table.texts("symbol"),
+        symbol=table.texts("symbol", may_be_empty=kind is Kind.MANUAL),
         unit=_unit(table, kind),
         title=table.texts("title"),
         explain=table.texts("explain") if table.has("explain") else None,
@@ -77,6 +82,43 @@ def source(table: Table) -> Source:
     return Source(table.text("work"), table.text("equation", ""), table.text("note", ""))
 
 
+def _check_id(identifier: str, table: Table) -> None:
+    """Refuse an id that a formula would not take for a name."""
+    if not (identifier.isascii() and identifier.isidentifier()) or identifier in {*FUNCTIONS, *CONSTANTS}:
+        table.add(
+            "",
+            message("A formula cannot use the name '{name}'.", name=identifier),
+            message("Take Latin letters, digits and _, and no function's name."),
+        )
+
+
+def _stand_in(identifier: str, table: Table) -> Quantity:
+    """Return what is known of a quantity whose kind is not, lest all its users be reported too."""
+    silent = Table(table.values, table.file, table.key, [])
+    nothing = Texts(dict.fromkeys(LANGUAGES, ""))
+    return Quantity(
+        id=identifier,
+        section="",
+        kind=Kind.FORMULA,
+        symbol=nothing,
+        unit=_unit(silent, Kind.FORMULA),
+        title=nothing,
+        explain=None,
+        source=Source(""),
+        formula=None,
+        choice=None,
+        value=None,
+        valid=None,
+        tolerance=None,
+        bounds=_NO_BOUNDS,
+        integer=False,
+        slips=(),
+        as_printed=(),
+        rubric="",
+        file=table.file,
+    )
+
+
 def _kind(table: Table) -> Kind | None:
     written = table.text("kind")
     kinds = [kind for kind in Kind if kind is not Kind.CONSTANT]
@@ -93,14 +135,13 @@ def _kind(table: Table) -> Kind | None:
 
 def _unit(table: Table, kind: Kind) -> str:
     unit = table.text("unit", "" if kind in {Kind.VERDICT, Kind.MANUAL} else None)
-    if known_unit(unit):
-        return unit
-    table.add(
-        "unit",
-        message("The unit '{unit}' is not known.", unit=unit),
-        message("Write it as in units.toml of the package, for example 'N*m'."),
-    )
-    return ""
+    if not known_unit(unit):
+        table.add(
+            "unit",
+            message("The unit '{unit}' is not known.", unit=unit),
+            message("Write it as in units.csv of the package, for example 'N*m'."),
+        )
+    return unit  # as written, so that the check knows what cannot be compared with it
 
 
 def _bounds(table: Table, kind: Kind) -> tuple[float, float]:
@@ -115,12 +156,12 @@ def _bounds(table: Table, kind: Kind) -> tuple[float, float]:
     return table.pair("bounds", _NO_BOUNDS)
 
 
-def _formula(table: Table, name: str, units: dict[str, str]) -> Formula | None:
+def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
     text = table.text(name)
     if not text:
         return None
     try:
-        return Formula(text, parse(text), units)
+        return Formula(text, parse(text), dict(units))
     except FormulaFault as fault:
         table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
         return None
@@ -136,7 +177,7 @@ def _evaluated_in(table: Table) -> dict[str, str]:
             written.add(
                 name,
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.toml of the package, for example 'N*m'."),
+                message("Write it as in units.csv of the package, for example 'N*m'."),
             )
             units[name] = ""
     return units
@@ -144,12 +185,14 @@ def _evaluated_in(table: Table) -> dict[str, str]:
 
 def _tolerance(table: Table) -> Tolerance | None:
     written = table.table("tolerance")
-    return None if written is None else tolerance(written)
+    if written is None:
+        return None
+    written.known_keys({"relative", "absolute"})
+    return tolerance(written)
 
 
 def tolerance(table: Table) -> Tolerance:
-    """Read a band; both parts must be non-negative and one of them positive."""
-    table.known_keys({"relative", "absolute", "floor"})
+    """Read a band; neither part may be negative."""
     band = Tolerance(table.number("relative", 0.0), table.number("absolute", 0.0))
     for name, value in (("relative", band.relative), ("absolute", band.absolute)):
         if value < 0:
@@ -163,6 +206,8 @@ def tolerance(table: Table) -> Tolerance:
 
 def _choice(table: Table) -> Choice:
     steps = table.number("at_most_steps") if table.has("at_most_steps") else None
+    if steps is not None and math.isnan(steps):
+        steps = None  # reported as no number
     if steps is not None and (steps < 0 or steps != int(steps)):
         table.add(
             "at_most_steps",
@@ -190,21 +235,30 @@ def _rounding(table: Table) -> Rounding:
     return Rounding.UP
 
 
-def _slip(table: Table, units: dict[str, str]) -> Slip:
+def _wrong_formula(table: Table, units: Mapping[str, str]) -> Formula | None:
+    """Read a wrong version of a formula; of an empirical one it need not use every name."""
+    formula = _formula(table, "formula", {})
+    if formula is None:
+        return None
+    used = {name: unit for name, unit in units.items() if name in names(formula.tree)}
+    return Formula(formula.text, formula.tree, used)
+
+
+def _slip(table: Table, units: Mapping[str, str]) -> Slip:
     table.known_keys({"id", "formula", "credit", "hint"})
     credit = table.number("credit")
-    if not 0 <= credit <= 1:
+    if credit < 0 or credit > 1:
         table.add(
             "credit",
             message("The credit is {credit}.", credit=credit),
             message("Write a share of the points from 0 to 1."),
         )
     fallback = Formula("0", parse("0"), {})
-    formula = _formula(table, "formula", units) or fallback
+    formula = _wrong_formula(table, units) or fallback
     return Slip(table.text("id"), formula, credit, table.texts("hint"))
 
 
-def _as_printed(table: Table, units: dict[str, str]) -> AsPrinted:
+def _as_printed(table: Table, units: Mapping[str, str]) -> AsPrinted:
     table.known_keys({"erratum", "formula", "rounding", "note"})
     if table.has("formula") == table.has("rounding"):
         table.add(
@@ -215,7 +269,7 @@ def _as_printed(table: Table, units: dict[str, str]) -> AsPrinted:
     note: Texts = table.texts("note")
     return AsPrinted(
         erratum=table.text("erratum"),
-        formula=_formula(table, "formula", units) if table.has("formula") else None,
+        formula=_wrong_formula(table, units) if table.has("formula") else None,
         rounding=_rounding(table) if table.has("rounding") else None,
         note=note,
     )

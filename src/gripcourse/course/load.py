@@ -16,6 +16,7 @@ from gripcourse.course.model import (
     Section,
     Work,
 )
+from gripcourse.course.options import read_options
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
@@ -45,7 +46,12 @@ def load_course(root: Path) -> Course:
 
 
 def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
-    """Read all files of a course; what cannot be read is a problem, not an exception."""
+    """Read all files of a course; what cannot be read is a problem, not an exception.
+
+    Returns:
+        The course, None where a file could not be read at all (whoever checked a course with such a
+        gap would report everything that uses what is missing); and all problems of single files.
+    """
     problems: list[Problem] = []
     folder = root / VARIANTS
     table = read_toml(folder / "course.toml", root, problems)
@@ -63,12 +69,22 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         works=_works(table),
         constants=_quantities(table.named_tables("constant"), constant=True),
         parts=parts,
-        schemes=_schemes(folder / "schemes", root, raw, problems),
+        schemes=_schemes(folder, root, raw, problems),
         catalogues=_catalogues(folder / "catalogues", root, problems),
         convention=_convention(table),
         root=root,
     )
-    return course, problems
+    return course if _is_whole(course, folder) else None, problems
+
+
+def _is_whole(course: Course, folder: Path) -> bool:
+    """Tell whether every file of the course could be read."""
+    return (
+        bool(course.schemes)
+        and len(course.parts) == len(list((folder / "sections").glob("*.toml")))
+        and len(course.catalogues) == len(list((folder / "catalogues").glob("*.csv")))
+        and all(path.name in course.schemes for path in _scheme_folders(folder / "schemes"))
+    )
 
 
 def _parts(
@@ -88,23 +104,24 @@ def _parts(
 
 
 def _quantities(tables: Mapping[str, Table], *, constant: bool = False) -> dict[str, Quantity]:
-    declared = {name: declare(name, table, constant) for name, table in tables.items()}
-    return {name: quantity for name, quantity in declared.items() if quantity is not None}
+    return {name: declare(name, table, constant=constant) for name, table in tables.items()}
+
+
+def _scheme_folders(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []
 
 
 def _schemes(
     folder: Path, root: Path, raw: Mapping[str, Mapping[str, Table]], problems: list[Problem]
 ) -> dict[str, Scheme]:
-    found = (
-        read_scheme(path, root, raw, problems)
-        for path in sorted(folder.iterdir() if folder.is_dir() else ())
-        if path.is_dir()
-    )
+    shared = read_options(folder / "options", root, problems)
+    paths = _scheme_folders(folder / "schemes")
+    found = (read_scheme(path, root, raw, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not schemes:
         problems.append(
             Problem(
-                str(folder.relative_to(root)),
+                str((folder / "schemes").relative_to(root)),
                 "",
                 message("The course has no scheme."),
                 message("Write at least one folder with a scheme.toml."),

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.kinematics import Kinematics
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
@@ -220,6 +221,7 @@ class Scheme:
     options: tuple[Option, ...]
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Quantity]
+    kinematics: Kinematics | None
     example: WorkedExample | None
     file: str
 

@@ -43,7 +43,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         section_points=_section_points(points, course),
         weights=_weights(weight, "quantity", _quantity_ids(course)),
         kind_weights=_weights(weight, "kind", set(_MARKED)),
-        tolerance=tolerance(bands),
+        tolerance=_default_tolerance(bands),
         floors=_floors(bands),
         tolerances=_tolerances(table, course),
         carried_credit=_share(credit, "carried"),
@@ -77,7 +77,8 @@ def _section_points(points: Table, course: Course) -> Mapping[str, float]:
             did_you_mean(name, ids),
         )
     total = points.number("total")
-    if not math.isclose(sum(sections.values()), total, rel_tol=1e-9):
+    known = not math.isnan(total + sum(sections.values()))
+    if known and not math.isclose(sum(sections.values()), total, rel_tol=1e-9):
         points.add(
             "section",
             message(
@@ -107,7 +108,7 @@ def _weights(weight: Table, name: str, known: set[str]) -> Mapping[str, float]:
                 message("There is no '{name}' in the course.", name=key),
                 did_you_mean(key, known),
             )
-        if not value >= 0:
+        if value < 0:
             weight.add(
                 f"{name}.{key}",
                 message("The weight {value} is negative.", value=value),
@@ -135,15 +136,20 @@ def _floors(bands: Table) -> Mapping[str, float]:
             bands.add(
                 f"floor.{unit}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.toml of the package, for example 'N*m'."),
+                message("Write it as in units.csv of the package, for example 'N*m'."),
             )
-        if not value >= 0:
+        if value < 0:
             bands.add(
                 f"floor.{unit}",
                 message("The tolerance {value} is negative.", value=value),
                 message("Write 0 or a positive number."),
             )
     return floors
+
+
+def _default_tolerance(bands: Table) -> Tolerance:
+    bands.known_keys({"relative", "absolute", "floor"})
+    return tolerance(bands)
 
 
 def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
@@ -156,12 +162,14 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
                 message("There is no '{name}' in the course.", name=name),
                 did_you_mean(name, known),
             )
+    for inner in named.values():
+        inner.known_keys({"relative", "absolute"})
     return {name: tolerance(inner) for name, inner in named.items()}
 
 
 def _share(table: Table, name: str) -> float:
     value = table.number(name)
-    if not 0 <= value <= 1:
+    if value < 0 or value > 1:
         table.add(
             name,
             message("The share is {value}.", value=value),

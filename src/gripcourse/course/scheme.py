@@ -1,17 +1,18 @@
 """Reading the folder of a scheme: `scheme.toml` and `worked_example.toml`."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
+from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
     Convention,
     Option,
-    OptionChoice,
     Quantity,
     Scheme,
     WorkedExample,
 )
+from gripcourse.course.options import scheme_options
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import Problem
 from gripcourse.words import message
@@ -21,13 +22,16 @@ def read_scheme(
     folder: Path,
     root: Path,
     raw_parts: Mapping[str, Mapping[str, Table]],
+    shared: Mapping[str, Option],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all."""
     table = read_toml(folder / "scheme.toml", root, problems)
     if table is None:
         return None
-    table.known_keys({"id", "parts", "title", "task", "option", "quantity", "override"})
+    table.known_keys(
+        {"id", "parts", "options", "title", "task", "option", "quantity", "override", "kinematics"}
+    )
     identifier = table.text("id")
     if identifier != folder.name:
         table.add(
@@ -35,50 +39,57 @@ def read_scheme(
             message("The id '{id}' differs from the name of the folder.", id=identifier),
             message("Give both the same name."),
         )
-    options = tuple(_option(option) for option in table.tables("option"))
+    options = scheme_options(table, shared)
     part_ids = [*table.strings("parts")]
     part_ids += [part for option in options for choice in option.choices for part in choice.parts]
-    own = {name: declare(name, one) for name, one in table.named_tables("quantity").items()}
+    motion = table.table("kinematics")
     return Scheme(
         id=folder.name,
         title=table.texts("title"),
         task=table.texts("task"),
         parts=table.strings("parts"),
         options=options,
-        quantities={name: quantity for name, quantity in own.items() if quantity is not None},
-        overrides=_overrides(table, {part: raw_parts.get(part, {}) for part in part_ids}),
+        quantities={
+            name: declare(name, one) for name, one in table.named_tables("quantity").items()
+        },
+        overrides=_overrides(table, part_ids, raw_parts),
+        kinematics=None if motion is None else read_kinematics(motion),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
 
 
-def _option(table: Table) -> Option:
-    table.known_keys({"id", "title", "choice"})
-    choices = tuple(
-        OptionChoice(choice.text("id"), choice.texts("title"), choice.strings("parts"))
-        for choice in table.tables("choice")
-    )
-    if not choices:
-        table.add("choice", message("This key is missing."), message("Write the choices."))
-    return Option(table.text("id"), table.texts("title"), choices)
-
-
-def _overrides(table: Table, parts: Mapping[str, Mapping[str, Table]]) -> dict[str, Quantity]:
+def _overrides(
+    table: Table, part_ids: Sequence[str], raw_parts: Mapping[str, Mapping[str, Table]]
+) -> dict[str, Quantity]:
     """Declare again what the scheme changes: its keys over the keys of the shared declaration."""
     declared: dict[str, Quantity] = {}
     for name, changes in table.named_tables("override").items():
-        shared = next((part[name] for part in parts.values() if name in part), None)
-        if shared is None:
+        shared = [raw_parts[part][name] for part in part_ids if name in raw_parts.get(part, {})]
+        if len(shared) == 1:
+            declared[name] = _override(name, shared[0], changes)
+        elif shared:
+            table.add(
+                f"override.{name}",
+                message("More than one part declares '{name}'.", name=name),
+                message("Change it in the parts: a scheme changes what one part declares."),
+            )
+        elif all(part in raw_parts for part in part_ids):  # else a missing part is reported
             table.add(
                 f"override.{name}",
                 message("No part of the scheme declares '{name}'.", name=name),
-                did_you_mean(name, {known for part in parts.values() for known in part}),
+                did_you_mean(name, {one for part in part_ids for one in raw_parts[part]}),
             )
-            continue
-        merged = {**shared.values, **changes.values}
-        quantity = declare(name, Table(merged, changes.file, changes.key, table.problems))
-        if quantity is not None:
-            declared[name] = quantity
+    return declared
+
+
+def _override(name: str, shared: Table, changes: Table) -> Quantity:
+    """Declare a quantity with changes; the faults of the shared declaration are not repeated."""
+    merged = Table({**shared.values, **changes.values}, changes.file, changes.key, [])
+    declared = declare(name, merged)
+    repeated = Table(shared.values, changes.file, changes.key, [])
+    declare(name, repeated)
+    changes.problems.extend(one for one in merged.problems if one not in repeated.problems)
     return declared
 
 

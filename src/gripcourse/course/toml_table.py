@@ -4,6 +4,7 @@ Getters never raise on content: they add a `Problem` and return something that l
 so that an author sees all faults of a course at once.
 """
 
+import math
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -58,10 +59,13 @@ class Table:
         return default or ""
 
     def number(self, name: str, default: float | None = None) -> float:
-        """Read a number; required where there is no default."""
+        """Read a finite number; required where there is no default; NaN where it cannot be used."""
         value = self._required(name, default)
-        if isinstance(value, int | float) and not isinstance(value, bool):
-            return float(value)
+        match value:
+            case bool():
+                pass
+            case int() | float() if math.isfinite(value):
+                return float(value)
         if value is not None:
             self._wrong_type(name, message("a number"))
         return default if default is not None else float("nan")
@@ -73,10 +77,12 @@ class Table:
             self._wrong_type(name, message("true or false"))
         return value is True
 
-    def texts(self, name: str) -> Texts:
+    def texts(self, name: str, *, may_be_empty: bool = False) -> Texts:
         """Read a text in every language; one plain text serves all (a symbol, for example)."""
         value = self._required(name, None)
         if isinstance(value, str):
+            if not (value.strip() or may_be_empty):
+                self._missing(name)
             return Texts(dict.fromkeys(LANGUAGES, value))
         if not isinstance(value, dict):
             if value is not None:
@@ -137,11 +143,16 @@ class Table:
         return None
 
     def required_table(self, name: str) -> "Table":
-        """Read a table that must be there; an empty one stands in for a missing one."""
+        """Read a table that must be there.
+
+        An empty one stands in for a missing one; what it lacks is not reported key by key.
+        """
         found = self.table(name)
-        if found is None and name not in self.values:
+        if found is not None:
+            return found
+        if name not in self.values:
             self._missing(name)
-        return found or Table({}, self.file, self._below(name), self.problems)
+        return Table({}, self.file, self._below(name), [])
 
     def tables(self, name: str) -> tuple["Table", ...]:
         """Read an array of tables; absent is empty."""
@@ -185,7 +196,7 @@ def read_toml(path: Path, root: Path, problems: list[Problem]) -> Table | None:
     """Read a TOML file; None (and a problem) where it is missing or not TOML."""
     file = str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
     try:
-        return Table(tomllib.loads(path.read_text(encoding="utf-8")), file, "", problems)
+        return Table(tomllib.loads(path.read_text(encoding="utf-8-sig")), file, "", problems)
     except FileNotFoundError:
         problems.append(
             Problem(file, "", message("The file is missing."), message("Write it or restore it."))

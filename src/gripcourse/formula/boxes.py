@@ -156,8 +156,10 @@ def entry(sign: str, before: str) -> Form:
     """Print the choice of a catalogue's entry, as in `min{D ≥ x}`: no words, so no language."""
 
     def form(arguments: tuple[Box, ...], column: Box | None, _language: str) -> Box:
-        body = (Text("relation", sign), arguments[0])
-        fence = Fence("{", Row(body if column is None else (column, *body)), "}")
+        relation = (
+            (Text("mark", f"{sign} "),) if column is None else (column, Text("relation", sign))
+        )
+        fence = Fence("{", Row((*relation, arguments[0])), "}")
         return Row((Text("upright", before), fence)) if before else fence
 
     return form

@@ -45,6 +45,11 @@ def dimension_of(
     return _measure(node, dimensions, columns) or PLAIN
 
 
+def is_condition(node: Node) -> bool:
+    """Tell whether a formula is a comparison, or several joined by `and`, rather than a number."""
+    return isinstance(node, Operation) and node.operator in {*_COMPARISONS, "and"}
+
+
 def check_dimension(
     formula: Formula,
     unit: str,

@@ -4,8 +4,8 @@ Spreadsheets differ from the formula language, and from Python, in what binds cl
 minus binds before a power, and powers are taken from the left. Hence more brackets than a person
 would set.
 
-Where a formula has no value, the spreadsheet shows an error. One known difference: of a negative
-number to the power 1/3 LibreOffice takes the real root, where this project and Excel see no value.
+Where a formula has no value, the spreadsheet shows an error. LibreOffice is laxer in two places: it
+takes the real root of a negative number to the power 1/3, and knows the direction atan2(0, 0).
 """
 
 from collections.abc import Mapping

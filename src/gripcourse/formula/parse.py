@@ -145,7 +145,7 @@ def _expression(node: ast.expr, line: str) -> Node:
         case ast.BinOp(left, sign, right) if type(sign) in _BINARY:
             operator = _BINARY[type(sign)]
             return Operation(operator, _expression(left, line), _expression(right, line), span)
-        case ast.Call(ast.Name(name), arguments, []):
+        case ast.Call(ast.Name() as name, arguments, []):
             return _call(name, arguments, line, span)
         case _:
             raise FormulaFault(_refusal(node), span)
@@ -181,22 +181,26 @@ def _name(name: str, span: Span) -> Name:
     return Name(name, span)
 
 
-def _call(name: str, arguments: list[ast.expr], line: str, span: Span) -> Call:
-    function = FUNCTIONS.get(name)
+def _call(name: ast.Name, arguments: list[ast.expr], line: str, span: Span) -> Call:
+    function = FUNCTIONS.get(name.id)
     if function is None:
-        raise FormulaFault(_unknown(name), (span[0], span[0] + len(name)))
+        raise FormulaFault(_unknown(name.id), _span(name, line))
     column = None
     if function.reads_column:
         column, arguments = _column(function, arguments, span, line), arguments[1:]
     _check_count(function, len(arguments), span)
-    return Call(name, tuple(_expression(part, line) for part in arguments), column, span)
+    return Call(function.name, tuple(_expression(part, line) for part in arguments), column, span)
 
 
 def _unknown(name: str) -> Message:
     close = difflib.get_close_matches(name, FUNCTIONS, n=1)
     if not close:
         known = ", ".join(FUNCTIONS)
-        return message("There is no function {name}; there are {known}.", name=name, known=known)
+        return message(
+            "There is no function {name}, and a product needs its sign *. Functions are {known}.",
+            name=name,
+            known=known,
+        )
     return message("There is no function {name}; did you mean {close}?", name=name, close=close[0])
 
 

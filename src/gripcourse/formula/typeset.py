@@ -164,7 +164,10 @@ def _quotient(left: _Piece, right: _Piece, *, inline: bool) -> _Piece:
     """Set a fraction; in an exponent, where there is no room for one, a slash."""
     if not inline:
         return _Piece(Fraction(left.box, right.box), _Level.FRACTION)
-    above, below = _fenced(left, _Level.SIGNED), _fenced(right, _Level.FIRM)
+    # A slash right after a unit would be read as part of it.
+    measured = any(isinstance(part, Value) and part.unit for part in boxes(left.box))
+    above = _fenced(left, _Level.FIRM if measured else _Level.SIGNED)
+    below = _fenced(right, _Level.FIRM)
     return _Piece(Row((above, Text("mark", "/"), below)), _signed(left))
 
 

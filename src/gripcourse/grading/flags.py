@@ -41,7 +41,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
                 student=issued.student.id,
             ),
         )
-    elif not hmac.compare_digest(identity.signature, issued.signature):
+    elif not hmac.compare_digest(identity.signature.encode(), issued.signature.encode()):
         yield Flag(
             "signature",
             message("The signature of the workbook is not the one that was issued."),

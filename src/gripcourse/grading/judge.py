@@ -76,7 +76,9 @@ def _case(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
     reference = {
         name: float(value) for name, value in evaluate(plan, to_si(plan, given)).values.items()
     }
-    own = follow(plan, given, submission.answers, reference)
+    # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
+    is_own = submission.identity.student in {"", issued.student.id}
+    own = follow(plan, given, submission.answers if is_own else {}, reference)
     return _Case(
         plan=plan,
         policy=policy,

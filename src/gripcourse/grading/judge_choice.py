@@ -14,12 +14,23 @@ from gripcourse.words import Message, message
 
 def judge_choice_answer(view: View) -> Judgement:
     """Judge a decision: sound by the reference, by the student's own numbers, or as printed."""
+    judgement = _judge_size(view)
+    return judgement if view.answer.unit_fits else _with_wrong_unit(judgement, view)
+
+
+def _with_wrong_unit(judgement: Judgement, view: View) -> Judgement:
+    """The right size with a unit that measures something else earns what the policy says."""
+    if judgement.outcome not in {Outcome.CORRECT, Outcome.CARRIED}:
+        return judgement
+    said = message("The number is right, the unit is not.")
+    credit = view.policy.wrong_unit_credit
+    return _conclude(view, Outcome.WRONG, Against.NOTHING, credit, said)
+
+
+def _judge_size(view: View) -> Judgement:
     formula = view.plan.reference_formula(view.quantity.id)
     if formula is None:
         return _conclude(view, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
-    if not view.answer.unit_fits:
-        said = message("A size was expected, in {unit}.", unit=view.quantity.unit)
-        return _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, said)
     required, own_required = _required(view, formula)
     chosen = view.value * factor(view.quantity.unit)
     reference_values = {name: np.asarray(v) for name, v in view.reference_values.items()}

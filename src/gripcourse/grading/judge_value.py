@@ -11,11 +11,18 @@ from gripcourse.words import Message, message
 
 
 def judge_value(view: View) -> Judgement:
-    """Judge an answer: reference, own inputs, printed errata, slips, in this order."""
+    """Judge an answer: reference, own inputs, printed errata, slips; what earns most counts.
+
+    Among those that earn the same, the first counts.
+    """
     if not view.answer.unit_fits:
         return _judge_wrong_unit(view)
-    found = next(_matches(view), None)
-    return found or _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))
+    best: Judgement | None = None
+    for found in _matches(view):
+        best = found if best is None or found.credit > best.credit else best
+        if best.credit >= 1:
+            break
+    return best or _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))
 
 
 def _matches(view: View) -> Iterator[Judgement]:

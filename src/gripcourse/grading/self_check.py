@@ -1,11 +1,12 @@
 """What a student may see before the deadline.
 
 How each answer was read, and whether the numbers fit each other. Never the reference, and nothing
-that would tell it. An answer that rests on given values alone is not judged: saying "consistent" would say "correct".
+that would tell it: an answer that rests on given values alone is not judged, because there
+"consistent" would say "correct".
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -61,66 +62,50 @@ def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[Chec
         plan: of the variant that the workbook names.
         policy: for the bands.
     """
-    view_of = _views(submission, plan, policy)
-    return tuple(
-        _check(plan, quantity, submission.answers[quantity.id], submission.answers, view_of)
-        for quantity in plan.answered
-    )
-
-
-def _views(submission: Submission, plan: Plan, policy: Policy) -> Mapping[str, View]:
     # Nothing is known here that the workbook does not hold, so nothing can be told from the answer.
     unknown = dict.fromkeys(plan.quantities, math.nan)
     own = follow(plan, submission.givens, submission.answers, unknown)
-    return {
-        quantity.id: View(
-            plan=plan,
-            policy=policy,
-            quantity=quantity,
-            answer=answer,
-            value=answer.value,
-            reference_values=unknown,
-            own=own,
-        )
-        for quantity in plan.answered
-        if (answer := submission.answers[quantity.id]).value is not None
+    carried = {
+        name
+        for name, answer in submission.answers.items()
+        if answer.reading is Reading.READ and name not in own.not_carried
     }
 
+    def check(quantity: Quantity) -> Check:
+        answer = submission.answers[quantity.id]
+        state = _state_as_read(answer)
+        if state is State.READ and _rests_on_own(plan, quantity, carried):
+            view = View(
+                plan=plan,
+                policy=policy,
+                quantity=quantity,
+                answer=answer,
+                value=math.nan if answer.value is None else answer.value,
+                reference_values=unknown,
+                own=own,
+            )
+            state = State.CONSISTENT if _follows(view) else State.INCONSISTENT
+        return Check(quantity.id, state, answer, _SAID[state], answer.remarks)
 
-def _check(
-    plan: Plan,
-    quantity: Quantity,
-    answer: Answer,
-    answers: Mapping[str, Answer],
-    view_of: Mapping[str, View],
-) -> Check:
-    state = _state(plan, quantity, answer, answers, view_of)
-    return Check(quantity.id, state, answer, _SAID[state], answer.remarks)
+    return tuple(check(quantity) for quantity in plan.answered)
 
 
-def _state(
-    plan: Plan,
-    quantity: Quantity,
-    answer: Answer,
-    answers: Mapping[str, Answer],
-    view_of: Mapping[str, View],
-) -> State:
+def _state_as_read(answer: Answer) -> State:
     if answer.reading is Reading.BLANK:
         return State.BLANK
     if answer.reading is Reading.UNREADABLE:
         return State.UNREADABLE
-    if not answer.unit_fits:
-        return State.WRONG_UNIT
-    if not _rests_on_own(plan, quantity, answers):
-        return State.READ
-    follows = _follows(view_of[quantity.id])
-    return State.CONSISTENT if follows else State.INCONSISTENT
+    return State.READ if answer.unit_fits else State.WRONG_UNIT
 
 
-def _rests_on_own(plan: Plan, quantity: Quantity, answers: Mapping[str, Answer]) -> bool:
-    """Tell whether every earlier answer that this one needs is there, and there is at least one."""
+def _rests_on_own(plan: Plan, quantity: Quantity, carried: AbstractSet[str]) -> bool:
+    """Tell whether a quantity needs earlier answers and each of them counts as the student's own.
+
+    An answer that is not carried on is replaced by what the given values lead to: "consistent" with
+    that would tell that the later answer is right.
+    """
     earlier = [name for name in plan.inputs[quantity.id] if plan.quantities[name].kind.answered]
-    return bool(earlier) and all(answers[name].reading is Reading.READ for name in earlier)
+    return bool(earlier) and carried >= set(earlier)
 
 
 def _follows(view: View) -> bool:

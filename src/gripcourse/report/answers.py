@@ -1,12 +1,12 @@
-"""One answer in a student's report: its row, and below it the verdict, the calculation and hints."""
+"""One answer in a student's report: its row, and below it the verdict, calculation and hints."""
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.formula.boxes import Box
+from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.pdf import NO_BREAK_SPACE, amount_text, points_text
 from gripcourse.report.totals import is_open
 from gripcourse.report.verdicts import AGAINST_WORDS, OUTCOME_WORDS, SIGNS
@@ -81,7 +81,7 @@ def answer_row(
         answer=answer_text(finding, quantity, words),
         sign=SIGNS[finding.outcome],
         verdict=words.say(OUTCOME_WORDS[finding.outcome]),
-        against=words.say(AGAINST_WORDS[finding.against]),
+        against=_against(finding, words),
         reference=value_text(finding.reference, quantity, words) if reveal else "",
         points=_points(finding, words),
         outcome=finding.outcome.value,
@@ -126,6 +126,11 @@ def value_text(value: float | None, quantity: Quantity, words: Words) -> str:
     if quantity.kind is Kind.VERDICT:
         return words.say(message("yes") if value else message("no"))
     return amount_text(value, quantity.unit, words)
+
+
+def _against(finding: Finding, words: Words) -> str:
+    said = AGAINST_WORDS.get(finding.against)
+    return "—" if said is None else words.say(said)
 
 
 def _line(

@@ -1,5 +1,6 @@
-"""The report on a cohort, for the instructor: summary, students, quantities, and what to look at."""
+"""The report on a cohort, for the instructor: summary, what to look at, students, quantities."""
 
+import math
 from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -34,7 +35,7 @@ COUNTED = (
     Outcome.NOT_JUDGED,
 )
 
-_PLOTTED = 50  # bars on one page; many schemes together have more quantities
+_PLOTTED = 54  # bars that fit on one page; many schemes together have more quantities
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,10 +105,7 @@ def cohort_values(
         ],
         "students": [_student(one, [section.id for section in sections], words) for one in reports],
         "score_plot": _image(score_plot(scores, words)) if scores else "",
-        "facility_plots": [
-            _image(facility_plot(bars[start : start + _PLOTTED], words))
-            for start in range(0, len(bars), _PLOTTED)
-        ],
+        "facility_plots": [_image(facility_plot(part, words)) for part in _pages(bars)],
         "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
         "quantities": [
             _quantity(total, declared, words)
@@ -175,9 +173,7 @@ def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRo
     )
 
 
-def _quantity(
-    total: QuantityTotal, declared: Mapping[str, Quantity], words: Words
-) -> QuantityRow:
+def _quantity(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words) -> QuantityRow:
     quantity = declared.get(total.quantity)
     return QuantityRow(
         symbol=quantity.symbol.of(words.language) if quantity else "",
@@ -198,6 +194,13 @@ def _flagged(report: Report, words: Words) -> FlaggedFile:
         file=report.file,
         sentences=tuple(words.say(flag.message) for flag in report.flags),
     )
+
+
+def _pages(bars: Sequence[Bar]) -> Iterator[Sequence[Bar]]:
+    """Share bars evenly among as few plots as fit on a page each."""
+    each = math.ceil(len(bars) / max(1, math.ceil(len(bars) / _PLOTTED)))
+    for start in range(0, len(bars), each or 1):
+        yield bars[start : start + each]
 
 
 def _image(svg: str) -> str:

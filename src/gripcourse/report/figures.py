@@ -1,20 +1,20 @@
 """Plots of the cohort report, as SVG text that is the same for the same numbers.
 
-Text stays text: WeasyPrint sets it with the fonts of the document, it can be searched and copied. The
-bars are grey with dark edges, so that a grey printer loses nothing.
+Text stays text: WeasyPrint sets it with the fonts of the document, it can be searched and copied.
+The bars are grey with dark edges, so that a grey printer loses nothing.
 """
 
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 from gripcourse.words import Words, message
 
 # matplotlib costs 0.4 s to import: only a cohort report pays for it.
 # ruff: noqa: PLC0415
 
-_STYLE = {
+_STYLE: Final[dict[Any, Any]] = {
     "svg.fonttype": "none",
     "svg.hashsalt": "gripcourse",
     "font.family": ["PT Sans", "DejaVu Sans"],

@@ -77,23 +77,25 @@ def _chapters(
     plan: Plan, values: Mapping[str, float], course: Course, words: Words
 ) -> Iterator[Chapter]:
     for section in course.sections:
-        steps = tuple(
-            _step(quantity, plan, values, words)
-            for quantity in plan.answered
-            if quantity.section == section.id
-        )
+        inside = (quantity for quantity in plan.answered if quantity.section == section.id)
+        steps = tuple(step for one in inside for step in _steps(one, plan, values, words))
         if steps:
             yield Chapter(section.title.of(words.language), steps)
 
 
-def _step(quantity: Quantity, plan: Plan, values: Mapping[str, float], words: Words) -> Step:
+def _steps(
+    quantity: Quantity, plan: Plan, values: Mapping[str, float], words: Words
+) -> Iterator[Step]:
+    """Yield the step of a quantity; none where nothing is computed."""
     inputs = {name: values[name] for name in plan.inputs[quantity.id] if name in values}
-    return Step(
-        title=quantity.title.of(words.language),
-        line=worked_line(quantity, inputs, values.get(quantity.id), plan, words),
-        units=entering_units(quantity, plan, words),
-        source=_source(quantity, words),
-    )
+    line = worked_line(quantity, inputs, values.get(quantity.id), plan, words)
+    if line is not None:
+        yield Step(
+            title=quantity.title.of(words.language),
+            line=line,
+            units=entering_units(quantity, plan, words),
+            source=_source(quantity, words),
+        )
 
 
 def _source(quantity: Quantity, words: Words) -> str:

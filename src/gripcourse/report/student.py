@@ -65,7 +65,7 @@ class Missing:
     remarks: tuple[str, ...]
 
 
-def student_report(  # noqa: PLR0913 - what is printed and in which words; no two belong together
+def student_report(
     report: Report, plan: Plan, policy: Policy, course: Course, words: Words, graded_on: date
 ) -> bytes:
     """Make the report of one submission as a PDF file.

@@ -21,7 +21,7 @@ SIGNS: Mapping[Outcome, str] = MappingProxyType(
 
 OUTCOME_WORDS: Mapping[Outcome, Message] = MappingProxyType(
     {
-        Outcome.CORRECT: message("right"),
+        Outcome.CORRECT: message("correct"),
         Outcome.CARRIED: message("carried forward"),
         Outcome.SLIP: message("known slip"),
         Outcome.WRONG: message("wrong"),
@@ -32,11 +32,11 @@ OUTCOME_WORDS: Mapping[Outcome, Message] = MappingProxyType(
     }
 )
 
+# What was judged against nothing has no word.
 AGAINST_WORDS: Mapping[Against, Message] = MappingProxyType(
     {
         Against.REFERENCE: message("the reference"),
         Against.OWN_INPUTS: message("your own numbers"),
         Against.PRINTED: message("as printed"),
-        Against.NOTHING: message("—"),
     }
 )

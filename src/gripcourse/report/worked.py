@@ -1,7 +1,7 @@
 """A quantity as a line of calculation: symbols = numbers with units = result.
 
-A number that is not known stays a symbol, so that a line can be printed for somebody who has not got
-that far; the line then ends before the result.
+A number that is not known stays a symbol, so that a line can be printed for somebody who has not
+got that far; the line then ends before the result.
 """
 
 import math
@@ -75,10 +75,8 @@ def entering_units(quantity: Quantity, plan: Plan, words: Words) -> tuple[tuple[
     )
 
 
-def _symbols(
-    quantity: Quantity, formula: Formula, plan: Plan, words: Words
-) -> dict[str, Box]:
-    """Return the symbol of every name, and the quantity's own for the table that it is read from."""
+def _symbols(quantity: Quantity, formula: Formula, plan: Plan, words: Words) -> dict[str, Box]:
+    """Return the symbol of every name, and the quantity's own for a table that it is read from."""
     used = {name: _symbol(plan.quantities[name], words) for name in names(formula.tree)}
     columns = (node.column for node in walk(formula.tree) if _reads(node))
     return used | {column: _symbol(quantity, words) for column in columns if column is not None}

@@ -56,7 +56,7 @@ def explain(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> M
         quantity=_named(quantity),
         value=value,
         low=low,
-        high=_with_unit(high, quantity),
+        high=with_unit(high, quantity),
     )
 
 
@@ -85,6 +85,14 @@ def listed(said: Iterable[Message]) -> Message:
     return reduce(lambda left, right: message("{left}; {right}", left=left, right=right), said)
 
 
+def with_unit(value: float, quantity: Quantity) -> Message:
+    """Write a value, given in the declared unit, with that unit as the reader writes it."""
+    if not quantity.unit:
+        return message("{value}", value=value)
+    units = Texts({language: unit_text(quantity.unit, language) for language in LANGUAGES})
+    return message("{value} {unit}", value=value, unit=units)
+
+
 def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int) -> Message:
     inputs = plan.inputs.get(quantity.id, ())
     formula = plan.reference_formula(quantity.id)
@@ -97,7 +105,7 @@ def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int
             "{quantity}: the catalogue {catalogue} has no entry for {required}.",
             quantity=_named(quantity),
             catalogue=quantity.choice.column,
-            required=_with_unit(required_in_unit / factor(quantity.unit), quantity),
+            required=with_unit(required_in_unit / factor(quantity.unit), quantity),
         )
     if not inputs:
         return message("{quantity} has no value.", quantity=_named(quantity))
@@ -135,7 +143,7 @@ def _value(plan: Plan, feasibility: Feasibility, id_: str, row: int) -> Message:
     quantity = plan.quantities[id_]
     values = feasibility.evaluation.values[id_]
     value = float(np.ravel(values)[_position(values, row)])
-    return _with_unit(value / factor(quantity.unit), quantity)
+    return with_unit(value / factor(quantity.unit), quantity)
 
 
 def _position(values: object, row: int) -> int:
@@ -145,10 +153,3 @@ def _position(values: object, row: int) -> int:
 
 def _named(quantity: Quantity) -> Message:
     return message("{title} ({id})", title=quantity.title, id=quantity.id)
-
-
-def _with_unit(value: float, quantity: Quantity) -> Message:
-    if not quantity.unit:
-        return message("{value}", value=value)
-    units = Texts({language: unit_text(quantity.unit, language) for language in LANGUAGES})
-    return message("{value} {unit}", value=value, unit=units)

@@ -19,6 +19,7 @@ from gripcourse.units import dimension, read_unit
 from gripcourse.variants.sheet import Sheet, column_name
 from gripcourse.words import LANGUAGES, Texts, message
 
+_SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
     re.compile(r"(?P<name>.+?)\s*\((?P<unit>[^()]*)\)"),
@@ -68,8 +69,8 @@ class Vocabulary:
 
 
 def plain(text: str) -> str:
-    """Return a text without what people do not see: capitals, spare blanks, `ё`."""
-    return " ".join(text.casefold().replace("ё", "е").split())
+    """Return a text without what people do not see: capitals, spare blanks, sorts of quotes."""
+    return " ".join(text.casefold().translate(_SAME).split())
 
 
 @lru_cache(maxsize=1)

@@ -92,7 +92,7 @@ class RangeReader:
         """Record followers whose leader follows too, or has values that they do not know."""
         for id_, one in read.items():
             for follower in (one.usual, *(allowed for _, _, allowed in one.special)):
-                if isinstance(follower, Follower) and follower.leader in read:
+                if isinstance(follower, Follower) and follower.values and follower.leader in read:
                     _check_leader(tables[id_], follower, read[follower.leader])
 
     def _allowed(self, table: Table, quantity: Quantity) -> Allowed:

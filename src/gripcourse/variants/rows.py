@@ -10,7 +10,7 @@ from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.cells import converted, exact_number
-from gripcourse.variants.explain import explain
+from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import Column, plain
 from gripcourse.variants.model import Variant
@@ -150,10 +150,10 @@ class RowReader:
             self._add(
                 row,
                 quantity.id,
-                message("The value {value} is not thinkable for '{quantity}'.", value=value,
+                message("The value {value} is not possible for '{quantity}'.", value=value,
                         quantity=quantity.title),
-                message("Write a number from {low} to {high} {unit}.", low=low, high=high,
-                        unit=quantity.unit),
+                message("Write a number from {low} to {high}.", low=low,
+                        high=with_unit(high, quantity)),
             )  # fmt: skip
         elif quantity.integer and not value.is_integer():
             self._add(

@@ -17,7 +17,7 @@ from gripcourse.workbook.layout import (
     Line,
     quoted,
 )
-from gripcourse.workbook.style import Styles, set_page, write_symbol
+from gripcourse.workbook.style import Styles, row_height, set_page, write_symbol
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 WIDTHS: Final = {
     Column.NUMBER: 6,
     Column.SYMBOL: 12,
-    Column.TITLE: 48,
+    Column.TITLE: 46,
     Column.UNIT: 9,
-    Column.VALUE: 18,
-    Column.CHECK: 24,
+    Column.VALUE: 17,
+    Column.CHECK: 20,
 }
 """Of the columns, in characters."""
 
@@ -90,7 +90,7 @@ def _write_particulars(
         ),
     ]
     for row, (label, value) in enumerate(pairs, start=IDENTITY):
-        sheet.write_string(row, 0, label, styles.label)
+        sheet.write_string(row, 0, label[:1].upper() + label[1:], styles.label)
         sheet.write_string(row, _TEXT_COLUMN, value or "—", styles.particular)
 
 
@@ -99,8 +99,12 @@ def _write_guidance(sheet: "Worksheet", cover: Cover, words: Words, styles: Styl
     sheet.write_string(cover.guidance, 0, heading, styles.heading)
     for number, sentence in enumerate(HOW_TO, start=1):
         row = cover.guidance + number
-        sheet.write_string(row, 0, f"{number}.", styles.label)
-        sheet.write_string(row, 1, words.say(sentence), styles.label)
+        sheet.write_string(row, 0, f"{number}.", styles.hint)
+        text = words.say(sentence)
+        sheet.merge_range(row, Column.SYMBOL, row, Column.CHECK, "", styles.paragraph)
+        sheet.write_string(row, Column.SYMBOL, text, styles.paragraph)
+        width = sum(WIDTHS.values()) - WIDTHS[Column.NUMBER]
+        sheet.set_row(row, row_height([(text, width)]))
 
 
 def _write_progress(sheet: "Worksheet", placed: Layout, words: Words, styles: Styles) -> None:
@@ -166,6 +170,7 @@ def headings(words: Words) -> tuple[str, ...]:
 def write_line(sheet: "Worksheet", line: Line, styles: Styles) -> None:
     """Write what names a quantity: number, symbol, title, unit."""
     row = line.place.row
+    sheet.set_row(row, row_height([(line.title, WIDTHS[Column.TITLE])]))
     sheet.write_string(row, Column.NUMBER, line.number, styles.number)
     write_symbol(sheet, row, Column.SYMBOL, line.symbol, styles)
     sheet.write_string(row, Column.TITLE, line.title, styles.text)

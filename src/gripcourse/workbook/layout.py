@@ -168,7 +168,7 @@ def _cover(plan: Plan, words: Words, name: str, sections: int) -> Cover:
     """Stack the blocks of the cover, one empty row between two."""
     guidance = IDENTITY + PARTICULARS + len(plan.scheme.options) + 1
     progress = guidance + len(HOW_TO) + 2
-    given_header = progress + sections + 2
+    given_header = progress + sections + 3
     first = given_header + 1
     return Cover(
         name=name,
@@ -176,7 +176,9 @@ def _cover(plan: Plan, words: Words, name: str, sections: int) -> Cover:
         progress=progress,
         given_header=given_header,
         givens=_lines(plan.givens, name, first, words),
-        constants=_lines(plan.constants, name, first + len(plan.givens), words),
+        constants=_lines(
+            plan.constants, name, first + len(plan.givens), words, before=len(plan.givens)
+        ),
     )
 
 
@@ -246,5 +248,6 @@ def _sheet_name(title: str, taken: Iterable[str]) -> str:
 
 
 def _letters(column: int) -> str:
-    """Return the letters of a column of the first 26."""
-    return chr(ord("A") + column)
+    """Return the letters of a column: A to Z, then AA, AB and so on."""
+    before, last = divmod(column, 26)
+    return (_letters(before - 1) if before else "") + chr(ord("A") + last)

@@ -3,7 +3,6 @@
 A check cell says what is wrong with the kind of an answer, never with its value.
 """
 
-import math
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.assignment.model import Issued
@@ -13,7 +12,7 @@ from gripcourse.workbook import names
 from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN
 from gripcourse.workbook.layout import SECTION_HEADER, Column, Line, SectionSheet
-from gripcourse.workbook.style import Styles, set_page
+from gripcourse.workbook.style import Styles, row_height, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
 _TITLE_ROW: Final = 0
 _TASK_ROW: Final = 1
 _HINT_ROW: Final = 2
-_CHARACTERS: Final = 118  # of a line of text across all columns
-_LINE_HEIGHT: Final = 13.5  # points
 _LONGEST_PROMPT_TITLE: Final = 32
 _LONGEST_PROMPT: Final = 255
 _WIDEST: Final = 1e15  # bound of an answer that declares none
@@ -78,7 +75,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
     ):
         sheet.merge_range(row, 0, row, Column.CHECK, "", style)
         sheet.write_string(row, 0, text, style)
-        sheet.set_row(row, _LINE_HEIGHT * math.ceil(len(text) / _CHARACTERS) + 3)
+        sheet.set_row(row, row_height([(text, sum(WIDTHS.values()))]))
     sheet.set_row(SECTION_HEADER, 22)
     for column, heading in enumerate(headings(words)):
         sheet.write_string(SECTION_HEADER, column, heading, styles.head)

@@ -1,6 +1,7 @@
 """How workbooks look: formats, symbols with subscripts, the setup of a page."""
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
@@ -31,6 +32,12 @@ _WARNING: Final = "#B42318"
 PAPER_A4: Final = 9
 _LONGEST_HEADER: Final = 200  # of 255 characters that a page header may have
 
+MOST_DECIMALS: Final = 12
+
+_LINE_HEIGHT: Final = 13.0  # points
+_PADDING: Final = 6.0
+_WIDEST_LETTERS: Final = 0.9  # a letter of text beside the digits that columns are measured in
+
 RunKind: TypeAlias = Literal["italic", "upright", "sub"]
 
 
@@ -42,6 +49,7 @@ class Styles:
     heading: "Format"
     paragraph: "Format"
     hint: "Format"
+    hint_line: "Format"
     label: "Format"
     particular: "Format"
     head: "Format"
@@ -49,7 +57,9 @@ class Styles:
     text: "Format"
     unit: "Format"
     given: "Format"
-    computed: "Format"
+    computed: tuple["Format", ...]
+    """By the number of decimals shown; the first shows whole numbers."""
+    verdict: "Format"
     answer: "Format"
     manual: "Format"
     check: "Format"
@@ -76,14 +86,19 @@ def make_styles(book: "Workbook") -> Styles:
         heading=style(bold=True, font_size=11),
         paragraph=style(text_wrap=True, valign="top"),
         hint=style(text_wrap=True, italic=True, font_color=_FAINT, valign="top"),
+        hint_line=style(italic=True, font_color=_FAINT),
         label=style(font_color=_FAINT),
         particular=style(bold=True),
         head=style(**wrapped, bold=True, bg_color=_HEAD, align="center"),
         number=style(**middle, font_color=_FAINT),
-        text=style(**wrapped),
+        text=style(**wrapped, indent=1),
         unit=style(**middle),
         given=style(**middle, bg_color=_GIVEN, bold=True),
-        computed=style(**middle),
+        computed=(
+            style(**middle),
+            *(style(**middle, num_format=f"0.0{'#' * n}") for n in range(MOST_DECIMALS)),
+        ),
+        verdict=style(**middle),
         answer=style(
             border=1, border_color=_ANSWER_LINE, bg_color=_ANSWER, align="center", locked=False
         ),
@@ -137,6 +152,25 @@ def _runs(box: Box) -> Iterator[tuple[RunKind, str]]:
         case _:
             for part in inner(box):
                 yield from _runs(part)
+
+
+def decimals_shown(value: float) -> int:
+    """Return how many decimals show a value with six figures at most; none for a whole number."""
+    if not math.isfinite(value) or value == round(value):
+        return 0
+    return min(max(5 - math.floor(math.log10(abs(value))), 0), MOST_DECIMALS)
+
+
+def row_height(texts: Iterable[tuple[str, float]]) -> float:
+    """Return the height of a row, in points, that shows wrapped texts whole.
+
+    Office programs do not agree on growing a row by themselves, so it is estimated.
+
+    Args:
+        texts: each with the width of its column, in characters.
+    """
+    lines = max(math.ceil(_WIDEST_LETTERS * len(text) / width) for text, width in texts)
+    return _LINE_HEIGHT * max(lines, 1) + _PADDING
 
 
 def set_page(sheet: "Worksheet", left: str, right: str, *, landscape: bool = False) -> None:

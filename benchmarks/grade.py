@@ -1,0 +1,71 @@
+"""What grading one submission costs, as a ratio to opening the same file with openpyxl."""
+
+import tempfile
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+from openpyxl import load_workbook
+
+from gripcourse.assignment.model import Issued
+from gripcourse.cohort.one import Desk, grade_file
+from gripcourse.commands.students import correct, fill
+from gripcourse.course.load import load_course
+from gripcourse.course.policy_load import load_policy
+from gripcourse.grading.judge import judge
+from gripcourse.resources import course_root
+from gripcourse.solver.plan import make_plan
+from gripcourse.submission.interpret import interpret
+from gripcourse.submission.model import Rejected
+from gripcourse.submission.read import read_workbook
+from gripcourse.variants.model import Student
+from gripcourse.variants.table import read_table
+from gripcourse.words import Words
+from gripcourse.workbook.write import write_answer_workbook
+
+RUNS = 15
+
+
+def main() -> None:
+    """Read and judge one filled workbook; every figure and its ratio come from one run."""
+    course = load_course(course_root())
+    variant = read_table(course.root / "variants" / "tables" / "main.csv", course)[0]
+    student = Student("s1", "Student", "", "", "en", "")
+    issued = Issued(student, variant, date(2026, 9, 1), None, "0" * 64)
+    plan = make_plan(course, variant.scheme, variant.options)
+    desk = Desk(course, load_policy(course), {student.id: issued})
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "s1.xlsx"
+        write_answer_workbook(file, plan, issued, course, Words("en"))
+        fill(file, correct(plan, issued), file)
+        raw = read_workbook(file)
+        if isinstance(raw, Rejected):
+            raise TypeError(str(raw.reason))
+        submission = interpret(raw, plan.quantities.values())
+        base = _median(lambda: load_workbook(file))
+        print(f"openpyxl.load_workbook                 {base * 1e3:7.1f} ms")
+        for name, call in (
+            ("read the workbook", lambda: read_workbook(file)),
+            ("make the plan", lambda: make_plan(course, variant.scheme, variant.options)),
+            ("interpret the cells", lambda: interpret(raw, plan.quantities.values())),
+            ("judge", lambda: judge(submission, issued, plan, desk.policy)),
+            ("read and grade, all in all", lambda: grade_file(file, desk)),
+        ):
+            seconds = _median(call)
+            print(f"{name:<38} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
+
+
+def _median(call: Callable[[], object]) -> float:
+    call()
+    times = []
+    for _ in range(RUNS):
+        start = perf_counter()
+        call()
+        times.append(perf_counter() - start)
+    return median(times)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,48 @@
+"""How long the solver takes for many variants, and that its cost grows in proportion."""
+
+from collections.abc import Callable
+from time import perf_counter
+
+import numpy as np
+
+from gripcourse.course.load import load_course
+from gripcourse.resources import course_root
+from gripcourse.solver.plan import make_plan
+from gripcourse.solver.solve import evaluate, to_si
+
+RUNS = 5
+
+
+def main() -> None:
+    """Solve 10³, 10⁴ and 10⁵ variants of every scheme in one call each."""
+    course = load_course(course_root())
+    for scheme in course.schemes.values():
+        example = scheme.example
+        if example is None:
+            continue
+        plan = make_plan(course, scheme.id, example.options)
+        computed = len(plan.answered)
+        generator = np.random.default_rng(1)
+        for count in (1_000, 10_000, 100_000):
+            spread = generator.uniform(0.95, 1.05, count)
+            known = {
+                name: value * spread
+                for name, value in to_si(plan, example.given).items()
+                if name in plan.quantities
+            }
+            seconds = min(_timed(lambda: evaluate(plan, known)) for _ in range(RUNS))  # noqa: B023 (called at once)
+            each = seconds / count / computed * 1e9
+            print(
+                f"{scheme.id}: {count:>7} variants, {computed} quantities: {seconds * 1e3:7.1f} ms, "
+                f"{each:6.0f} ns per value"
+            )
+
+
+def _timed(call: Callable[[], object]) -> float:
+    start = perf_counter()
+    call()
+    return perf_counter() - start
+
+
+if __name__ == "__main__":
+    main()

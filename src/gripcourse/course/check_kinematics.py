@@ -1,0 +1,81 @@
+"""Checking the position kinematics of a scheme: names, dimensions, and what they refer to."""
+
+from collections.abc import Collection, Iterator, Mapping
+
+from gripcourse.course.kinematics import POSITIONS, Kinematics
+from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.formula.dimension import check_dimension
+from gripcourse.formula.parse import FormulaFault, caret
+from gripcourse.formula.tree import Formula, names
+from gripcourse.units import Dimension, dimension
+from gripcourse.words import message
+
+
+def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    """Yield the problems of a scheme's kinematics."""
+    motion = scheme.kinematics
+    if motion is None:
+        return
+    known = {name: dimension(one.unit) for name, one in quantities.items()}
+    yield from _formula_faults(scheme, "jaws", motion.jaws, "", known)
+    for position, formula in motion.at.items():
+        yield from _formula_faults(scheme, f"at.{position}", formula, motion.unit, known)
+    known[motion.drive] = dimension(motion.unit)
+    for one in motion.coordinates:
+        key = f"coordinate.{one.id}"
+        yield from _formula_faults(scheme, key, one.formula, one.unit, known)
+        known[one.id] = dimension(one.unit)
+    yield from _reference_faults(scheme, motion, quantities)
+
+
+def _formula_faults(
+    scheme: Scheme, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
+) -> Iterator[Problem]:
+    unknown = [name for name in names(formula.tree) if name not in known]
+    for name in unknown:
+        what = message("The name '{name}' is not known.", name=name)
+        yield Problem(scheme.file, f"kinematics.{key}", what, did_you_mean(name, known))
+    if unknown:
+        return
+    try:
+        check_dimension(formula, unit, known, {})
+    except FormulaFault as fault:
+        yield Problem(
+            scheme.file,
+            f"kinematics.{key}",
+            fault.what,
+            message("Compare the units of both sides."),
+            caret(formula.text, fault.span),
+        )
+
+
+def _reference_faults(
+    scheme: Scheme, motion: Kinematics, quantities: Mapping[str, Quantity]
+) -> Iterator[Problem]:
+    coordinates = {one.id for one in motion.coordinates}
+    for key, name, allowed in _references(motion, quantities, coordinates):
+        if name not in allowed:
+            what = message("The name '{name}' is not known.", name=name)
+            yield Problem(scheme.file, f"kinematics.{key}", what, did_you_mean(name, allowed))
+
+
+def _references(
+    motion: Kinematics, quantities: Collection[str], coordinates: Collection[str]
+) -> Iterator[tuple[str, str, Collection[str]]]:
+    """Yield each name that refers to something, with its key and what it may refer to."""
+    yield "jaw", motion.jaw, coordinates
+    for position, quantity in motion.ratio.items():
+        yield "ratio", position, POSITIONS
+        yield f"ratio.{position}", quantity, quantities
+    for position, state in motion.state.items():
+        yield "state", position, POSITIONS
+        for quantity, coordinate in state.items():
+            yield f"state.{position}", quantity, quantities
+            yield f"state.{position}.{quantity}", coordinate, coordinates
+    for name in motion.lossless:
+        yield "lossless", name, quantities
+    for point, pair in motion.points.items():
+        for coordinate in pair:
+            yield f"point.{point}", coordinate, coordinates

@@ -1,0 +1,44 @@
+"""Checking the series that design decisions are taken from."""
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from gripcourse.course.model import Quantity
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem
+from gripcourse.formula.evaluate import Column
+from gripcourse.units import Dimension, dimension, known
+from gripcourse.words import Message, message
+
+
+def check_series(
+    quantities: Mapping[str, Quantity],
+    columns: Mapping[str, Column],
+    column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
+) -> Iterator[Problem]:
+    """Yield the problems of every series: it must exist, be sizes, and be what is decided."""
+    for one in quantities.values():
+        if one.choice is None:
+            continue
+        for key, name in (("series", one.choice.column), *(("also", n) for n in one.choice.also)):
+            if not name:  # reported as missing
+                continue
+            place = f"quantity.{one.id}.{key}"
+            if name not in columns:
+                what = message("There is no catalogue column '{name}'.", name=name)
+                yield Problem(one.file, place, what, did_you_mean(name, columns))
+            elif not _holds_sizes(columns[name]):
+                yield Problem(one.file, place, _NO_SIZES, _TAKE_SIZES)
+            elif known(one.unit) and column_dimensions[name][1] != dimension(one.unit):
+                yield Problem(one.file, place, _OTHER_DIMENSION, _TAKE_SIZES)
+
+
+_NO_SIZES: Message = message("The column does not hold the sizes of its catalogue.")
+_OTHER_DIMENSION: Message = message("The sizes do not measure what the quantity measures.")
+_TAKE_SIZES: Message = message("Name the first column of a catalogue of such sizes.")
+
+
+def _holds_sizes(column: Column) -> bool:
+    """Tell whether the column is the first one: an entry is found and judged by its size."""
+    return np.array_equal(column.sizes, column.values)

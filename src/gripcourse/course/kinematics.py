@@ -1,0 +1,125 @@
+"""The position kinematics of a scheme, as its author declares it.
+
+Coordinates are formulas of the drive's coordinate, of quantities and of earlier coordinates. They
+serve the proof that a scheme's force ratio is right (virtual work) and its drawing.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gripcourse.course.toml_table import Table
+from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.tree import Formula
+from gripcourse.units import known as known_unit
+from gripcourse.words import message
+
+POSITIONS = ("open", "at_max", "at_min")
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """A length or an angle that depends on the drive's coordinate."""
+
+    id: str
+    unit: str
+    formula: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Kinematics:
+    """How the links of a scheme move.
+
+    Attributes:
+        drive: name of the drive's coordinate in the formulas: the path of a rod or the angle of a
+            shaft, growing while the jaws close.
+        unit: its declared unit.
+        coordinates: in the order in which they are computed.
+        at: the drive's coordinate at each position: open, at_max and at_min (largest and smallest
+            object held).
+        jaw: id of the coordinate that falls while a jaw closes.
+        jaws: how many jaws the drive moves.
+        ratio: id of the quantity that is the drive's effort over the grip force of one jaw, for
+            each position at which the scheme declares one.
+        state: for each such position, the quantities that describe it and the coordinates that
+            give them at any position of the drive.
+        lossless: quantities to be set so that the ratio holds no friction, in declared units.
+        points: joints, by name, as pairs of coordinates (x along the gripper's axis).
+    """
+
+    drive: str
+    unit: str
+    coordinates: tuple[Coordinate, ...]
+    at: Mapping[str, Formula]
+    jaw: str
+    jaws: Formula
+    ratio: Mapping[str, str]
+    state: Mapping[str, Mapping[str, str]]
+    lossless: Mapping[str, float]
+    points: Mapping[str, tuple[str, str]]
+
+
+def read_kinematics(table: Table) -> Kinematics:
+    """Read the `[kinematics]` table of a scheme."""
+    table.known_keys(
+        {"drive", "unit", "coordinate", "at", "jaw", "jaws", "ratio", "state", "lossless", "point"}
+    )
+    states = table.named_tables("state")
+    ratio = table.table("ratio")
+    points = table.table("point")
+    at = table.required_table("at")
+    at.known_keys(POSITIONS)
+    return Kinematics(
+        drive=table.text("drive"),
+        unit=_unit(table),
+        coordinates=tuple(
+            _coordinate(name, one) for name, one in table.named_tables("coordinate").items()
+        ),
+        at={position: _formula(at, position) for position in POSITIONS},
+        jaw=table.text("jaw"),
+        jaws=_formula(table, "jaws"),
+        ratio={name: ratio.text(name) for name in ratio.values} if ratio else {},
+        state={
+            position: {name: one.text(name) for name in one.values}
+            for position, one in states.items()
+        },
+        lossless=table.numbers("lossless", {}),
+        points={name: _point(points, name) for name in points.values} if points else {},
+    )
+
+
+def _coordinate(name: str, table: Table) -> Coordinate:
+    table.known_keys({"unit", "formula"})
+    return Coordinate(name, _unit(table), _formula(table, "formula"))
+
+
+def _formula(table: Table, name: str) -> Formula:
+    text = table.text(name)
+    try:
+        return Formula(text, parse(text), {})
+    except FormulaFault as fault:
+        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        return Formula("0", parse("0"), {})
+
+
+def _point(points: Table, name: str) -> tuple[str, str]:
+    match points.values[name]:
+        case [str() as along, str() as across]:
+            return (along, across)
+    points.add(
+        name,
+        message("The value has the wrong type."),
+        message("Write the names of two coordinates: ['pin_x', 'pin_y']."),
+    )
+    return ("", "")
+
+
+def _unit(table: Table) -> str:
+    unit = table.text("unit")
+    if known_unit(unit):
+        return unit
+    table.add(
+        "unit",
+        message("The unit '{unit}' is not known.", unit=unit),
+        message("Write it as in units.csv of the package, for example 'N*m'."),
+    )
+    return ""

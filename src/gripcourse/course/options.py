@@ -1,0 +1,43 @@
+"""Options: what a variant chooses. Shared ones stand in a file each, for many schemes."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from gripcourse.course.model import Option, OptionChoice
+from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.errors import Problem
+from gripcourse.words import message
+
+
+def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:
+    """Read the shared options of a course, by the names of their files."""
+    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    return {name: read_option(table) for name, table in found if table is not None}
+
+
+def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, ...]:
+    """Return the options of a scheme: shared ones by name, then its own."""
+    named = table.strings("options")
+    for name in named:
+        if name not in shared:
+            table.add(
+                "options",
+                message("There is no shared option '{name}'.", name=name),
+                did_you_mean(name, shared),
+            )
+    own = (read_option(option) for option in table.tables("option"))
+    return (*(shared[name] for name in named if name in shared), *own)
+
+
+def read_option(table: Table) -> Option:
+    """Read one option with its choices."""
+    table.known_keys({"id", "title", "choice"})
+    choices = tuple(_choice(choice) for choice in table.tables("choice"))
+    if not choices:
+        table.add("choice", message("This key is missing."), message("Write the choices."))
+    return Option(table.text("id"), table.texts("title"), choices)
+
+
+def _choice(table: Table) -> OptionChoice:
+    table.known_keys({"id", "title", "parts"})
+    return OptionChoice(table.text("id"), table.texts("title"), table.strings("parts"))

@@ -1,0 +1,87 @@
+"""What the key says about a quantity in words: its formula on one line, source, tolerance."""
+
+from gripcourse.course.model import Kind, Quantity, Rounding
+from gripcourse.formula.boxes import Box
+from gripcourse.formula.plain import text
+from gripcourse.formula.tree import Call, Formula, names, walk
+from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import reference_rounding
+from gripcourse.units import unit_text
+from gripcourse.words import Words, message
+
+
+def formula_text(quantity: Quantity, plan: Plan, words: Words) -> str:
+    """Return the reference formula on one line, with symbols; empty where there is none."""
+    formula = plan.reference_formula(quantity.id)
+    if formula is None or quantity.kind in {Kind.GIVEN, Kind.CONSTANT}:
+        return ""
+    own = quantity.symbol.of(words.language)
+    written = text(typeset(formula.tree, _symbols(formula, quantity, plan, words), words.language))
+    if quantity.kind is Kind.VERDICT:
+        return written
+    if quantity.choice is None:
+        return f"{own} = {written}{_units(formula, plan, words)}"
+    if reference_rounding(quantity, plan.convention) is Rounding.NEAREST:
+        rule = message(
+            "{own} ≈ {required}, from {series}", own=own, required=written, series=_series(quantity)
+        )
+    else:
+        rule = message(
+            "{own} ≥ {required}, from {series}", own=own, required=written, series=_series(quantity)
+        )
+    return words.say(rule)
+
+
+def source_text(quantity: Quantity) -> str:
+    """Return where a quantity comes from: the work's id, equation, note."""
+    source = quantity.source
+    cited = f"{source.work} {source.equation}".strip()
+    return "; ".join(part for part in (cited, source.note) if part)
+
+
+def cited_works(plan: Plan) -> dict[str, str]:
+    """Return the titles of the works that a plan's quantities come from, by id."""
+    cited = dict.fromkeys(quantity.source.work for quantity in plan.quantities.values())
+    works = plan.course.works
+    return {work: works[work].title for work in cited if work in works}
+
+
+def tolerance_text(quantity: Quantity, words: Words) -> str:
+    """Return the band of a quantity's own, or how else it is judged."""
+    if quantity.kind is Kind.MANUAL:
+        return words.say(message("marked by a person"))
+    if quantity.kind is Kind.VERDICT:
+        return words.say(message("yes or no"))
+    if quantity.choice is not None:
+        return words.say(message("by its rule"))
+    if quantity.kind in {Kind.GIVEN, Kind.CONSTANT}:
+        return ""
+    if quantity.tolerance is None:
+        return words.say(message("by the policy"))
+    return f"± {words.number(100 * quantity.tolerance.relative)} %"
+
+
+def _symbols(formula: Formula, quantity: Quantity, plan: Plan, words: Words) -> dict[str, Box]:
+    """Return the symbol of every name, and the quantity's own for tables that are read."""
+    own = symbol_box(quantity.symbol.of(words.language))
+    calls = (node for node in walk(formula.tree) if isinstance(node, Call))
+    columns = {call.column: own for call in calls if call.column is not None}
+    return columns | {
+        name: symbol_box(plan.quantities[name].symbol.of(words.language))
+        for name in names(formula.tree)
+    }
+
+
+def _units(formula: Formula, plan: Plan, words: Words) -> str:
+    """Say in which units the bare numbers of an empirical formula stand."""
+    listed = [
+        f"{plan.quantities[name].symbol.of(words.language)}, {unit_text(unit, words.language)}"
+        for name, unit in formula.units.items()
+        if unit
+    ]
+    return f"  [{'; '.join(listed)}]" if listed else ""
+
+
+def _series(quantity: Quantity) -> str:
+    return "" if quantity.choice is None else quantity.choice.column

@@ -1,0 +1,166 @@
+"""The assignment sheet: who, what is given, what is asked, how it is judged."""
+
+import html
+import io
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from gripcourse.assignment.model import Issued
+from gripcourse.assignment.sheet import TEMPLATE, assignment_sheet, sheet_values
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Convention, Course, Tolerance
+from gripcourse.course.policy import Policy
+from gripcourse.course.policy_load import load_policy
+from gripcourse.pdf import Document, render_html
+from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.variants.model import Student, Variant
+from gripcourse.words import Words
+
+SCHEME = "rack_parallelogram"
+LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
+ENGLISH = Words("en")
+
+
+@pytest.fixture(scope="module")
+def course() -> Course:
+    return load_course(Path(__file__).parents[2])
+
+
+@pytest.fixture(scope="module")
+def policy(course: Course) -> Policy:
+    return load_policy(course)
+
+
+@pytest.fixture(scope="module")
+def plan(course: Course) -> Plan:
+    return make_plan(course, SCHEME, default_options(course.schemes[SCHEME]))
+
+
+@pytest.fixture(scope="module")
+def issued(plan: Plan) -> Issued:
+    example = plan.scheme.example
+    assert example is not None
+    given = {quantity.id: example.given[quantity.id] for quantity in plan.givens}
+    return Issued(
+        student=Student("s017", "Иванова Ольга", "РТ-41", "", "ru", ""),
+        variant=Variant("17", SCHEME, dict(plan.options), given | {"mass": 61.2345}),
+        issued_on=date(2025, 2, 10),
+        deadline=date(2025, 5, 19),
+        signature="3fa912bc77aa" + "0" * 52,
+    )
+
+
+def pages(pdf: bytes) -> list[str]:
+    reader = PdfReader(io.BytesIO(pdf))
+    return [" ".join(page.extract_text().split()) for page in reader.pages]
+
+
+def read(issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words) -> str:
+    """Return the text that the template puts out, every run of spaces as one space."""
+    values = sheet_values(issued, plan, policy, course, words)
+    page = render_html(Document(TEMPLATE, (), values), course.root / "templates", words)
+    return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", page)).split())
+
+
+@pytest.fixture
+def text(issued: Issued, plan: Plan, policy: Policy, course: Course) -> Callable[..., str]:
+    def make(words: Words = ENGLISH, **changes: object) -> str:
+        used = replace(policy, **changes)  # type: ignore[arg-type]
+        return read(issued, plan, used, course, words)
+
+    return make
+
+
+def test_it_says_whose_it_is_and_until_when(text: Callable[..., str]) -> None:
+    written = text()
+    for part in ("Иванова Ольга", "РТ-41", "10 February 2025", "19 May 2025", "3fa912bc77aa"):
+        assert part in written
+    assert "0" * 52 not in written
+
+
+def test_given_values_are_printed_as_they_were_issued(
+    text: Callable[..., str], issued: Issued, plan: Plan
+) -> None:
+    written = text(Words("ru"))
+    assert "61,2345" in written
+    for quantity in plan.givens:
+        assert quantity.title.of("ru") in written
+        assert (
+            Words("ru").number(issued.variant.given[quantity.id], 7).replace("\u202f", " ")
+            in written
+        )
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_every_section_and_every_asked_quantity_is_named(
+    text: Callable[..., str], plan: Plan, course: Course, language: str
+) -> None:
+    written = text(Words(language))
+    assert plan.scheme.task.of(language) in written
+    for section in course.sections:
+        assert section.title.of(language) in written
+    for quantity in (*plan.answered, *plan.manual):
+        assert quantity.title.of(language) in written
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_it_is_one_sheet_of_paper_and_the_same_bytes_each_time(
+    issued: Issued, plan: Plan, policy: Policy, course: Course, language: str
+) -> None:
+    words = Words(language)
+    named = replace(issued, student=replace(issued.student, name=LONG_NAME))
+    first = assignment_sheet(named, plan, policy, course, words)
+    assert first == assignment_sheet(named, plan, policy, course, words)
+    assert len(pages(first)) <= 2
+    assert LONG_NAME in pages(first)[0]
+
+
+def test_it_says_at_which_jaw_the_grip_force_is(text: Callable[..., str]) -> None:
+    assert "Grip force is the force at ONE jaw" in text()
+
+
+def test_it_names_the_band_and_every_unusual_one(text: Callable[..., str]) -> None:
+    written = text(tolerance=Tolerance(0.01, 0.0), tolerances={"grip_force": Tolerance(0.02, 0.0)})
+    assert "by no more than 1%" in written
+    assert "± 2%" in written
+
+
+def test_it_says_what_a_mistake_costs_further_on(text: Callable[..., str]) -> None:
+    assert "A mistake costs its points once" in text(carried_credit=1.0)
+    assert "earns 75% of its points" in text(carried_credit=0.75)
+    assert "A mistake" not in text(carried_credit=0.0)
+
+
+def test_it_says_whether_misprints_of_the_guide_are_accepted(text: Callable[..., str]) -> None:
+    assert "counts in full, with a remark" in text(printed_credit=1.0)
+    assert "earns 50% of its points" in text(printed_credit=0.5)
+    assert "only the corrected formulas count" in text(printed_credit=None)
+
+
+def test_it_says_when_the_guide_counts_as_it_is_printed(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    printed = replace(plan, convention=Convention.GUIDE)
+    written = read(issued, printed, policy, course, ENGLISH)
+    assert "follows the formulas of the guide as they are printed" in written
+
+
+def test_without_a_deadline_there_is_no_line_for_it(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    open_ended = replace(issued, deadline=None)
+    written = read(open_ended, plan, policy, course, ENGLISH)
+    assert "Deadline" not in written
+
+
+def test_a_name_is_text_and_never_markup(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    named = replace(issued, student=replace(issued.student, name='<b>&"Иван'))
+    assert '<b>&"Иван' in pages(assignment_sheet(named, plan, policy, course, ENGLISH))[0]

@@ -1,0 +1,184 @@
+"""Submissions built in memory: a variant, its reference answers, and what a student wrote."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from datetime import date
+from pathlib import Path
+from typing import TypeAlias
+
+import pytest
+
+from gripcourse.assignment.model import Issued
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.policy import Policy
+from gripcourse.course.policy_load import load_policy
+from gripcourse.grading.judge import judge
+from gripcourse.grading.model import Finding, Report
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.variants.draw import draw
+from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.space import load_spaces
+from gripcourse.words import message
+
+SIGNATURE = "a1" * 32
+
+Written: TypeAlias = float | str | Answer | None
+"""What stands in an answer cell: a number, text that is none, nothing; or an answer as read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """One issued variant and its judge."""
+
+    plan: Plan
+    issued: Issued
+    policy: Policy
+    reference: Mapping[str, float]
+
+    @property
+    def answers(self) -> dict[str, float]:
+        """The reference answers."""
+        return {one.id: self.reference[one.id] for one in self.plan.answered}
+
+    @property
+    def given(self) -> Mapping[str, float]:
+        return self.issued.variant.given
+
+    def with_policy(self, **changes: object) -> "Case":
+        return replace(self, policy=replace(self.policy, **changes))  # type: ignore[arg-type]
+
+    def following(self, **known: float) -> dict[str, float]:
+        """The answers of a student who computes on faultlessly from these values."""
+        values = solve_variant(self.plan, {**self.given, **known})
+        return {one.id: values[one.id] for one in self.plan.answered}
+
+    def printed(self) -> dict[str, float]:
+        """The answers of a student who computes as the source prints it."""
+        guide = make_plan(
+            self.plan.course, self.plan.scheme.id, self.plan.options, Convention.GUIDE
+        )
+        values = solve_variant(guide, self.given)
+        return {one.id: values[one.id] for one in self.plan.answered}
+
+    def submission(self, answers: Mapping[str, Written], **changes: object) -> Submission:
+        """What was read of a workbook in which only these cells are filled."""
+        variant = self.issued.variant
+        whole = Submission(
+            file="inbox/s01.xlsx",
+            digest="0" * 64,
+            identity=Identity(
+                student=self.issued.student.id,
+                variant=variant.id,
+                scheme=variant.scheme,
+                options=variant.options,
+                signature=self.issued.signature,
+            ),
+            creator="",
+            givens=dict(variant.given),
+            answers={one.id: answer(one.id, answers.get(one.id)) for one in self.plan.answered},
+            remarks=(),
+        )
+        return replace(whole, **changes)  # type: ignore[arg-type]
+
+    def judge(self, answers: Mapping[str, Written], **changes: object) -> Report:
+        return judge(self.submission(answers, **changes), self.issued, self.plan, self.policy)
+
+    def findings(self, answers: Mapping[str, Written], **changes: object) -> dict[str, Finding]:
+        return {one.quantity: one for one in self.judge(answers, **changes).findings}
+
+    def lost(self, answers: Mapping[str, Written]) -> set[str]:
+        """The quantities that do not earn all their points."""
+        return {
+            one.quantity
+            for one in self.judge(answers).findings
+            if one.points < one.max_points - 1e-9 and self.plan.quantities[one.quantity].kind.answered
+        }
+
+
+def answer(quantity: str, written: Written, *, unit: str = "", unit_fits: bool = True) -> Answer:
+    """Make an answer as it is read from a cell."""
+    if isinstance(written, Answer):
+        return written
+    if isinstance(written, float | int):
+        reading, remarks = Reading.READ, ()
+    else:
+        reading = Reading.BLANK if written is None else Reading.UNREADABLE
+        remarks = () if written is None else (message("A number is needed here."),)
+    return Answer(
+        quantity=quantity,
+        reading=reading,
+        value=float(written) if isinstance(written, float | int) else None,
+        typed="" if written is None else str(written),
+        cell=f"Ответы!D{sum(map(ord, quantity))}",
+        half_unit=0.0,
+        unit=unit,
+        unit_fits=unit_fits,
+        remarks=remarks,
+    )
+
+
+def make_case(plan: Plan, given: Mapping[str, float], policy: Policy, variant: str = "001") -> Case:
+    issued = Issued(
+        student=Student("s01", "Иванова Ольга", "РТК-41", "", "ru", ""),
+        variant=Variant(variant, plan.scheme.id, dict(plan.options), dict(given)),
+        issued_on=date(2026, 9, 7),
+        deadline=date(2026, 12, 1),
+        signature=SIGNATURE,
+    )
+    return Case(plan, issued, policy, solve_variant(plan, given))
+
+
+@pytest.fixture(scope="session")
+def course() -> Course:
+    return load_course(Path(__file__).parents[2])
+
+
+@pytest.fixture(scope="session")
+def policy(course: Course) -> Policy:
+    return load_policy(course)
+
+
+@pytest.fixture(scope="session")
+def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
+    """Forty variants drawn from the course's own spaces, with every choice of its options."""
+    variants = draw(course, load_spaces(course), 40, 20260907).variants
+    return tuple(
+        make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
+        for one in variants
+    )
+
+
+@pytest.fixture(scope="session")
+def example(course: Course, policy: Policy) -> Case:
+    """The guide's own example (§5), with the course's gravity: a hydraulic drive."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    plan = make_plan(course, scheme.id, scheme.example.options)
+    given = {one.id: scheme.example.given[one.id] for one in plan.givens}
+    return make_case(plan, given, policy)
+
+
+@pytest.fixture(scope="session")
+def pneumatic(drawn: tuple[Case, ...]) -> Case:
+    return next(case for case in drawn if case.plan.options["drive"] == "pneumatic")
+
+
+@pytest.fixture(scope="session", params=["hydraulic", "pneumatic"])
+def case(request: pytest.FixtureRequest, example: Case, pneumatic: Case) -> Case:
+    """A variant with each drive."""
+    return example if request.param == "hydraulic" else pneumatic
+
+
+@pytest.fixture(scope="session")
+def computed(case: Case) -> tuple[str, ...]:
+    """The quantities of a variant that are computed."""
+    return tuple(one.id for one in case.plan.answered if one.kind is Kind.FORMULA)
+
+
+@pytest.fixture(scope="session")
+def read_answer() -> object:
+    """Make an answer as it is read from a cell: `read_answer(quantity, written, unit_fits=…)`."""
+    return answer

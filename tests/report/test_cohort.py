@@ -1,0 +1,121 @@
+"""The report on a cohort: everybody is in it, and what a person must look at stands out."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.course.policy import Policy
+from gripcourse.grading.model import Flag, Report
+from gripcourse.report.cohort import cohort_report, cohort_values
+from gripcourse.words import Words, message
+
+Change = Callable[..., Report]
+
+
+@pytest.fixture
+def reports(
+    perfect: Report, wrong: Change, blank: Change, rejected: Change, long_name: str
+) -> list[Report]:
+    odd = Flag("givens_changed", message("Given values were changed in the workbook."))
+    unread = Flag("rejected", message("The file is protected by a password."))
+    return [
+        perfect,
+        replace(wrong(perfect, "drive_force", 1.0), name=long_name, flags=(odd,)),
+        replace(blank(perfect, "bore"), name='<b>&"Иван'),
+        replace(rejected(perfect), name="Сидоров Сидор", flags=(unread,)),
+    ]
+
+
+@pytest.fixture
+def printed(
+    policy: Policy, course: Course, graded_on: date
+) -> Callable[[list[Report], str], bytes]:
+    def make(reports: list[Report], language: str) -> bytes:
+        return cohort_report(reports, policy, course, Words(language), graded_on)
+
+    return make
+
+
+def test_the_summary_counts_files(reports: list[Report], policy: Policy, course: Course) -> None:
+    summary = dict(cohort_values(reports, policy, course, Words("en"))["summary"])  # type: ignore[call-overload]
+    assert (summary["Files"], summary["Judged"], summary["Not judged"]) == ("4", "3", "1")
+    assert summary["To look at"] == "2"
+    assert summary["Lowest and highest"].endswith("100%")
+
+
+def test_everybody_is_listed_with_what_was_noticed(
+    reports: list[Report],
+    printed: Callable[..., bytes],
+    text_of: Callable[[bytes], str],
+    long_name: str,
+) -> None:
+    written = text_of(printed(reports, "en"))
+    for name in ("Иванова Ольга", long_name, '<b>&"Иван', "Сидоров Сидор"):
+        assert name.split()[-1] in written
+    assert "Given values were changed in the workbook." in written
+    assert "The file is protected by a password." in written
+
+
+def test_a_rejected_file_has_a_dash_for_points(
+    reports: list[Report], policy: Policy, course: Course
+) -> None:
+    rows = cohort_values(reports, policy, course, Words("en"))["students"]
+    assert isinstance(rows, list)
+    assert rows[-1].score == "—"
+    assert set(rows[-1].sections) == {"—"}
+
+
+def test_each_quantity_has_its_outcomes(
+    reports: list[Report], policy: Policy, course: Course
+) -> None:
+    rows = cohort_values(reports, policy, course, Words("en"))["quantities"]
+    assert isinstance(rows, list)
+    force = next(row for row in rows if row.title == "required force of the drive")
+    assert force.counts == ("2", "", "", "1", "", "", "")
+    assert force.facility == "66.7%"
+
+
+def test_what_a_person_marks_is_no_row_of_outcomes(
+    reports: list[Report], policy: Policy, course: Course
+) -> None:
+    rows = cohort_values(reports, policy, course, Words("en"))["quantities"]
+    assert isinstance(rows, list)
+    assert len(rows) == sum(one.points > 0 for one in reports[0].findings)
+
+
+def test_the_plots_can_be_read_as_text(
+    reports: list[Report], printed: Callable[..., bytes], text_of: Callable[[bytes], str]
+) -> None:
+    written = text_of(printed(reports, "en"))
+    assert "score, %" in written
+    assert "mean share of the points, %" in written
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_the_same_reports_give_the_same_bytes(
+    reports: list[Report],
+    printed: Callable[..., bytes],
+    embedded_fonts: Callable[[bytes], dict[str, bool]],
+    language: str,
+) -> None:
+    first = printed(reports, language)
+    assert first == printed(reports, language)
+    assert all(embedded_fonts(first).values())
+
+
+def test_a_cohort_of_which_nothing_could_be_judged_is_reported_too(
+    reports: list[Report], printed: Callable[..., bytes], pages_of: Callable[[bytes], list[str]]
+) -> None:
+    assert len(pages_of(printed(reports[-1:], "en"))) == 1
+
+
+def test_the_headings_of_a_long_table_are_repeated(
+    reports: list[Report], printed: Callable[..., bytes], pages_of: Callable[[bytes], list[str]]
+) -> None:
+    pages = pages_of(printed(reports[2:3] * 80, "en"))
+    with_students = [page for page in pages if "Иван" in page]
+    assert len(with_students) >= 2
+    assert all("Student Variant 1 2 3 4 5 Score Open Flags" in page for page in with_students)

@@ -1,0 +1,47 @@
+"""Plots are the same bytes for the same numbers, and their text stays text."""
+
+import re
+
+import pytest
+
+from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.words import Words
+
+ENGLISH = Words("en")
+
+
+def texts(svg: str) -> list[str]:
+    return re.findall(r"<text[^>]*>([^<]*)</text>", svg)
+
+
+def test_the_same_numbers_give_the_same_drawing() -> None:
+    assert score_plot([0.2, 0.9], ENGLISH) == score_plot([0.2, 0.9], ENGLISH)
+
+
+def test_a_drawing_says_nothing_about_the_time() -> None:
+    assert not re.search(r"<dc:date>|\d{4}-\d\d-\d\d", score_plot([0.5], ENGLISH))
+
+
+def test_axes_are_named() -> None:
+    assert {"score, %", "students"} <= set(texts(score_plot([0.5], ENGLISH)))
+    assert "mean share of the points, %" in texts(facility_plot([Bar("bore", 0.5)], ENGLISH))
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.7, 1.0])
+def test_a_score_on_a_boundary_is_counted_once(share: float) -> None:
+    ticks = [text for text in texts(score_plot([share], ENGLISH)) if text.isdecimal()]
+    assert ticks.count("1") == 1  # the axis of students reaches one and no more
+
+
+def test_students_are_whole() -> None:
+    assert not any("." in text for text in texts(score_plot([0.5], ENGLISH)))
+
+
+def test_a_title_is_text_and_never_a_formula() -> None:
+    assert "цена, $x$ и $y$" in texts(facility_plot([Bar("цена, $x$ и $y$", 0.5)], ENGLISH))
+
+
+def test_a_long_title_is_cut() -> None:
+    (label,) = [text for text in texts(facility_plot([Bar("д" * 90, 0.5)], ENGLISH)) if "д" in text]
+    assert label.endswith("…")
+    assert len(label) < 50

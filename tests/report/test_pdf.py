@@ -1,0 +1,138 @@
+"""Documents are tagged, self-contained, and the same bytes for the same content."""
+
+import gc
+import io
+import logging
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+
+import jinja2
+import pytest
+from pypdf import PdfReader
+
+from gripcourse.pdf import (
+    Document,
+    amount_text,
+    day_text,
+    pdf_from_html,
+    percent_text,
+    points_text,
+    render_html,
+    render_pdf,
+)
+from gripcourse.words import Words, message
+
+TEMPLATE = """<html lang="{{ language }}"><title>Отчёт</title>
+<p>{{ name }} {{ _("Variant") }} {{ say(sentence) }} {{ 2.5 | points }} {{ 0.125 | percent }}
+{{ "D_тр" | symbol }}</p>"""
+
+
+@pytest.fixture
+def templates(tmp_path: Path) -> Path:
+    (tmp_path / "style").mkdir()
+    (tmp_path / "style" / "plain.css").write_text("p { font: 10pt 'PT Sans' }", encoding="utf-8")
+    (tmp_path / "plain.html.j2").write_text(TEMPLATE, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def document() -> Document:
+    values = {"name": "Иван", "sentence": message("{n} cells", n=1.5)}
+    return Document("plain.html.j2", ("plain.css",), values)
+
+
+def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
+    first = render_pdf(document, templates, Words("en"))
+    assert first == render_pdf(document, templates, Words("en"))
+
+
+def test_a_document_has_a_title_a_language_and_tags(templates: Path, document: Document) -> None:
+    reader = PdfReader(io.BytesIO(render_pdf(document, templates, Words("ru"))))
+    catalogue = reader.trailer["/Root"]
+    assert reader.metadata is not None
+    assert reader.metadata.title == "Отчёт"
+    assert catalogue["/Lang"] == "ru"
+    assert catalogue["/MarkInfo"]["/Marked"]
+    assert "/StructTreeRoot" in catalogue
+
+
+def test_a_document_says_nothing_about_the_time(templates: Path, document: Document) -> None:
+    reader = PdfReader(io.BytesIO(render_pdf(document, templates, Words("ru"))))
+    assert reader.metadata is not None
+    assert reader.metadata.creation_date is None
+    assert reader.metadata.modification_date is None
+
+
+def test_fonts_are_in_the_file(
+    templates: Path, document: Document, embedded_fonts: Callable[[bytes], dict[str, bool]]
+) -> None:
+    fonts = embedded_fonts(render_pdf(document, templates, Words("ru")))
+    assert fonts
+    assert all(fonts.values())
+    assert any("PT-Sans" in name for name in fonts)
+
+
+def test_values_are_escaped_and_formulas_are_not(templates: Path, document: Document) -> None:
+    named = Document(document.template, (), {**document.values, "name": "<b>&"})
+    html = render_html(named, templates, Words("en"))
+    assert "&lt;b&gt;&amp;" in html
+    assert '<span class="formula">' in html
+
+
+def test_numbers_are_written_for_the_reader(templates: Path, document: Document) -> None:
+    assert "1.5 cells 2.5 12.5%" in render_html(document, templates, Words("en"))
+    assert "2,5 12,5\u00a0%" in render_html(document, templates, Words("ru"))
+
+
+def test_a_missing_value_is_an_error_and_no_empty_place(templates: Path) -> None:
+    with pytest.raises(jinja2.UndefinedError, match="name"):
+        render_pdf(Document("plain.html.j2", (), {}), templates, Words("en"))
+
+
+def test_a_changed_style_sheet_is_read_again(templates: Path, document: Document) -> None:
+    before = render_pdf(document, templates, Words("en"))
+    sheet = templates / "style" / "plain.css"
+    sheet.write_text("p { font: 20pt 'PT Serif' }", encoding="utf-8")
+    assert render_pdf(document, templates, Words("en")) != before
+
+
+def test_nothing_is_fetched_from_outside(
+    templates: Path, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(logging.getLogger("weasyprint"), "propagate", True)
+    secret = templates / "secret.svg"
+    secret.write_text("<svg xmlns='http://www.w3.org/2000/svg'/>", encoding="utf-8")
+    html = f'<html lang="en"><title>x</title><img alt="secret" src="{secret.as_uri()}">'
+    pdf_from_html(html, (), templates)
+    assert "disallowed protocol" in caplog.text
+
+
+def test_the_garbage_collector_is_left_as_it_was(templates: Path, document: Document) -> None:
+    before = gc.get_threshold()
+    render_pdf(document, templates, Words("en"))
+    assert gc.get_threshold() == before
+
+
+@pytest.mark.parametrize(
+    ("value", "written"), [(0.0, "0"), (100.25, "100,25"), (2 / 3, "0,67"), (99.999, "100")]
+)
+def test_points_have_at_most_two_decimals(value: float, written: str) -> None:
+    assert points_text(value, Words("ru")) == written
+
+
+def test_a_percentage_is_written_as_the_language_writes_it() -> None:
+    assert percent_text(0.785, Words("en")) == "78.5%"
+    assert percent_text(0.785, Words("uk")) == "78,5\u00a0%"
+
+
+def test_a_number_and_its_unit_stay_together() -> None:
+    assert amount_text(60.08, "mm", Words("ru")) == "60,08\u00a0мм"
+    assert amount_text(36.8699, "deg", Words("ru")) == "36,87°"
+    assert amount_text(0.15, "", Words("ru")) == "0,15"
+
+
+def test_a_day_is_written_with_its_month_in_words() -> None:
+    day = date(2025, 5, 9)
+    written = [day_text(day, Words(language)) for language in ("en", "ru", "uk")]
+    assert written == ["9 May 2025", "9 мая 2025", "9 травня 2025"]

@@ -1,0 +1,132 @@
+"""Tables are read as people save them."""
+
+from datetime import datetime
+from pathlib import Path
+
+import openpyxl
+import pytest
+import xlsxwriter
+
+from gripcourse.errors import TableError
+from gripcourse.variants.sheet import Row, column_name, read_sheet
+
+
+def write(path: Path, text: str, encoding: str = "utf-8") -> Path:
+    path.write_bytes(text.encode(encoding))
+    return path
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_marks_and_line_ends_do_not_matter(tmp_path: Path, encoding: str, end: str) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", f"id,масса{end}1,60{end}", encoding))
+    assert sheet.header == ("id", "масса")
+    assert sheet.rows == (Row(2, ("1", "60")),)
+
+
+@pytest.mark.parametrize("sign", [",", ";", "\t"])
+def test_the_separator_is_taken_from_the_headings(tmp_path: Path, sign: str) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", f"id{sign}m\n1{sign}60\n"))
+    assert sheet.rows == (Row(2, ("1", "60")),)
+    assert sheet.decimal_comma == (sign != ",")
+
+
+def test_a_comma_in_a_heading_does_not_separate_where_semicolons_do(tmp_path: Path) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", "Масса, кг;Трение\n60,5;0,15\n"))
+    assert sheet.header == ("Масса, кг", "Трение")
+    assert sheet.rows[0].cells == ("60,5", "0,15")
+
+
+def test_quoted_cells_keep_separators_and_line_breaks(tmp_path: Path) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", 'id,name\n1,"A, B"\n2,"C\nD"\n3,E\n'))
+    assert [row.cells[1] for row in sheet.rows] == ["A, B", "C\nD", "E"]
+    assert [row.number for row in sheet.rows] == [2, 3, 4]
+
+
+def test_blank_rows_are_left_out_and_the_others_keep_their_numbers(tmp_path: Path) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", "id,m\n1,60\n\n,\n2,70\n\n"))
+    assert [row.number for row in sheet.rows] == [2, 5]
+
+
+def test_short_and_long_rows_are_kept_whole(tmp_path: Path) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", "id,m\n1\n2,70,extra\n"))
+    assert sheet.header == ("id", "m", "")
+    assert [row.cells for row in sheet.rows] == [("1", "", ""), ("2", "70", "extra")]
+    assert column_name(2, sheet.header) == "C"
+
+
+def test_a_word_for_nothing_stays_a_word(tmp_path: Path) -> None:
+    sheet = read_sheet(write(tmp_path / "t.csv", "id,m\n1,NA\n2,nan\n"))
+    assert [row.cells[1] for row in sheet.rows] == ["NA", "nan"]
+
+
+@pytest.mark.parametrize("position", [0, 25, 26, 701, 702])
+def test_a_column_without_heading_has_its_letter(position: int) -> None:
+    expected = openpyxl.utils.get_column_letter(position + 1)
+    assert column_name(position, ("",) * 703) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("missing.csv", None, "no such file"),
+        ("t.ods", b"x", "Save it as .csv"),
+        ("t.csv", "масса,1\n".encode("cp1251"), "CSV UTF-8"),
+        ("t.csv", "id\nмасса\n".encode("cp1251"), "line 2"),
+        ("t.csv", "id,m\n".encode("utf-16"), "CSV UTF-8"),
+        ("t.csv", b"", "first row is blank"),
+        ("t.csv", b"\n\n1,2\n", "first row is blank"),
+        ("t.csv", b'id,m\n1,"60\n', "never closed"),
+        ("t.xlsx", b"no spreadsheet", "save it again as .xlsx"),
+        ("t.xlsx", b"", "save it again as .xlsx"),
+    ],
+)
+def test_a_file_that_is_no_table_is_one_clear_problem(
+    tmp_path: Path, name: str, content: bytes | None, said: str
+) -> None:
+    path = tmp_path / name
+    if content is not None:
+        path.write_bytes(content)
+    with pytest.raises(TableError) as caught:
+        read_sheet(path)
+    (problem,) = caught.value.problems
+    assert problem.file == str(path)
+    assert said in f"{problem.what} {problem.remedy}"
+
+
+def test_numbers_of_a_spreadsheet_keep_all_their_digits(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.append(["id", "m", "f"])
+    sheet.append([7, 60.0, 0.123456789012345])
+    book.save(tmp_path / "t.xlsx")
+    assert read_sheet(tmp_path / "t.xlsx").rows == (Row(2, ("7", "60", "0.123456789012345")),)
+
+
+def test_errors_dates_and_truth_of_a_spreadsheet_are_not_blank(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    book.active.append(["a", "b", "c"])
+    book.active.append(["#DIV/0!", datetime(2026, 5, 1), True])  # noqa: DTZ001 - as Excel has it
+    book.save(tmp_path / "t.xlsx")
+    assert read_sheet(tmp_path / "t.xlsx").rows[0].cells == (
+        "#DIV/0!",
+        "2026-05-01T00:00:00",
+        "True",
+    )
+
+
+def test_a_formula_without_a_stored_result_is_not_blank(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    book.active.append(["a", "b"])
+    book.active.append([60, "=A2*2"])
+    book.save(tmp_path / "t.xlsx")
+    assert read_sheet(tmp_path / "t.xlsx").rows[0].cells == ("60", "=A2*2")
+
+
+def test_a_formula_with_a_stored_result_is_that_result(tmp_path: Path) -> None:
+    with xlsxwriter.Workbook(str(tmp_path / "t.xlsx")) as book:
+        sheet = book.add_worksheet()
+        sheet.write_row(0, 0, ["a", "b"])
+        sheet.write_number(1, 0, 60)
+        sheet.write_formula(1, 1, "=A2*2", None, 120)
+    assert read_sheet(tmp_path / "t.xlsx").rows[0].cells == ("60", "120")

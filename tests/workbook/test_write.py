@@ -1,0 +1,194 @@
+import io
+from datetime import date, datetime
+from pathlib import Path
+
+import pytest
+from openpyxl import Workbook, load_workbook
+
+from gripcourse.assignment.model import Issued
+from gripcourse.course.model import Course, Kind
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.words import LANGUAGES, Words
+from gripcourse.workbook.layout import Column, layout
+from gripcourse.workbook.names import HIDDEN_SHEET
+from gripcourse.workbook.write import answer_workbook, write_answer_workbook
+
+LONGEST_PROMPT = 255
+RUSSIAN = Words("ru")
+
+
+@pytest.fixture(scope="module")
+def content(plan: Plan, issued: Issued, course: Course) -> bytes:
+    return answer_workbook(plan, issued, course, RUSSIAN)
+
+
+@pytest.fixture(scope="module")
+def book(content: bytes) -> Workbook:
+    return load_workbook(io.BytesIO(content))
+
+
+def test_the_same_inputs_give_the_same_bytes(
+    plan: Plan, issued: Issued, course: Course, content: bytes
+) -> None:
+    assert answer_workbook(plan, issued, course, RUSSIAN) == content
+
+
+def test_the_document_is_dated_by_the_day_of_issue(book: Workbook, issued: Issued) -> None:
+    assert issued.issued_on == date(2026, 2, 3)
+    assert book.properties.created == datetime(2026, 2, 3)  # noqa: DTZ001 - files have no zone
+
+
+def test_the_file_is_written(plan: Plan, issued: Issued, course: Course, tmp_path: Path) -> None:
+    path = tmp_path / "answers.xlsx"
+    write_answer_workbook(path, plan, issued, course, RUSSIAN)
+    assert path.read_bytes()[:2] == b"PK"
+
+
+def test_every_answer_and_given_value_has_its_name(book: Workbook, plan: Plan) -> None:
+    placed = layout(plan, RUSSIAN)
+    expected = {f"answer.{name}": place for name, place in placed.answers.items()}
+    expected |= {f"given.{name}": place for name, place in placed.givens.items()}
+    for name, place in expected.items():
+        [(sheet, address)] = book.defined_names[name].destinations
+        assert (sheet, address.replace("$", "")) == (place.sheet, place.address)
+
+
+def test_given_values_stand_in_declared_units(book: Workbook, plan: Plan, issued: Issued) -> None:
+    for name, place in layout(plan, RUSSIAN).givens.items():
+        assert book[place.sheet][place.address].value == issued.variant.given[name]
+
+
+def test_answer_cells_are_empty_unlocked_general_and_coloured(book: Workbook, plan: Plan) -> None:
+    plain = book[layout(plan, RUSSIAN).cover.name]["A1"].fill.fgColor.rgb
+    for place in layout(plan, RUSSIAN).answers.values():
+        cell = book[place.sheet][place.address]
+        assert cell.value is None
+        assert cell.number_format == "General"
+        assert not cell.protection.locked
+        assert cell.fill.fgColor.rgb != plain
+
+
+def test_everything_but_the_answers_is_locked(book: Workbook, plan: Plan) -> None:
+    answers = {(place.sheet, place.address) for place in layout(plan, RUSSIAN).answers.values()}
+    for sheet in book:
+        assert sheet.protection.sheet
+        unlocked = {
+            (sheet.title, cell.coordinate)
+            for row in sheet.iter_rows()
+            for cell in row
+            if not cell.protection.locked
+        }
+        assert unlocked <= answers
+
+
+def test_a_student_may_select_locked_cells_and_resize_columns(book: Workbook) -> None:
+    for sheet in book.worksheets[:-1]:
+        assert not sheet.protection.selectLockedCells
+        assert not sheet.protection.formatColumns
+        assert sheet.protection.password is None
+
+
+def test_number_cells_accept_numbers_between_the_bounds_only(book: Workbook, plan: Plan) -> None:
+    placed = layout(plan, RUSSIAN).answers
+    for quantity in plan.answered:
+        place = placed[quantity.id]
+        rules = [
+            rule
+            for rule in book[place.sheet].data_validations.dataValidation
+            if place.address in rule.sqref
+        ]
+        assert len(rules) == 1
+        rule = rules[0]
+        assert rule.errorStyle in {None, "stop"}
+        assert rule.showErrorMessage
+        assert 0 < len(rule.prompt) <= LONGEST_PROMPT
+        if quantity.kind is Kind.VERDICT:
+            assert rule.type == "list"
+        else:
+            assert (rule.type, rule.operator) == ("decimal", None)
+            assert (float(rule.formula1), float(rule.formula2)) == quantity.bounds
+
+
+def test_nothing_of_the_reference_is_in_the_workbook(
+    book: Workbook, plan: Plan, issued: Issued
+) -> None:
+    given = {place.address for place in layout(plan, RUSSIAN).givens.values()}
+    given |= {line.place.address for line in layout(plan, RUSSIAN).cover.constants}
+    cover = layout(plan, RUSSIAN).cover.name
+    numbers = {
+        (sheet.title, cell.coordinate)
+        for sheet in book
+        for row in sheet.iter_rows()
+        for cell in row
+        if isinstance(cell.value, int | float)
+    }
+    assert numbers == {(cover, address) for address in given}
+    reference = solve_variant(plan, issued.variant.given)
+    formulas = [
+        cell.value
+        for sheet in book
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.data_type == "f"
+    ]
+    telling = [f"{reference[q.id]:.4g}" for q in plan.answered if reference[q.id] % 1]
+    assert formulas
+    assert not [text for text in formulas for value in telling if value in text]
+
+
+def test_each_answer_has_a_check_that_is_silent_while_it_is_empty(
+    content: bytes, plan: Plan
+) -> None:
+    computed = load_workbook(io.BytesIO(content), data_only=True)
+    live = load_workbook(io.BytesIO(content))
+    for place in layout(plan, RUSSIAN).answers.values():
+        assert live[place.sheet].cell(place.row + 1, Column.CHECK + 1).value.startswith("=IF(")
+        assert computed[place.sheet].cell(place.row + 1, Column.CHECK + 1).value in {None, ""}
+
+
+def test_a_name_from_the_roster_is_never_a_formula(book: Workbook, issued: Issued) -> None:
+    cells = [
+        cell
+        for sheet in book
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.value == issued.student.name
+    ]
+    assert [cell.data_type for cell in cells] == ["s"]
+
+
+def test_manual_items_are_told_and_have_no_answer_cell(book: Workbook, plan: Plan) -> None:
+    for sheet in layout(plan, RUSSIAN).sheets:
+        for line in sheet.manual:
+            cell = book[sheet.name][line.place.address]
+            assert isinstance(cell.value, str)
+            assert cell.protection.locked
+            assert f"answer.{line.quantity.id}" not in book.defined_names
+
+
+def test_the_hidden_sheet_and_the_properties_say_whose_workbook_it_is(
+    book: Workbook, issued: Issued
+) -> None:
+    hidden = book[HIDDEN_SHEET]
+    assert hidden.sheet_state == "veryHidden"
+    stored = {prop.name: prop.value for prop in book.custom_doc_props.props}
+    shown = {row[0].value: row[1].value for row in hidden.iter_rows()}
+    assert shown == {name.removeprefix("gripcourse."): value for name, value in stored.items()}
+    assert shown["student"] == issued.student.id
+    assert shown["variant"] == issued.variant.id
+    assert shown["signature"] == issued.signature
+    assert shown["options"] == "drive=hydraulic"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_sheets_are_ready_for_a4_paper(
+    plan: Plan, issued: Issued, course: Course, language: str
+) -> None:
+    book = load_workbook(io.BytesIO(answer_workbook(plan, issued, course, Words(language))))
+    for sheet in book.worksheets[:-1]:
+        assert str(sheet.page_setup.paperSize) == sheet.PAPERSIZE_A4
+        assert sheet.page_setup.fitToHeight == 0
+        assert sheet.oddHeader.right.text
+    for sheet in book.worksheets[1:-1]:
+        assert sheet.freeze_panes == "A6"
