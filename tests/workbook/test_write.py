@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook, load_workbook
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Course, Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.variants.model import Issued
 from gripcourse.words import LANGUAGES, Words
 from gripcourse.workbook.layout import Column, layout
 from gripcourse.workbook.names import HIDDEN_SHEET

@@ -118,7 +118,7 @@ def _schemes(
     paths = _scheme_folders(folder / "schemes")
     found = (read_scheme(path, root, raw, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
-    if not schemes:
+    if not paths:
         problems.append(
             Problem(
                 str((folder / "schemes").relative_to(root)),

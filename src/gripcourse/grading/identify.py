@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Mapping
 from pathlib import PurePath
 
-from gripcourse.assignment.model import Issued
+from gripcourse.variants.model import Issued
 
 # Learning platforms and people join an id to other words with these.
 _JOINTS = re.compile(r"[\s_()\[\],;]+")

@@ -8,7 +8,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.grading.flags import flags_of
@@ -21,6 +20,7 @@ from gripcourse.grading.view import Judgement, View
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, from_si, to_si
 from gripcourse.submission.model import Answer, Reading, Submission
+from gripcourse.variants.model import Issued
 from gripcourse.words import Message, message
 
 

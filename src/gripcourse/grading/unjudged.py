@@ -1,8 +1,8 @@
 """Reports of files that could not be judged: never a zero mark, always a flag that says why."""
 
-from gripcourse.assignment.model import Issued
 from gripcourse.grading.model import Flag, Report
 from gripcourse.submission.model import Rejected
+from gripcourse.variants.model import Issued
 from gripcourse.words import message
 
 

@@ -31,6 +31,7 @@ _ENCRYPTED: Final = "EncryptedPackage".encode("utf-16-le")
 _PICTURES: Final = (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"II*\0", b"MM\0*")
 _RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
 _BEFORE_XML: Final = b"\xef\xbb\xbf\xff\xfe\0 \t\r\n"  # byte order marks and white space
+_CONTROL: Final = re.compile(rb"[\0-\x08\x0e-\x1f]")  # bytes that no text has
 _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
 
 _SAVE_AGAIN: Final = message("Open the answer workbook in a spreadsheet program and save it again.")
@@ -118,7 +119,7 @@ def _about_text(beginning: bytes) -> Message:
             "The file is a web page or XML, not an .xlsx workbook, whatever its name says. Save it "
             "as an .xlsx workbook."
         )
-    if b"\0" not in beginning and sum(byte < ord(" ") for byte in start) * 10 < len(start):
+    if not _CONTROL.search(beginning):
         return message(
             "The file is plain text, for example a CSV table, not an .xlsx workbook. Fill in the "
             "workbook that was issued."
@@ -182,6 +183,7 @@ class _Scan:
 
     def __init__(self) -> None:
         self._depth = 0
+        self._elements = 0
         self._seen: Counter[str] = Counter()
 
     def parser(self) -> expat.XMLParserType:
@@ -195,13 +197,15 @@ class _Scan:
 
     def _enter(self, element: str, attributes: dict[str, str]) -> None:
         self._depth += 1
+        self._elements += 1
         if self._depth > DEEPEST:
             raise _Refused(_FOREIGN_CONTENT)
-        name = element.rpartition(":")[2]
-        self._count("element", 1, MOST_ELEMENTS, _TOO_LARGE)
+        if self._elements > MOST_ELEMENTS:
+            raise _Refused(_TOO_LARGE)
+        name = element.rpartition(":")[2] if ":" in element else element
         if name == "sheet":
             self._count("sheet", 1, MOST_SHEETS, _TOO_LARGE)
-        if name in _RANGES:
+        elif name in _RANGES:
             self._count("range", 1, MOST_RANGES, _MERGED)
             self._count("covered", _covered(attributes.get("ref", "")), MOST_COVERED, _MERGED)
 
