@@ -1,4 +1,4 @@
-"""What one student report costs, as a ratio to WeasyPrint rendering the same finished HTML alone."""
+"""What one student report costs, as a ratio to WeasyPrint rendering the same finished HTML."""
 
 from collections.abc import Callable
 from datetime import date

@@ -319,6 +319,22 @@ FAULTS = {
         "There is no part 'drawing'.",
         "Did you mean 'drawings'?",
     ),
+    "part that is misspelt": Fault(
+        SCHEME,
+        '"pin", ',
+        '"pinn", ',
+        "parts",
+        "There is no part 'pinn'.",
+        "Did you mean 'pin'?",
+    ),
+    "option that does not exist": Fault(
+        SCHEME,
+        'options = ["cylinder_drive"]',
+        'options = ["cylinder_drives"]',
+        "options",
+        "There is no shared option 'cylinder_drives'.",
+        "Did you mean 'cylinder_drive'?",
+    ),
     "change of something undeclared": Fault(
         SCHEME,
         "[[override.force_ratio.as_printed]]",

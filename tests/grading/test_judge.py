@@ -66,7 +66,7 @@ class TestRightAnswers:
         self, table: "tuple[Case, ...]"
     ) -> None:
         lost = {case.issued.variant.id: case.lost(computed_on(case, 3)) for case in table}
-        assert lost == dict.fromkeys(lost, set())
+        assert set().union(*lost.values()) == set()
 
     def test_typing_three_figures_of_exact_numbers_costs_nothing(
         self, table: "tuple[Case, ...]"
@@ -107,14 +107,14 @@ class TestOneAnswerMoved:
         self, case: "Case", computed: tuple[str, ...], direction: float
     ) -> None:
         lost = {name: case.lost(moved(case, name, direction)) for name in computed}
-        assert lost == dict.fromkeys(computed, set())
+        assert set().union(*lost.values()) == set()
 
     @pytest.mark.parametrize("direction", [-1.0, 1.0])
     def test_exactly_on_the_edge_it_counts_as_inside(
         self, case: "Case", computed: tuple[str, ...], direction: float
     ) -> None:
         lost = {name: case.lost(moved(case, name, direction)) for name in computed}
-        assert lost == dict.fromkeys(computed, set())
+        assert set().union(*lost.values()) == set()
 
     @given(near=st.floats(0, 3), far=st.floats(0, 3), data=st.data())
     def test_marks_never_fall_when_an_answer_gets_closer(

@@ -17,7 +17,6 @@ from gripcourse.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from conftest import Case
-
     from gripcourse.formula.tree import Formula
 
 ReadAnswer = Callable[..., Answer]

@@ -15,6 +15,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from gripcourse.course.model import Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading
+from gripcourse.words import Words, message
 
 if TYPE_CHECKING:
     from .conftest import Returned
@@ -384,9 +385,12 @@ def test_a_spreadsheet_program_keeps_names_rules_and_answers(
     returned: "Returned", plan: Plan, tmp_path: Path
 ) -> None:
     book = returned.book()
-    for quantity, value in {FORCE: 22941.2, BORE: "60,08", VERDICT: "да"}.items():
+    yes = Words("ru").say(message("yes"))
+    for quantity, value in {FORCE: 22941.2, BORE: "60,08", VERDICT: yes}.items():
         returned.cell(book, quantity).value = value
     returned.cell(book, RATIO).value = "=2.5+0.5"
+    returned.cell(book, ANGLE).value = "много"
+    returned.cell(book, "gear_torque").value = 1e9
     path = returned.saved(book)
     command = [
         *("soffice", f"-env:UserInstallation={(tmp_path / 'profile').as_uri()}", "--headless"),
@@ -406,3 +410,10 @@ def test_a_spreadsheet_program_keeps_names_rules_and_answers(
         assert [rule for rule in rules if cell.coordinate in rule.sqref], quantity.id
         assert not cell.protection.locked
     assert [prop.name for prop in again.custom_doc_props.props if prop.value == "s001"]
+    computed = load_workbook(kept, data_only=True)
+    checks = {
+        name: returned.cell(computed, name).offset(column=1).value
+        for name in (FORCE, VERDICT, RATIO, "stroke", ANGLE, "gear_torque")
+    }
+    wrong = {name for name, said in checks.items() if said}
+    assert wrong == {ANGLE, "gear_torque"}

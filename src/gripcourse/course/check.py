@@ -37,6 +37,8 @@ def check_course(course: Course) -> list[Problem]:
     seen: set[object] = set()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
+        if not _all_parts(scheme) <= course.parts.keys():
+            continue  # else all that uses the missing part would be reported too
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
             found += _check_declarations(course, quantities)
@@ -92,13 +94,15 @@ def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
             )
 
 
+def _all_parts(scheme: Scheme) -> set[str]:
+    """Return the parts that a scheme uses with any of its options."""
+    return {part for options in option_sets(scheme) for part in part_ids(scheme, options)}
+
+
 def _check_used_parts(course: Course) -> Iterator[Problem]:
-    used = {
-        part
-        for scheme in course.schemes.values()
-        for options in option_sets(scheme)
-        for part in part_ids(scheme, options)
-    }
+    used = {part for scheme in course.schemes.values() for part in _all_parts(scheme)}
+    if not used <= course.parts.keys():
+        return  # a misspelt name is reported, the part that it means is not spare
     for part in course.parts.values():
         if part.id not in used:
             yield Problem(

@@ -35,14 +35,14 @@ _CONTROL: Final = re.compile(rb"[\0-\x08\x0e-\x1f]")  # bytes that no text has
 _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
 
 _SAVE_AGAIN: Final = message("Open the answer workbook in a spreadsheet program and save it again.")
-_DAMAGED: Final = message(
+DAMAGED: Final = message(
     "The file is damaged: it was not copied or sent as a whole. Send it again."
 )
 _TOO_LARGE: Final = message(
     "The file holds far more than an answer workbook does. Copy the answers into the workbook "
     "that was issued."
 )
-_NO_WORKBOOK: Final = message("The file is not a workbook. Send the .xlsx file that was issued.")
+NO_WORKBOOK: Final = message("The file is not a workbook. Send the .xlsx file that was issued.")
 _FOREIGN_CONTENT: Final = message(
     "The workbook holds content that no spreadsheet program writes. Copy the answers into the "
     "workbook that was issued."
@@ -124,7 +124,7 @@ def _about_text(beginning: bytes) -> Message:
             "The file is plain text, for example a CSV table, not an .xlsx workbook. Fill in the "
             "workbook that was issued."
         )
-    return _NO_WORKBOOK
+    return NO_WORKBOOK
 
 
 def _check_archive(data: bytes) -> None:
@@ -139,9 +139,9 @@ def _check_archive(data: bytes) -> None:
             for member in members:
                 _check_part(archive, member, scan)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as fault:
-        raise _Refused(_DAMAGED) from fault
+        raise _Refused(DAMAGED) from fault
     except (NotImplementedError, RuntimeError) as fault:  # a method or a cipher of other archivers
-        raise _Refused(_NO_WORKBOOK) from fault
+        raise _Refused(NO_WORKBOOK) from fault
 
 
 def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
@@ -155,7 +155,7 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
     if "word/document.xml" in names:
         raise _Refused(message("The file is a text document. Send the .xlsx workbook itself."))
     if not any(name.startswith("xl/") for name in names):
-        raise _Refused(_NO_WORKBOOK)
+        raise _Refused(NO_WORKBOOK)
 
 
 def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan") -> None:
