@@ -9,7 +9,7 @@ import pytest
 from gripcourse.grading.identify import submitter
 
 if TYPE_CHECKING:
-    from gripcourse.assignment.model import Issued
+    from gripcourse.variants.model import Issued
 
     from conftest import Case
 

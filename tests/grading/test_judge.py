@@ -306,6 +306,8 @@ class TestImpossibleValues:
         finding = next(one for one in report.findings if one.quantity == "arm_angle_open")
         assert finding.outcome is Outcome.NOT_JUDGED
         assert "not_judged" in {flag.code for flag in report.flags}
+        assert report.open_points > hydraulic.judge({}).open_points
+        assert report.max_score + report.open_points == pytest.approx(hydraulic.policy.total)
 
 
 class TestVerdicts:

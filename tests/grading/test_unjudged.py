@@ -48,6 +48,12 @@ def test_a_rejected_file_says_its_reason_and_keeps_its_digest(hydraulic: "Case")
     assert report.digest == "d" * 64
 
 
+def test_the_student_is_told_what_only_the_student_can_mend(hydraulic: "Case") -> None:
+    rejected, _, unknown, incident = reports(hydraulic)
+    assert rejected.remarks == (REASON,)
+    assert (unknown.remarks, incident.remarks) == ((), ())
+
+
 def test_an_incident_has_its_number(hydraulic: "Case") -> None:
     assert "0badf00d" in str(reports(hydraulic)[3].flags[0].message)
 

@@ -140,6 +140,14 @@ def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> I
                 message("No formula uses the given '{name}'.", name=one.id),
                 message("Use it, or remove it: students would look for its purpose."),
             )
+        for printed in one.as_printed:
+            if printed.erratum not in course.errata:
+                yield Problem(
+                    one.file,
+                    f"{key}.as_printed.{printed.erratum}",
+                    message("The course lists no erratum '{erratum}'.", erratum=printed.erratum),
+                    did_you_mean(printed.erratum, course.errata),
+                )
         if one.rubric and not _rubric_exists(course, one.rubric):
             yield Problem(
                 one.file,

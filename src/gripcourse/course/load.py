@@ -6,6 +6,7 @@ from pathlib import Path
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
+from gripcourse.course.errata import read_errata
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -67,6 +68,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         language=_language(table),
         sections=tuple(_section(one) for one in table.tables("section")),
         works=_works(table),
+        errata=read_errata(folder / "errata.toml", root, problems),
         constants=_quantities(table.named_tables("constant"), constant=True),
         parts=parts,
         schemes=_schemes(folder, root, raw, problems),
