@@ -52,7 +52,7 @@ def inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path
     issued.hand_in("s01", correct, folder / "s01.xlsx")
     platform = folder / "Шевченко Оксана_s02_assignsubmission_file"
     issued.hand_in("s02", early_slip, platform / "ответы.xlsx")
-    issued.hand_in("s01", correct, folder / "s03.xlsx")
+    shutil.copy(folder / "s01.xlsx", folder / "s03.xlsx")
     (folder / "чертёж.pdf").write_bytes(b"%PDF-1.7")
     (folder / "~$s01.xlsx").write_bytes(b"lock")
     (folder / ".hidden.xlsx").write_bytes(b"")
@@ -60,15 +60,29 @@ def inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path
 
 
 @pytest.fixture(scope="module")
-def bad_inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Nothing that can be judged, but for one file."""
-    folder = tmp_path_factory.mktemp("bad")
+def rough_inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A text, an empty file, a student's two files, a folder called like a workbook."""
+    folder = tmp_path_factory.mktemp("rough")
+    issued.hand_in("s01", correct, folder / "s01.xlsx")
+    issued.hand_in("s02", correct, folder / "s02.xlsx")
+    (folder / "s02_исправлено.xlsx").write_bytes(b"")
     (folder / "текст.xlsx").write_text("F = 3900 Н", encoding="utf-8")
-    (folder / "s02.xlsx").write_bytes(b"")
     directory = folder / "каталог.xlsx"
     directory.mkdir()
-    issued.hand_in("s01", blank, directory / "s01.xlsx")
+    issued.hand_in("s03", blank, directory / "s03.xlsx")
     return folder
+
+
+@pytest.fixture(scope="module")
+def rough(
+    issued: "Classroom", rough_inbox: Path, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Outcome, Path]:
+    """Graded by a register that knows a scheme for s01 that the course has no longer."""
+    out = tmp_path_factory.mktemp("rough_graded")
+    entry = issued.register["s01"]
+    lost = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
+    desk = replace(issued.desk, register={**issued.register, "s01": lost})
+    return run(desk, [rough_inbox], out), out
 
 
 @pytest.fixture(scope="module")
@@ -89,9 +103,9 @@ class TestFindFiles:
         platform = "Шевченко Оксана_s02_assignsubmission_file/ответы.xlsx"
         assert names == ["s01.xlsx", "s03.xlsx", platform]
 
-    def test_a_folder_called_like_a_workbook_is_a_folder(self, bad_inbox: Path) -> None:
-        names = [path.name for path in find_files([bad_inbox / "каталог.xlsx"])]
-        assert names == ["s01.xlsx"]
+    def test_a_folder_called_like_a_workbook_is_a_folder(self, rough_inbox: Path) -> None:
+        names = [path.name for path in find_files([rough_inbox / "каталог.xlsx"])]
+        assert names == ["s03.xlsx"]
 
     def test_a_file_named_twice_is_graded_once(self, inbox: Path) -> None:
         assert len(find_files([inbox / "s01.xlsx", inbox, inbox / "s01.xlsx"])) == 3
@@ -130,7 +144,8 @@ class TestResults:
         assert float(rows["s01"]["percent"]) == 100
         assert 80 < float(rows["s02"]["percent"]) < 100
         assert float(rows["s03"]["percent"]) < 20
-        assert rows["s03"]["flags"] == "issued_to_other"
+        assert rows["s03"]["flags"] == "issued_to_other; same_bytes"
+        assert rows["s01"]["flags"] == "same_bytes"
         assert rows["s02"]["group"] == "РТК-41"
 
     def test_grading_again_gives_the_same_bytes(
@@ -141,41 +156,37 @@ class TestResults:
             assert (tmp_path / path.relative_to(graded)).read_bytes() == path.read_bytes(), path
 
     def test_files_that_cannot_be_judged_stop_nobody_and_are_no_zeros(
-        self, issued: "Classroom", bad_inbox: Path, tmp_path: Path
+        self, rough: tuple[Outcome, Path]
     ) -> None:
-        outcome = run(issued.desk, [bad_inbox], tmp_path)
+        outcome, out = rough
         judged = {Path(one.file).name: one.judged for one in outcome.reports}
-        assert judged == {"s01.xlsx": True, "s02.xlsx": False, "текст.xlsx": False}
+        assert judged == {
+            "s01.xlsx": False,
+            "s02.xlsx": True,
+            "s02_исправлено.xlsx": False,
+            "текст.xlsx": False,
+            "s03.xlsx": True,
+        }
         assert outcome.needs_person
-        rows = grades(tmp_path)
-        assert rows["s01"]["score"] == "0"
-        assert rows["s02"]["score"] == rows["s02"]["percent"] == ""
-        assert {Path(file).name for file in outcome.written} == {"s01.xlsx", "s02.xlsx"}
+        rows = grades(out)
+        assert rows["s03"]["score"] == "0"
+        assert rows["s01"]["score"] == rows["s01"]["percent"] == ""
 
-    def test_two_files_of_a_student_get_a_report_each(
-        self, issued: "Classroom", inbox: Path, tmp_path: Path
-    ) -> None:
-        second = tmp_path / "s01_исправлено.xlsx"
-        shutil.copy(inbox / "s01.xlsx", second)
-        outcome = run(issued.desk, [inbox / "s01.xlsx", second], tmp_path / "out")
-        names = {path.name for path in outcome.written.values()}
-        assert names == {"s01.pdf", "s01-2.pdf"}
-        assert {flag.code for one in outcome.reports for flag in one.flags} == {"several_files"}
+    def test_two_files_of_a_student_get_a_report_each(self, rough: tuple[Outcome, Path]) -> None:
+        outcome, _ = rough
+        names = {Path(file).name: path.name for file, path in outcome.written.items()}
+        assert names["s02.xlsx"] == "s02.pdf"
+        assert names["s02_исправлено.xlsx"] == "s02-2.pdf"
 
     def test_a_report_that_cannot_be_made_is_an_incident_of_that_student(
-        self, issued: "Classroom", inbox: Path, tmp_path: Path
+        self, rough: tuple[Outcome, Path]
     ) -> None:
-        """The register knows a scheme that the course has no longer."""
-        entry = issued.register["s01"]
-        lost = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
-        desk = replace(issued.desk, register={**issued.register, "s01": lost})
-        outcome = run(desk, [inbox], tmp_path)
-        by_student = {one.student: one for one in outcome.reports}
-        assert not by_student["s01"].judged
-        assert by_student["s02"].judged
-        assert "four_bar" in (tmp_path / "incidents.log").read_text(encoding="utf-8")
-        made = {path.name for path in (tmp_path / "reports").iterdir()}
-        assert made == {"s02.pdf", "s03.pdf"}
+        outcome, out = rough
+        first = next(one for one in outcome.reports if one.student == "s01")
+        assert {flag.code for flag in first.flags} == {"incident", "report_incident"}
+        assert "four_bar" in (out / "incidents.log").read_text(encoding="utf-8")
+        made = {path.name for path in (out / "reports").iterdir()}
+        assert made == {"s02.pdf", "s02-2.pdf", "s03.pdf"}
 
     def test_a_failure_of_the_layout_is_told_and_not_raised(self, issued: "Classroom") -> None:
         handed_in = issued.workbook("s01")
@@ -227,9 +238,9 @@ class TestJson:
         assert all(findings[name]["given"] is None for name in manual)
 
     def test_a_file_that_could_not_be_judged_has_no_score(
-        self, issued: "Classroom", bad_inbox: Path
+        self, issued: "Classroom", rough_inbox: Path
     ) -> None:
-        graded = grade([bad_inbox / "текст.xlsx"], issued.desk, 1, nothing)
+        graded = grade([rough_inbox / "текст.xlsx"], issued.desk, 1, nothing)
         (one,) = json.loads(json_text([graded[0].report], Words("en")))
         assert one["score"] is None
         assert one["max_score"] is None

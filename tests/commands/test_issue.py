@@ -1,6 +1,5 @@
 """Issuing: a folder per student, once and for good."""
 
-import os
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -161,7 +160,7 @@ def refused(classroom: "Classroom", kind: type[GripcourseError], *said: str) -> 
     assert not classroom.order.out.exists()
     assert not register_path(classroom.course.root).exists()
     private = register_path(classroom.course.root).parent
-    assert {name for name in os.listdir(private) if name != "key"} == set()
+    assert {path.name for path in private.iterdir()} <= {"key"}
 
 
 def without_documents(monkeypatch: pytest.MonkeyPatch) -> None:

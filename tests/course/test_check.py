@@ -1,5 +1,6 @@
 """A broken course: each fault is one problem, with its file, its key, what is wrong, what to do."""
 
+import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,7 +53,7 @@ FAULTS = {
         "mass*(gravity + acceleration)",
         "mass*(gravity + acceleration)*grip_force/grip_force",
         "quantity.grip_force.formula",
-        "The formulas run in a circle: ",
+        "The formulas run in a circle: grip_force → lifting_load → grip_force.",
         "Express one of them without the others.",
     ),
     "quantity that is computed from itself": Fault(
@@ -311,6 +312,14 @@ FAULTS = {
         "The value has the wrong type.",
         "a number",
     ),
+    "unknown erratum": Fault(
+        f"{SECTIONS}pin.toml",
+        'erratum = "E13"',
+        'erratum = "E133"',
+        "quantity.pin_diameter.as_printed.E133",
+        "The course lists no erratum 'E133'.",
+        "Did you mean 'E13'?",
+    ),
     "part that does not exist": Fault(
         SCHEME,
         '"drawings"]',
@@ -457,8 +466,8 @@ def test_a_fault_is_one_problem_with_its_place_and_remedy(draft: "Draft", fault:
     if "shuffled" in fault.new:
         _shuffle(draft)
     problem = draft.edit(fault.file, fault.old, fault.new).problem()
-    if fault.key == "quantity.pin_length":  # shared declarations are doubled in the scheme
-        assert problem.file == SCHEME
+    if fault.key == "quantity.pin_length":  # the constant comes first, so the part doubles it
+        assert problem.file == f"{SECTIONS}pin.toml"
     else:
         assert problem.file == fault.file
     assert problem.key == fault.key
@@ -490,14 +499,14 @@ def test_a_given_that_nobody_uses_is_named(draft: "Draft", said: Callable[[Probl
     assert "Use it, or remove it" in said(problem)
 
 
-def test_a_quantity_in_two_parts_is_named_at_the_scheme(draft: "Draft") -> None:
+def test_a_quantity_in_two_parts_is_named_at_the_later_one(draft: "Draft") -> None:
     text = (
         '[quantity.grip_force]\nsection = "grip"\nkind = "formula"\nsymbol = "F"\nunit = "N"\n'
         'formula = "dynamic_factor*lifting_load/(2*friction)"\nbounds = [0, 1e6]\n'
         'source = { work = "guide" }\ntitle = "grip force"'
     )
     problem = draft.append(f"{SECTIONS}pin.toml", text).problem()
-    assert (problem.file, problem.key) == (SCHEME, "quantity.grip_force")
+    assert (problem.file, problem.key) == (f"{SECTIONS}pin.toml", "quantity.grip_force")
     assert str(problem.what) == "'grip_force' is declared more than once."
     assert "[override.grip_force]" in str(problem.remedy)
 
@@ -558,6 +567,18 @@ def test_five_faults_in_four_files_are_five_problems(draft: "Draft") -> None:
 
 def test_the_reference_course_has_no_problem(draft: "Draft") -> None:
     assert draft.problems() == ()
+
+
+def test_a_fault_of_a_shared_part_is_told_once_for_all_schemes(draft: "Draft") -> None:
+    first = draft.root / "variants/schemes/rack_parallelogram"
+    second = Path(shutil.copytree(first, first.with_name("another_rack")))
+    scheme = second / "scheme.toml"
+    text = scheme.read_text(encoding="utf-8").replace('"rack_parallelogram"', '"another_rack"')
+    scheme.write_text(text, encoding="utf-8")
+    assert draft.problems() == ()
+    for name in ("unknown name", "symbol used twice", "unknown unit", "wrong dimension of a slip"):
+        draft.edit(FAULTS[name].file, FAULTS[name].old, FAULTS[name].new)
+    assert len(draft.problems()) == 4
 
 
 def test_no_place_on_the_machine_is_named(draft: "Draft") -> None:

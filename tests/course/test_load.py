@@ -13,15 +13,27 @@ if TYPE_CHECKING:
 
 SECTION = "variants/sections/pin.toml"
 SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"
+POLICY = "grader/policy.toml"
 EXAMPLE = "variants/schemes/rack_parallelogram/worked_example.toml"
 
 
-def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(draft: "Draft") -> None:
-    problem = draft.edit(SECTION, "[quantity.pin_length]", "[quantity.pin_length").problem()
-    assert problem.file == SECTION
+@pytest.mark.parametrize(
+    "file", [SECTION, SCHEME, EXAMPLE, "variants/course.toml", "variants/errata.toml", POLICY]
+)
+def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
+    draft: "Draft", file: str
+) -> None:
+    problem = draft.append(file, "[quantity").problem()
+    assert problem.file == file
     assert str(problem.what).startswith("This is not valid TOML: ")
     assert "line" in str(problem.what)
     assert str(problem.remedy) == "Mend the line that is named."
+
+
+def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
+    file = "variants/options/cylinder_drive.toml"
+    found = [(one.file, one.key) for one in draft.append(file, "[quantity").problems()]
+    assert found == [(file, ""), (SCHEME, "options")]
 
 
 def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") -> None:
@@ -35,14 +47,14 @@ def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") ->
     }
 
 
-@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, EXAMPLE, "grader/policy.toml"])
+@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, EXAMPLE, POLICY])
 def test_a_missing_file_is_named(draft: "Draft", file: str) -> None:
     problem = draft.remove(file).problem()
     assert problem.file == file
     assert str(problem.what) == "The file is missing."
 
 
-@pytest.mark.parametrize("file", ["variants/course.toml", SECTION, SCHEME, "grader/policy.toml"])
+@pytest.mark.parametrize("file", ["variants/course.toml", SECTION, SCHEME, POLICY])
 def test_a_file_in_another_encoding_is_named(draft: "Draft", file: str) -> None:
     text = (draft.root / file).read_text(encoding="utf-8")
     problem = draft.put(file, (text + "# длина").encode("cp1251", errors="replace")).problem()
@@ -51,7 +63,7 @@ def test_a_file_in_another_encoding_is_named(draft: "Draft", file: str) -> None:
 
 
 def test_an_editor_may_mark_a_file_as_utf_8(draft: "Draft") -> None:
-    for file in (SECTION, SCHEME, "grader/policy.toml", "variants/catalogues/pin.csv"):
+    for file in (SECTION, SCHEME, POLICY, "variants/catalogues/pin.csv"):
         draft.put(file, codecs.BOM_UTF8 + (draft.root / file).read_bytes())
     assert draft.problems() == ()
 

@@ -14,7 +14,9 @@ from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 from gripcourse.words import message
 
@@ -138,6 +140,18 @@ def table(course: Course, policy: Policy) -> tuple[Case, ...]:
 
 
 @pytest.fixture(scope="session")
+def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
+    """Some variants of every scheme, drawn from its own space, with every choice of its options."""
+    spaces = load_spaces(course)
+    assert {space.scheme for space in spaces} == set(course.schemes)
+    variants = [one for space in spaces for one in draw(course, [space], 8, 20260907).variants]
+    return tuple(
+        make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
+        for one in variants
+    )
+
+
+@pytest.fixture(scope="session")
 def hydraulic(plan: Plan, policy: Policy) -> Case:
     """The guide's own example (§5), with the course's gravity."""
     assert plan.scheme.example is not None
@@ -147,7 +161,11 @@ def hydraulic(plan: Plan, policy: Policy) -> Case:
 
 @pytest.fixture(scope="session")
 def pneumatic(table: tuple[Case, ...]) -> Case:
-    return next(case for case in table if case.plan.options["drive"] == "pneumatic")
+    return next(
+        case
+        for case in table
+        if case.plan.scheme.id == "rack_parallelogram" and case.plan.options["drive"] == "pneumatic"
+    )
 
 
 @pytest.fixture(scope="session", params=["hydraulic", "pneumatic"])

@@ -9,9 +9,8 @@ import pytest
 from gripcourse.grading.identify import submitter
 
 if TYPE_CHECKING:
-    from gripcourse.variants.model import Issued
-
     from conftest import Case
+    from gripcourse.variants.model import Issued
 
 IDS = ("s01", "s02", "ivanova-ap", "ivanov_i", "i", "Ёлкин.Й", "7")
 

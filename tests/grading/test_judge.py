@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 OUT_OF_REACH = "Later answers were not followed from this value: it is outside what is possible."
 
 
+def name_of(case: "Case") -> str:
+    return f"{case.plan.scheme.id}, {dict(case.plan.options)}, variant {case.issued.variant.id}"
+
+
 def rounded(value: float, figures: int) -> float:
     return float(f"{value:.{figures}g}")
 
@@ -53,32 +57,29 @@ class TestRightAnswers:
         assert {one.outcome for one in report.findings} <= {Outcome.CORRECT, Outcome.MANUAL}
         assert report.flags == ()
 
-    def test_reference_answers_of_every_issued_variant_earn_everything(
-        self, table: "tuple[Case, ...]"
+    def test_reference_answers_of_every_issued_or_drawn_variant_earn_everything(
+        self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
     ) -> None:
-        shares = {
-            case.issued.variant.id: case.judge(case.answers).score / case.judge({}).max_score
-            for case in table
-        }
-        assert shares == pytest.approx(dict.fromkeys(shares, 1.0))
+        for case in (*table, *drawn):
+            report = case.judge(case.answers)
+            assert report.score == pytest.approx(report.max_score), name_of(case)
 
     def test_rounding_every_step_to_three_figures_and_computing_on_costs_nothing(
-        self, table: "tuple[Case, ...]"
+        self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
     ) -> None:
-        lost = {case.issued.variant.id: case.lost(computed_on(case, 3)) for case in table}
-        assert set().union(*lost.values()) == set()
+        for case in (*table[:16], *drawn):
+            assert case.lost(computed_on(case, 3)) == set(), name_of(case)
 
     def test_typing_three_figures_of_exact_numbers_costs_nothing(
-        self, table: "tuple[Case, ...]"
+        self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
     ) -> None:
-        for case in table:
+        for case in (*table, *drawn):
+            kinds = {one.id: one.kind for one in case.plan.answered}
             typed = {
-                name: rounded(value, 3)
-                if case.plan.quantities[name].kind is Kind.FORMULA
-                else value
+                name: rounded(value, 3) if kinds[name] is Kind.FORMULA else value
                 for name, value in case.answers.items()
             }
-            assert case.lost(typed) == set()
+            assert case.lost(typed) == set(), name_of(case)
 
     def test_manual_items_wait_for_a_person_and_count_in_neither_sum(self, case: "Case") -> None:
         report = case.judge(case.answers)
@@ -138,6 +139,16 @@ class TestOneAnswerMoved:
         assert lost == {name: {name} for name in names}
 
 
+def costs_one_item(case: "Case", wrong: str, factor: float) -> None:
+    """Check that a wrong value loses its own points, and that what follows it is followed."""
+    findings = case.findings(case.following(**{wrong: factor * case.reference[wrong]}))
+    lost = {one.quantity for one in findings.values() if one.points < one.max_points}
+    assert lost - {one.id for one in case.plan.manual} == {wrong}, name_of(case)
+    later = {findings[name].outcome for name in needing(case, wrong)}
+    assert later <= {Outcome.CARRIED, Outcome.CORRECT}
+    assert Outcome.CARRIED in later
+
+
 def moved(case: "Case", name: str, bands: float) -> dict[str, float]:
     """The reference answers, one of them away from its own by so many bands."""
     value = case.reference[name]
@@ -153,13 +164,13 @@ class TestCarriedErrors:
     def test_an_early_wrong_value_costs_one_item_and_the_rest_is_carried(
         self, table: "tuple[Case, ...]", wrong: str, factor: float
     ) -> None:
-        for case in table[:12]:
-            findings = case.findings(case.following(**{wrong: factor * case.reference[wrong]}))
-            lost = {one.quantity for one in findings.values() if one.points < one.max_points}
-            assert lost - {one.id for one in case.plan.manual} == {wrong}
-            later = {findings[name].outcome for name in needing(case, wrong)}
-            assert later <= {Outcome.CARRIED, Outcome.CORRECT}
-            assert Outcome.CARRIED in later
+        racks = [case for case in table if case.plan.scheme.id == "rack_parallelogram"]
+        for case in racks[:12]:
+            costs_one_item(case, wrong, factor)
+
+    def test_so_does_one_of_any_scheme(self, drawn: "tuple[Case, ...]") -> None:
+        for case in drawn:
+            costs_one_item(case, "lifting_load", 1.4)
 
     def test_a_carried_answer_says_what_it_follows_from(self, hydraulic: "Case") -> None:
         wrong = 2 * hydraulic.reference["grip_force"]

@@ -4,7 +4,6 @@ Every scheme is composed with every combination of its options, and each composi
 fault of a shared part shows in many compositions and is reported once.
 """
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
@@ -46,7 +45,7 @@ def check_course(course: Course) -> list[Problem]:
             found += check_formulas(new, quantities, columns, dimensions)
             found += _check_graph(scheme, quantities)
             found += check_series(quantities, columns, dimensions)
-            found += _check_symbols(scheme, quantities)
+            found += _check_symbols(scheme, quantities, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_kinematics(scheme, quantities)
         found += check_example(course, scheme)
@@ -82,16 +81,23 @@ def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
                     message("There is no part '{part}'.", part=part),
                     did_you_mean(part, course.parts),
                 )
+        declared = set(course.constants)
         parts = [course.parts[part] for part in ids if part in course.parts]
-        declared = Counter(name for part in parts for name in part.quantities)
-        declared.update([*scheme.quantities, *course.constants])
-        for name in (name for name, count in declared.items() if count > 1):
-            yield Problem(
-                scheme.file,
-                f"quantity.{name}",
-                message("'{name}' is declared more than once.", name=name),
-                message("Remove a part, or change single keys under [override.{name}].", name=name),
-            )
+        for file, own in (
+            *((one.file, one.quantities) for one in parts),
+            (scheme.file, scheme.quantities),
+        ):
+            yield from (_doubled(file, name) for name in own if name in declared)
+            declared |= own.keys()
+
+
+def _doubled(file: str, name: str) -> Problem:
+    return Problem(
+        file,
+        f"quantity.{name}",
+        message("'{name}' is declared more than once.", name=name),
+        message("Remove a part, or change single keys under [override.{name}].", name=name),
+    )
 
 
 def _all_parts(scheme: Scheme) -> set[str]:
@@ -173,7 +179,8 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             tuple(TopologicalSorter(graph).static_order())
         except CycleError as fault:
             circle = list(dict.fromkeys(reversed(fault.args[1])))
-            first = min(circle)
+            first = min(circle)  # the same circle of another scheme shall read the same
+            circle = circle[circle.index(first) :] + circle[: circle.index(first)]
             yield Problem(
                 quantities[first].file if first in quantities else scheme.file,
                 f"quantity.{first}.formula",
@@ -185,7 +192,10 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             )
 
 
-def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _check_symbols(
+    scheme: Scheme, quantities: Mapping[str, Quantity], told: set[object]
+) -> Iterator[Problem]:
+    """Yield every symbol that two quantities share; `told` are those of earlier compositions."""
     doubled: dict[tuple[str, str, str], list[str]] = {}
     for language in LANGUAGES:
         seen: dict[str, str] = {}
@@ -195,6 +205,9 @@ def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterat
                 doubled.setdefault((one.id, seen[symbol], symbol), []).append(language)
             seen[symbol] = one.id
     for (name, other, symbol), languages in doubled.items():
+        if (name, other, symbol, *languages) in told:
+            continue
+        told.add((name, other, symbol, *languages))
         yield Problem(
             quantities[name].file,
             f"quantity.{name}.symbol",

@@ -20,13 +20,13 @@ class Erratum:
     right: Texts
 
 
-def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str, Erratum]:
-    """Read the list of errata; a course may have none."""
+def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str, Erratum] | None:
+    """Read the list of errata; a course may have none. None where the list cannot be read."""
     if not path.exists():
         return {}
     table = read_toml(path, root, problems)
     if table is None:
-        return {}
+        return None
     table.known_keys({"erratum"})
     return {name: _erratum(name, one) for name, one in table.named_tables("erratum").items()}
 

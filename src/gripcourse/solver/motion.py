@@ -57,7 +57,7 @@ def declared_ratio(
     return evaluate(plan, {**fixed, **state}).computed[motion.ratio[position]]
 
 
-def work_ratio(  # noqa: PLR0913 (one more than usual: the step)
+def work_ratio(
     plan: Plan,
     motion: Kinematics,
     known: Mapping[str, Array],
