@@ -9,7 +9,6 @@ from time import perf_counter
 
 from openpyxl import load_workbook
 
-from gripcourse.assignment.model import Issued
 from gripcourse.cohort.one import Desk, grade_file
 from gripcourse.commands.students import correct, fill
 from gripcourse.course.load import load_course
@@ -20,7 +19,7 @@ from gripcourse.solver.plan import make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.read import read_workbook
-from gripcourse.variants.model import Student
+from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.table import read_table
 from gripcourse.words import Words
 from gripcourse.workbook.write import write_answer_workbook

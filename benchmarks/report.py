@@ -1,4 +1,4 @@
-"""What one student report costs, as a ratio to WeasyPrint rendering the same finished HTML alone."""
+"""What one student report costs, as a ratio to WeasyPrint rendering the same finished HTML."""
 
 from collections.abc import Callable
 from datetime import date
@@ -9,7 +9,6 @@ from time import perf_counter
 import pypdf
 from weasyprint import CSS, HTML
 
-from gripcourse.assignment.model import Issued
 from gripcourse.commands.students import early_slip
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course, Kind
@@ -20,7 +19,7 @@ from gripcourse.report.student import STYLES, TEMPLATE, student_report, student_
 from gripcourse.resources import course_root
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
-from gripcourse.variants.model import Student
+from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.table import read_table
 from gripcourse.words import Words
 
@@ -62,7 +61,9 @@ def _submission(plan: Plan, issued: Issued) -> Submission:
         name: Answer(
             quantity=name,
             reading=Reading.READ,
-            value=float(value == "да") if plan.quantities[name].kind is Kind.VERDICT else float(value),
+            value=float(value == "да")
+            if plan.quantities[name].kind is Kind.VERDICT
+            else float(value),
             typed=str(value),
             cell="A1",
             half_unit=0.0,

@@ -242,6 +242,24 @@ def check(
 
 
 @app.command()
+def atlas(
+    name: Annotated[str, typer.Argument(help="Atlas of the course, for example lever-arms.")],
+    *,
+    out: OutOption = Path("atlas"),
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Reproduce the figures and cases of a source from the course's own formulas."""
+    from gripcourse.commands.atlas import draw_atlas
+    from gripcourse.course.load import load_course
+
+    loaded = load_course(_root(course))
+    words = Words(_document_language(language, loaded.language))
+    for path in draw_atlas(loaded, name, out, words):
+        typer.echo(str(path))
+
+
+@app.command()
 def init(
     folder: Annotated[Path, typer.Argument(help="New folder of the course.")],
     *,

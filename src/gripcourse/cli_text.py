@@ -110,9 +110,7 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
                 )
             )
         )
-        lines += [
-            f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]
-        ]
+        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]]
     return "\n".join(lines)
 
 

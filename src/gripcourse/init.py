@@ -13,7 +13,7 @@ from gripcourse.words import Message, Words, message
 _PURPOSES = {
     "variants": message("schemes, formulas, catalogues and tables of variants"),
     "templates": message("the look of the printed documents"),
-    "grader": message("points, tolerances, the late rule and the rubrics"),
+    "grader": message("points, tolerances, credits and the rubrics"),
 }
 _IGNORED = """\
 # the key that signs workbooks and the register of what was issued never leave your machine

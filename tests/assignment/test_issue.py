@@ -13,7 +13,6 @@ import pytest
 from gripcourse.assignment import issue as module
 from gripcourse.assignment.allot import Terms, extend
 from gripcourse.assignment.issue import Desk, Handout, issue, issue_one
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.register import Register
 from gripcourse.assignment.roster import read_roster
 from gripcourse.course.load import load_course
@@ -21,6 +20,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.policy_load import load_policy
 from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import make_plan
+from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 from gripcourse.words import message
 

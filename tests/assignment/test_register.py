@@ -11,7 +11,6 @@ from typing import Any
 
 import pytest
 
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.register import (
     Register,
     changed_entries,
@@ -21,7 +20,7 @@ from gripcourse.assignment.register import (
 )
 from gripcourse.assignment.signature import sign
 from gripcourse.errors import RegisterError
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 
 KEY = bytes(range(32))
 DAY = date(2026, 9, 1)

@@ -1,6 +1,8 @@
-"""A copy of the reference course that a test may break."""
+"""A copy of the reference course, with one scheme, that a test may break."""
 
+import re
 import shutil
+import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +15,7 @@ from gripcourse.course.policy_load import load_policy
 from gripcourse.errors import CourseError, Problem
 
 REPOSITORY = Path(__file__).parents[2]
+SCHEME = "rack_parallelogram"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,13 +66,59 @@ class Draft:
         return load_course(self.root)
 
 
-@pytest.fixture
-def draft(tmp_path: Path) -> Draft:
-    """The reference course, copied: what an instructor starts from."""
-    root = tmp_path / "course"
+@pytest.fixture(scope="session")
+def one_scheme(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The reference course cut down to one scheme, so that each fault shows once."""
+    root = tmp_path_factory.mktemp("one_scheme") / "course"
     for folder in ("variants", "grader"):
         shutil.copytree(REPOSITORY / folder, root / folder)
-    return Draft(root)
+    content = root / "variants"
+    shutil.rmtree(content / "tables", ignore_errors=True)
+    for path in (*(content / "schemes").iterdir(), *(content / "spaces").iterdir()):
+        if path.stem != SCHEME:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    used = parts_of(content)
+    for path in (content / "sections").iterdir():
+        if path.stem not in used:
+            path.unlink()
+    forget_weights(root / "grader" / "policy.toml", declared_in(content))
+    return root
+
+
+def parts_of(content: Path) -> set[str]:
+    """Read which parts the scheme uses, with any of its options."""
+    scheme = tomllib.loads((content / "schemes" / SCHEME / "scheme.toml").read_text("utf-8"))
+    options = list(scheme.get("option", []))
+    shared = (content / "options" / f"{name}.toml" for name in scheme.get("options", []))
+    options += [tomllib.loads(path.read_text("utf-8")) for path in shared]
+    chosen = [part for one in options for choice in one["choice"] for part in choice["parts"]]
+    return {*scheme["parts"], *chosen}
+
+
+def declared_in(content: Path) -> set[str]:
+    """Read the ids of all declared quantities."""
+    texts = (path.read_text("utf-8") for path in content.rglob("*.toml"))
+    heading = re.compile(r"^\[quantity\.(\w+)\]", re.MULTILINE)
+    return {name for text in texts for name in heading.findall(text)}
+
+
+def forget_weights(policy: Path, declared: set[str]) -> None:
+    """Remove the weights of quantities that are not declared any more."""
+    text = policy.read_text("utf-8")
+    before, heading, after = text.partition("[weight.quantity]")
+    weights, gap, rest = after.partition("\n\n")
+    kept = [
+        line
+        for line in weights.splitlines()
+        if "=" not in line or line.split("=")[0].strip() in declared
+    ]
+    policy.write_text(before + heading + "\n".join(kept) + gap + rest, "utf-8")
+
+
+@pytest.fixture
+def draft(tmp_path: Path, one_scheme: Path) -> Draft:
+    """A course: what an instructor starts from."""
+    return Draft(Path(shutil.copytree(one_scheme, tmp_path / "course")))
 
 
 @pytest.fixture

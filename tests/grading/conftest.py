@@ -3,24 +3,21 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import date
-from pathlib import Path
 from typing import TypeAlias
 
 import pytest
 
-from gripcourse.assignment.model import Issued
-from gripcourse.course.load import load_course
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.course.policy import Policy
-from gripcourse.course.policy_load import load_policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.variants.draw import draw
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.space import load_spaces
+from gripcourse.variants.table import read_table
 from gripcourse.words import message
 
 SIGNATURE = "a1" * 32
@@ -29,7 +26,7 @@ Written: TypeAlias = float | str | Answer | None
 """What stands in an answer cell: a number, text that is none, nothing; or an answer as read."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Case:
     """One issued variant and its judge."""
 
@@ -94,7 +91,8 @@ class Case:
         return {
             one.quantity
             for one in self.judge(answers).findings
-            if one.points < one.max_points - 1e-9 and self.plan.quantities[one.quantity].kind.answered
+            if one.points < one.max_points - 1e-9
+            and self.plan.quantities[one.quantity].kind.answered
         }
 
 
@@ -132,19 +130,21 @@ def make_case(plan: Plan, given: Mapping[str, float], policy: Policy, variant: s
 
 
 @pytest.fixture(scope="session")
-def course() -> Course:
-    return load_course(Path(__file__).parents[2])
-
-
-@pytest.fixture(scope="session")
-def policy(course: Course) -> Policy:
-    return load_policy(course)
+def table(course: Course, policy: Policy) -> tuple[Case, ...]:
+    """Every variant of the course's main table."""
+    path = course.root / "variants" / "tables" / "main.csv"
+    return tuple(
+        make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
+        for one in read_table(path, course)
+    )
 
 
 @pytest.fixture(scope="session")
 def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
-    """Forty variants drawn from the course's own spaces, with every choice of its options."""
-    variants = draw(course, load_spaces(course), 40, 20260907).variants
+    """Some variants of every scheme, drawn from its own space, with every choice of its options."""
+    spaces = load_spaces(course)
+    assert {space.scheme for space in spaces} == set(course.schemes)
+    variants = [one for space in spaces for one in draw(course, [space], 8, 20260907).variants]
     return tuple(
         make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
         for one in variants
@@ -152,24 +152,26 @@ def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
 
 
 @pytest.fixture(scope="session")
-def example(course: Course, policy: Policy) -> Case:
-    """The guide's own example (§5), with the course's gravity: a hydraulic drive."""
-    scheme = course.schemes["rack_parallelogram"]
-    assert scheme.example is not None
-    plan = make_plan(course, scheme.id, scheme.example.options)
-    given = {one.id: scheme.example.given[one.id] for one in plan.givens}
+def hydraulic(plan: Plan, policy: Policy) -> Case:
+    """The guide's own example (§5), with the course's gravity."""
+    assert plan.scheme.example is not None
+    given = {one.id: plan.scheme.example.given[one.id] for one in plan.givens}
     return make_case(plan, given, policy)
 
 
 @pytest.fixture(scope="session")
-def pneumatic(drawn: tuple[Case, ...]) -> Case:
-    return next(case for case in drawn if case.plan.options["drive"] == "pneumatic")
+def pneumatic(table: tuple[Case, ...]) -> Case:
+    return next(
+        case
+        for case in table
+        if case.plan.scheme.id == "rack_parallelogram" and case.plan.options["drive"] == "pneumatic"
+    )
 
 
 @pytest.fixture(scope="session", params=["hydraulic", "pneumatic"])
-def case(request: pytest.FixtureRequest, example: Case, pneumatic: Case) -> Case:
+def case(request: pytest.FixtureRequest, hydraulic: Case, pneumatic: Case) -> Case:
     """A variant with each drive."""
-    return example if request.param == "hydraulic" else pneumatic
+    return hydraulic if request.param == "hydraulic" else pneumatic
 
 
 @pytest.fixture(scope="session")

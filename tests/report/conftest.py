@@ -1,4 +1,4 @@
-"""The reference course, one variant of it solved, and reports put together by hand."""
+"""One variant of the reference course solved, and reports put together by hand."""
 
 import html
 import io
@@ -6,22 +6,17 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
-from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
 
-from gripcourse.course.load import load_course
-from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy
-from gripcourse.course.policy_load import load_policy
+from gripcourse.course.model import Kind, WorkedExample
 from gripcourse.grading.model import Against, Finding, Outcome, Report
-from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.variants.model import Variant
 from gripcourse.words import message
 
-SCHEME = "rack_parallelogram"
 GRADED_ON = date(2025, 5, 21)
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
 
@@ -29,26 +24,9 @@ Change = Callable[..., Report]
 
 
 @pytest.fixture(scope="session")
-def course() -> Course:
-    return load_course(Path(__file__).parents[2])
-
-
-@pytest.fixture(scope="session")
-def policy(course: Course) -> Policy:
-    return load_policy(course)
-
-
-@pytest.fixture(scope="session")
-def plan(course: Course) -> Plan:
-    return make_plan(course, SCHEME, default_options(course.schemes[SCHEME]))
-
-
-@pytest.fixture(scope="session")
-def variant(plan: Plan) -> Variant:
-    example = plan.scheme.example
-    assert example is not None
+def variant(plan: Plan, example: WorkedExample) -> Variant:
     given = {quantity.id: example.given[quantity.id] for quantity in plan.givens}
-    return Variant("17", SCHEME, dict(plan.options), given)
+    return Variant("17", plan.scheme.id, dict(plan.options), given)
 
 
 @pytest.fixture(scope="session")
@@ -88,7 +66,7 @@ def perfect(plan: Plan, values: dict[str, float]) -> Report:
             student="s017",
             name="Иванова Ольга",
             variant="17",
-            scheme=SCHEME,
+            scheme=plan.scheme.id,
             options=plan.options,
             language="ru",
             score=0.0,

@@ -188,7 +188,8 @@ def test_blank_and_unreadable_cells_are_listed_with_their_places(
     assert "There is no number in the cell." in unreadable
     assert written.count("There is no number in the cell.") == 1
     empty = written[written.index("Cells without an answer") : written.index("Your answer")]
-    assert "required bore of the cylinder" in empty
+    cell = next(one.cell for one in report.findings if one.quantity == "bore_required")
+    assert f"D req ({cell})." in empty
 
 
 def test_an_accepted_erratum_comes_with_its_remark(

@@ -1,6 +1,7 @@
 """A blank answer workbook of the reference course, and ways to change what is in it."""
 
 import io
+import re
 import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,17 +12,17 @@ import pytest
 from openpyxl import Workbook, load_workbook
 from openpyxl.cell.cell import Cell
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.load import load_course
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Submission
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.words import Words
 from gripcourse.workbook.write import answer_workbook
 
+SECTION = "xl/worksheets/sheet2.xml"
 SCHEME = "rack_parallelogram"
 
 
@@ -72,6 +73,15 @@ class Returned:
                 data = source.read(member)
                 target.writestr(member.filename, changes.get(member.filename, bytes)(data))
         return path
+
+    def stored(self, number: str) -> tuple[str, Path]:
+        """Return a file whose first answer cell stores this text as its number."""
+        book = self.book()
+        quantity = self.plan.answered[0].id
+        address = self.cell(book, quantity).coordinate
+        empty = re.compile(rf'<c r="{address}" (s="\d+")/>'.encode())
+        filled = rf'<c r="{address}" \1><v>{number}</v></c>'.encode()
+        return quantity, self.patched({SECTION: lambda part: empty.sub(filled, part)})
 
 
 @pytest.fixture(scope="session")

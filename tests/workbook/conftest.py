@@ -5,11 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.solver.plan import Plan, default_options, make_plan
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 
 SCHEME = "rack_parallelogram"
 

@@ -1,14 +1,17 @@
+import html
 import io
+import zipfile
+from dataclasses import replace
 from datetime import date, datetime
 from pathlib import Path
 
 import pytest
 from openpyxl import Workbook, load_workbook
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Course, Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.variants.model import Issued
 from gripcourse.words import LANGUAGES, Words
 from gripcourse.workbook.layout import Column, layout
 from gripcourse.workbook.names import HIDDEN_SHEET
@@ -192,3 +195,17 @@ def test_sheets_are_ready_for_a4_paper(
         assert sheet.oddHeader.right.text
     for sheet in book.worksheets[1:-1]:
         assert sheet.freeze_panes == "A6"
+
+
+@pytest.mark.parametrize("name", ["&" * 300, "x" + "&" * 300, "И" * 300, "&P&D&[Tab]"])
+def test_a_strange_name_fits_the_header_of_the_page(
+    plan: Plan, issued: Issued, course: Course, name: str
+) -> None:
+    student = replace(issued.student, name=name)
+    content = answer_workbook(plan, replace(issued, student=student), course, RUSSIAN)
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        sheet = archive.read("xl/worksheets/sheet1.xml").decode()
+    header = html.unescape(sheet.partition("<oddHeader>")[2].partition("</oddHeader>")[0])
+    shown = header.rpartition("&R")[2] if "&R" in header else ""
+    assert len(header) <= LONGEST_PROMPT
+    assert shown.replace("&&", "") == shown.replace("&", "")

@@ -4,12 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.register import Register
 from gripcourse.assignment.signature import sign
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem, TableError
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.words import Message, message
 
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.sheet import assignment_sheet
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
@@ -14,6 +13,7 @@ from gripcourse.errors import GripcourseError, Problem
 from gripcourse.files import replacing, write_bytes
 from gripcourse.solver.plan import Plan
 from gripcourse.variants.explain import why_infeasible
+from gripcourse.variants.model import Issued
 from gripcourse.words import Message, Words, message
 from gripcourse.workbook.write import write_answer_workbook
 

@@ -10,11 +10,10 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.signature import verify
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.files import write_text
-from gripcourse.variants.model import Student, Variant
+from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.words import Message, message
 
 _FORMAT = 1

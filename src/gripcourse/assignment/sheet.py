@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.policy import Policy
 from gripcourse.pdf import (
@@ -16,6 +15,7 @@ from gripcourse.pdf import (
 )
 from gripcourse.solver.plan import Plan
 from gripcourse.units import unit_text
+from gripcourse.variants.model import Issued
 from gripcourse.words import Message, Words, message
 
 TEMPLATE = "assignment.html.j2"

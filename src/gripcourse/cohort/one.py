@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.grading.identify import submitter
@@ -15,6 +14,7 @@ from gripcourse.solver.plan import make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.read import read_workbook
+from gripcourse.variants.model import Issued
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,6 @@
 """A student's self-check of one workbook."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.model import Course
@@ -42,7 +42,11 @@ def check_file(file: Path, course: Course, policy: Policy) -> Checked:
             message("The workbook does not say which variant it belongs to."),
             message("Use the answer workbook that you were given."),
         )
-    plan = make_plan(course, raw.identity.scheme, raw.identity.options)
+    try:
+        plan = make_plan(course, raw.identity.scheme, raw.identity.options)
+    except UsageError as error:
+        named = [replace(problem, file=str(file)) for problem in error.problems]
+        raise UsageError(named) from error
     submission = interpret(raw, plan.quantities.values())
     return Checked(plan, self_check(submission, plan, policy), submission.remarks)
 

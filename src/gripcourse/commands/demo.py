@@ -8,7 +8,6 @@ from datetime import date
 from pathlib import Path
 
 from gripcourse.assignment.issue import workbook_path
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.register import read_register, register_path
 from gripcourse.cohort.one import Desk
 from gripcourse.commands.grade import Outcome, grade, write_results
@@ -17,6 +16,7 @@ from gripcourse.commands.students import fill_workbooks
 from gripcourse.course.load import load_course
 from gripcourse.course.policy_load import load_policy
 from gripcourse.init import init_course
+from gripcourse.variants.model import Issued
 from gripcourse.words import Words
 
 # The demo tells the same story every day.

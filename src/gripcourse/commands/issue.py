@@ -10,13 +10,13 @@ from pathlib import Path
 
 from gripcourse.assignment.allot import Terms, extend
 from gripcourse.assignment.issue import Desk, Handout, issue_one
-from gripcourse.assignment.model import Issued
 from gripcourse.assignment.register import read_register, register_path, write_register
 from gripcourse.assignment.roster import read_roster
 from gripcourse.assignment.signature import key_path, read_key
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.solver.plan import make_plan
+from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 from gripcourse.words import Message
 

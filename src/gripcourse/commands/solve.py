@@ -13,10 +13,9 @@ from gripcourse.files import replacing, write_bytes
 from gripcourse.number_reading import Unreadable, read_number
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.solver.solve import solve_variant
-from gripcourse.units import unit_text
 from gripcourse.variants.explain import listed, with_unit
 from gripcourse.variants.model import Variant
-from gripcourse.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.words import Message, Words, message
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,12 +154,10 @@ def _out_of_bounds(plan: Plan, known: Mapping[str, float]) -> Iterable[Problem]:
         inside = low <= value <= high
         if inside and not (quantity.integer and value != int(value)):
             continue
-        units = Texts({one: unit_text(quantity.unit, one) for one in LANGUAGES})
         what = message(
-            "{title} = {value} {unit} is not possible.",
+            "{title} = {value} is not possible.",
             title=quantity.title,
-            value=value,
-            unit=units,
+            value=with_unit(value, quantity),
         )
         remedy = message("It lies from {low} to {high}.", low=low, high=high)
         yield Problem("", name, what, message("Write a whole number.") if inside else remedy)

@@ -7,12 +7,12 @@ thing: the reading, the judging, the reports.
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.number_text import format_number
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.units import factor, unit_text
+from gripcourse.variants.model import Issued
 from gripcourse.workbook.names import cell_name
 
 Typed = Mapping[str, float | str]

@@ -4,7 +4,6 @@ Every scheme is composed with every combination of its options, and each composi
 fault of a shared part shows in many compositions and is reported once.
 """
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
@@ -37,6 +36,8 @@ def check_course(course: Course) -> list[Problem]:
     seen: set[object] = set()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
+        if not _all_parts(scheme) <= course.parts.keys():
+            continue  # else all that uses the missing part would be reported too
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
             found += _check_declarations(course, quantities)
@@ -44,7 +45,7 @@ def check_course(course: Course) -> list[Problem]:
             found += check_formulas(new, quantities, columns, dimensions)
             found += _check_graph(scheme, quantities)
             found += check_series(quantities, columns, dimensions)
-            found += _check_symbols(scheme, quantities)
+            found += _check_symbols(scheme, quantities, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_kinematics(scheme, quantities)
         found += check_example(course, scheme)
@@ -80,25 +81,34 @@ def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
                     message("There is no part '{part}'.", part=part),
                     did_you_mean(part, course.parts),
                 )
+        declared = set(course.constants)
         parts = [course.parts[part] for part in ids if part in course.parts]
-        declared = Counter(name for part in parts for name in part.quantities)
-        declared.update([*scheme.quantities, *course.constants])
-        for name in (name for name, count in declared.items() if count > 1):
-            yield Problem(
-                scheme.file,
-                f"quantity.{name}",
-                message("'{name}' is declared more than once.", name=name),
-                message("Remove a part, or change single keys under [override.{name}].", name=name),
-            )
+        for file, own in (
+            *((one.file, one.quantities) for one in parts),
+            (scheme.file, scheme.quantities),
+        ):
+            yield from (_doubled(file, name) for name in own if name in declared)
+            declared |= own.keys()
+
+
+def _doubled(file: str, name: str) -> Problem:
+    return Problem(
+        file,
+        f"quantity.{name}",
+        message("'{name}' is declared more than once.", name=name),
+        message("Remove a part, or change single keys under [override.{name}].", name=name),
+    )
+
+
+def _all_parts(scheme: Scheme) -> set[str]:
+    """Return the parts that a scheme uses with any of its options."""
+    return {part for options in option_sets(scheme) for part in part_ids(scheme, options)}
 
 
 def _check_used_parts(course: Course) -> Iterator[Problem]:
-    used = {
-        part
-        for scheme in course.schemes.values()
-        for options in option_sets(scheme)
-        for part in part_ids(scheme, options)
-    }
+    used = {part for scheme in course.schemes.values() for part in _all_parts(scheme)}
+    if not used <= course.parts.keys():
+        return  # a misspelt name is reported, the part that it means is not spare
     for part in course.parts.values():
         if part.id not in used:
             yield Problem(
@@ -136,6 +146,14 @@ def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> I
                 message("No formula uses the given '{name}'.", name=one.id),
                 message("Use it, or remove it: students would look for its purpose."),
             )
+        for printed in one.as_printed:
+            if printed.erratum not in course.errata:
+                yield Problem(
+                    one.file,
+                    f"{key}.as_printed.{printed.erratum}",
+                    message("The course lists no erratum '{erratum}'.", erratum=printed.erratum),
+                    did_you_mean(printed.erratum, course.errata),
+                )
         if one.rubric and not _rubric_exists(course, one.rubric):
             yield Problem(
                 one.file,
@@ -161,7 +179,8 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             tuple(TopologicalSorter(graph).static_order())
         except CycleError as fault:
             circle = list(dict.fromkeys(reversed(fault.args[1])))
-            first = min(circle)
+            first = min(circle)  # the same circle of another scheme shall read the same
+            circle = circle[circle.index(first) :] + circle[: circle.index(first)]
             yield Problem(
                 quantities[first].file if first in quantities else scheme.file,
                 f"quantity.{first}.formula",
@@ -173,7 +192,10 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             )
 
 
-def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _check_symbols(
+    scheme: Scheme, quantities: Mapping[str, Quantity], told: set[object]
+) -> Iterator[Problem]:
+    """Yield every symbol that two quantities share; `told` are those of earlier compositions."""
     doubled: dict[tuple[str, str, str], list[str]] = {}
     for language in LANGUAGES:
         seen: dict[str, str] = {}
@@ -183,6 +205,9 @@ def _check_symbols(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterat
                 doubled.setdefault((one.id, seen[symbol], symbol), []).append(language)
             seen[symbol] = one.id
     for (name, other, symbol), languages in doubled.items():
+        if (name, other, symbol, *languages) in told:
+            continue
+        told.add((name, other, symbol, *languages))
         yield Problem(
             quantities[name].file,
             f"quantity.{name}.symbol",

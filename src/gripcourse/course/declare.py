@@ -84,7 +84,10 @@ def source(table: Table) -> Source:
 
 def _check_id(identifier: str, table: Table) -> None:
     """Refuse an id that a formula would not take for a name."""
-    if not (identifier.isascii() and identifier.isidentifier()) or identifier in {*FUNCTIONS, *CONSTANTS}:
+    if not (identifier.isascii() and identifier.isidentifier()) or identifier in {
+        *FUNCTIONS,
+        *CONSTANTS,
+    }:
         table.add(
             "",
             message("A formula cannot use the name '{name}'.", name=identifier),

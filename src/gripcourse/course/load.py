@@ -6,6 +6,7 @@ from pathlib import Path
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
+from gripcourse.course.errata import read_errata
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -61,12 +62,14 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         {"id", "language", "convention", "title", "section", "work", "constant"},
     )
     parts, raw = _parts(folder / "sections", root, problems)
+    errata = read_errata(folder / "errata.toml", root, problems)
     course = Course(
         id=table.text("id"),
         title=table.texts("title"),
         language=_language(table),
         sections=tuple(_section(one) for one in table.tables("section")),
         works=_works(table),
+        errata=errata or {},
         constants=_quantities(table.named_tables("constant"), constant=True),
         parts=parts,
         schemes=_schemes(folder, root, raw, problems),
@@ -74,7 +77,8 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         convention=_convention(table),
         root=root,
     )
-    return course if _is_whole(course, folder) else None, problems
+    is_whole = errata is not None and _is_whole(course, folder)
+    return course if is_whole else None, problems
 
 
 def _is_whole(course: Course, folder: Path) -> bool:
@@ -118,7 +122,7 @@ def _schemes(
     paths = _scheme_folders(folder / "schemes")
     found = (read_scheme(path, root, raw, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
-    if not schemes:
+    if not paths:
         problems.append(
             Problem(
                 str((folder / "schemes").relative_to(root)),

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
@@ -271,7 +272,7 @@ class Course:
         title: of the course or the assignment.
         language: default language of students' documents.
         sections: in order.
-        works: cited works.
+        works, errata: cited works, and what is wrong in them.
         constants: quantities every scheme knows, for example gravity.
         parts, schemes, catalogues: by id.
         convention: whose version of a formula is the reference.
@@ -283,6 +284,7 @@ class Course:
     language: str
     sections: tuple[Section, ...]
     works: Mapping[str, Work]
+    errata: Mapping[str, Erratum]
     constants: Mapping[str, Quantity]
     parts: Mapping[str, Part]
     schemes: Mapping[str, Scheme]

@@ -15,18 +15,18 @@ def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str,
     return {name: read_option(table) for name, table in found if table is not None}
 
 
-def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, ...]:
-    """Return the options of a scheme: shared ones by name, then its own."""
+def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, ...] | None:
+    """Return the options of a scheme: shared ones by name, then its own; None if one is missing."""
     named = table.strings("options")
-    for name in named:
-        if name not in shared:
-            table.add(
-                "options",
-                message("There is no shared option '{name}'.", name=name),
-                did_you_mean(name, shared),
-            )
-    own = (read_option(option) for option in table.tables("option"))
-    return (*(shared[name] for name in named if name in shared), *own)
+    unknown = [name for name in named if name not in shared]
+    for name in unknown:
+        table.add(
+            "options",
+            message("There is no shared option '{name}'.", name=name),
+            did_you_mean(name, shared),
+        )
+    own = tuple(read_option(option) for option in table.tables("option"))
+    return None if unknown else (*(shared[name] for name in named), *own)
 
 
 def read_option(table: Table) -> Option:

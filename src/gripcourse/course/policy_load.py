@@ -38,9 +38,10 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
     credit = table.required_table("credit")
+    total = points.number("total")
     policy = Policy(
-        total=points.number("total"),
-        section_points=_section_points(points, course),
+        total=total,
+        section_points=_section_points(points, total, course),
         weights=_weights(weight, "quantity", _quantity_ids(course)),
         kind_weights=_weights(weight, "kind", set(_MARKED)),
         tolerance=_default_tolerance(bands),
@@ -60,7 +61,7 @@ def policy_path(root: Path) -> Path:
     return root / "grader" / "policy.toml"
 
 
-def _section_points(points: Table, course: Course) -> Mapping[str, float]:
+def _section_points(points: Table, total: float, course: Course) -> Mapping[str, float]:
     points.known_keys({"total", "section"})
     sections = points.numbers("section")
     ids = {section.id for section in course.sections}
@@ -76,7 +77,6 @@ def _section_points(points: Table, course: Course) -> Mapping[str, float]:
             message("The course has no section '{name}'.", name=name),
             did_you_mean(name, ids),
         )
-    total = points.number("total")
     known = not math.isnan(total + sum(sections.values()))
     if known and not math.isclose(sum(sections.values()), total, rel_tol=1e-9):
         points.add(

@@ -25,7 +25,7 @@ def read_scheme(
     shared: Mapping[str, Option],
     problems: list[Problem],
 ) -> Scheme | None:
-    """Read a scheme; None where its file cannot be read at all."""
+    """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
     table = read_toml(folder / "scheme.toml", root, problems)
     if table is None:
         return None
@@ -39,11 +39,12 @@ def read_scheme(
             message("The id '{id}' differs from the name of the folder.", id=identifier),
             message("Give both the same name."),
         )
-    options = scheme_options(table, shared)
+    all_options = scheme_options(table, shared)
+    options = all_options or ()
     part_ids = [*table.strings("parts")]
     part_ids += [part for option in options for choice in option.choices for part in choice.parts]
     motion = table.table("kinematics")
-    return Scheme(
+    scheme = Scheme(
         id=folder.name,
         title=table.texts("title"),
         task=table.texts("task"),
@@ -57,6 +58,7 @@ def read_scheme(
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
+    return None if all_options is None else scheme
 
 
 def _overrides(

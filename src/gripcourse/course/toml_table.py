@@ -61,6 +61,8 @@ class Table:
     def number(self, name: str, default: float | None = None) -> float:
         """Read a finite number; required where there is no default; NaN where it cannot be used."""
         value = self._required(name, default)
+        if name not in self.values:
+            return default if default is not None else float("nan")
         match value:
             case bool():
                 pass

@@ -4,9 +4,9 @@ import hmac
 import math
 from collections.abc import Iterator, Sequence
 
-from gripcourse.assignment.model import Issued
 from gripcourse.grading.model import Finding, Flag, Outcome
 from gripcourse.submission.model import Submission
+from gripcourse.variants.model import Issued
 from gripcourse.words import message
 
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.

@@ -5,10 +5,12 @@ import unicodedata
 from collections.abc import Mapping
 from pathlib import PurePath
 
-from gripcourse.assignment.model import Issued
+from gripcourse.variants.model import Issued
 
-# Learning platforms and people join an id to other words with these.
-_JOINTS = re.compile(r"[\s_()\[\],;]+")
+# Learning platforms and people join an id to other words with what is left out here. An id may hold
+# an underscore itself, so neighbouring words are tried together as well.
+_WORD = re.compile(r"[^\s_()\[\],;]+")
+_MOST_WORDS = 6  # of one id
 
 
 def submitter(file: str, workbook_student: str, register: Mapping[str, Issued]) -> Issued | None:
@@ -40,5 +42,17 @@ def _parts(file: str) -> tuple[str, ...]:
 def _named(part: str, register: Mapping[str, Issued]) -> list[Issued]:
     if part in register:
         return [register[part]]
-    tokens = dict.fromkeys(_JOINTS.split(part))
-    return [register[token] for token in tokens if token in register]
+    words = list(_WORD.finditer(part))
+    spans = [
+        (first.start(), last.end())
+        for number, first in enumerate(words)
+        for last in words[number : number + _MOST_WORDS]
+        if part[first.start() : last.end()] in register
+    ]
+    # The `i` in `ivanov_i` is no student of its own.
+    whole = [one for one in spans if not any(_lies_inside(one, other) for other in spans)]
+    return [register[name] for name in dict.fromkeys(part[a:b] for a, b in whole)]
+
+
+def _lies_inside(one: tuple[int, int], other: tuple[int, int]) -> bool:
+    return one != other and other[0] <= one[0] and one[1] <= other[1]

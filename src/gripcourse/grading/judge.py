@@ -8,19 +8,19 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
-from gripcourse.grading.model import Against, Finding, Outcome, Report
+from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.own import Own, follow
 from gripcourse.grading.points import points_of
 from gripcourse.grading.view import Judgement, View
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, from_si, to_si
 from gripcourse.submission.model import Answer, Reading, Submission
+from gripcourse.variants.model import Issued
 from gripcourse.words import Message, message
 
 
@@ -51,7 +51,7 @@ def judge(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
         _finding(case, quantity, submission.answers.get(quantity.id))
         for quantity in _in_order(plan)
     )
-    judged = [finding for finding in findings if finding.outcome is not Outcome.MANUAL]
+    judged = [finding for finding in findings if finding.outcome not in OPEN]
     return Report(
         file=submission.file,
         student=issued.student.id,
@@ -62,7 +62,7 @@ def judge(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
         language=issued.student.language or plan.course.language,
         score=sum(finding.points for finding in judged),
         max_score=sum(finding.max_points for finding in judged),
-        open_points=sum(f.max_points for f in findings if f.outcome is Outcome.MANUAL),
+        open_points=sum(f.max_points for f in findings if f.outcome in OPEN),
         flags=flags_of(submission, issued, findings),
         findings=findings,
         remarks=submission.remarks,

@@ -20,6 +20,10 @@ class Outcome(StrEnum):
     MANUAL = "manual"  # marked by a person from a rubric
 
 
+OPEN = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
+"""Outcomes that wait for a person; their points count neither for nor against the student."""
+
+
 class Against(StrEnum):
     """What an answer was judged against."""
 
@@ -88,8 +92,8 @@ class Report:
         variant, scheme: ids.
         options: what the variant chooses.
         language: of the student's documents.
-        score, max_score: in points; the manual items count in neither until they are marked.
-        open_points: points of manual items that wait for a person.
+        score, max_score: in points; what waits for a person counts in neither.
+        open_points: points of what waits for a person.
         flags: for the instructor.
         findings: one for each answered or manual quantity, in the order of the assignment.
         remarks: about the workbook as a whole.

@@ -84,7 +84,7 @@ def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[Chec
                 reference_values=unknown,
                 own=own,
             )
-            state = State.CONSISTENT if _follows(view) else State.INCONSISTENT
+            state = _state_by_own_numbers(view)
         return Check(quantity.id, state, answer, _SAID[state], answer.remarks)
 
     return tuple(check(quantity) for quantity in plan.answered)
@@ -108,9 +108,12 @@ def _rests_on_own(plan: Plan, quantity: Quantity, carried: AbstractSet[str]) -> 
     return bool(earlier) and carried >= set(earlier)
 
 
-def _follows(view: View) -> bool:
+def _state_by_own_numbers(view: View) -> State:
+    if not math.isfinite(view.expected):
+        return State.READ
     is_choice = view.quantity.kind is Kind.CHOICE
     judgement = judge_choice_answer(view) if is_choice else judge_value(view)
-    return judgement.outcome in {Outcome.CORRECT, Outcome.CARRIED} or (
+    follows = judgement.outcome in {Outcome.CORRECT, Outcome.CARRIED} or (
         judgement.against is Against.PRINTED
     )
+    return State.CONSISTENT if follows else State.INCONSISTENT

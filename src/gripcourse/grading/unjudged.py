@@ -1,14 +1,18 @@
 """Reports of files that could not be judged: never a zero mark, always a flag that says why."""
 
-from gripcourse.assignment.model import Issued
+from dataclasses import replace
+
 from gripcourse.grading.model import Flag, Report
 from gripcourse.submission.model import Rejected
+from gripcourse.variants.model import Issued
 from gripcourse.words import message
 
 
 def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
     """Report a file that is no workbook that we can read."""
-    return unjudged(rejected.file, Flag("rejected", rejected.reason), issued, rejected.digest)
+    report = unjudged(rejected.file, Flag("rejected", rejected.reason), issued, rejected.digest)
+    # The student can mend this, so the student is told; other flags are the instructor's.
+    return replace(report, remarks=(rejected.reason,))
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:

@@ -1,7 +1,6 @@
 """The report on a cohort, for the instructor: summary, what to look at, students, quantities."""
 
 import math
-from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -11,7 +10,7 @@ from gripcourse.course.model import Course, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.pdf import Document, percent_text, points_text, render_pdf
-from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.report.figures import Bar, facility_plot, picture, score_plot
 from gripcourse.report.totals import (
     QuantityTotal,
     quantity_totals,
@@ -104,8 +103,8 @@ def cohort_values(
             for number, section in enumerate(sections, start=1)
         ],
         "students": [_student(one, [section.id for section in sections], words) for one in reports],
-        "score_plot": _image(score_plot(scores, words)) if scores else "",
-        "facility_plots": [_image(facility_plot(part, words)) for part in _pages(bars)],
+        "score_plot": picture(score_plot(scores, words)) if scores else "",
+        "facility_plots": [picture(facility_plot(part, words)) for part in _pages(bars)],
         "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
         "quantities": [
             _quantity(total, declared, words)
@@ -201,8 +200,3 @@ def _pages(bars: Sequence[Bar]) -> Iterator[Sequence[Bar]]:
     each = math.ceil(len(bars) / max(1, math.ceil(len(bars) / _PLOTTED)))
     for start in range(0, len(bars), each or 1):
         yield bars[start : start + each]
-
-
-def _image(svg: str) -> str:
-    """Return a drawing as an address that holds it, so that its ids cannot meet another one's."""
-    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode('ascii')}"

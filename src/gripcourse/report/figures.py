@@ -5,9 +5,13 @@ The bars are grey with dark edges, so that a grey printer loses nothing.
 """
 
 import io
+from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gripcourse.words import Words, message
 
@@ -28,7 +32,23 @@ _STYLE: Final[dict[Any, Any]] = {
 _FILL, _EDGE, _GRID = "#b9c7d6", "#1d3b5c", "#d5dae0"
 _WIDTH = 6.8  # inches; the text column is 173 mm
 _BINS = 10
+_DASHES = ("-", "--", "-.", ":")
+_NUMBER: Final[dict[str, Any]] = {
+    "fontsize": 7,
+    "ha": "center",
+    "va": "center",
+    "bbox": {"boxstyle": "circle,pad=0.15", "fc": "white", "ec": _EDGE, "lw": 0.5},
+}
 _LETTERS = 46  # of a label; longer titles end with an ellipsis
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A curve of a line plot: its number, its legend, and its ordinates (NaN where it has none)."""
+
+    name: str
+    label: str
+    values: NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +105,48 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
         axes.set_axisbelow(True)
 
     return _svg(draw, height=0.7 + 0.165 * len(bars))
+
+
+def line_plot(
+    along: NDArray[np.float64], lines: Sequence[Line], label: str, unit: str, words: Words
+) -> str:
+    """Draw numbered curves over one abscissa, each with its number at its right end.
+
+    Args:
+        along: abscissae.
+        lines: the curves.
+        label: of the abscissa.
+        unit: of the ordinate.
+        words: the language of the axes.
+    """
+
+    def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
+        for number, line in enumerate(lines):
+            style = _DASHES[number % len(_DASHES)]
+            label_text = f"{line.name} — {line.label}"
+            axes.plot(
+                along, line.values, color=_EDGE, linewidth=0.9, linestyle=style, label=label_text
+            )
+            drawn = np.flatnonzero(np.isfinite(line.values))
+            if len(drawn):
+                # Spread along the curve: where two curves meet, their numbers must not.
+                place = drawn[int((len(drawn) - 1) * (0.25 + 0.7 * number / len(lines)))]
+                axes.annotate(line.name, (along[place], line.values[place]), **_NUMBER)
+        axes.set_xlabel(label)
+        axes.set_ylabel(unit)
+        axes.set_xlim(along[0], along[-1])
+        axes.set_ylim(bottom=0)
+        axes.xaxis.set_major_formatter(_whole(words))
+        axes.yaxis.set_major_formatter(_whole(words))
+        axes.grid(visible=True, color=_GRID, linewidth=0.5)
+        axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1), frameon=False, handlelength=2.6)
+
+    return _svg(draw, height=3.4)
+
+
+def picture(svg: str) -> str:
+    """Return an SVG text as an address that a page can show without fetching anything."""
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
 
 
 def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matplotlib's axes

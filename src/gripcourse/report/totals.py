@@ -5,10 +5,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.grading.model import Finding, Outcome, Report
-
-# Nobody has decided about these yet: they neither cost points nor say how hard a quantity is.
-OPEN_OUTCOMES = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
+from gripcourse.grading.model import OPEN, Finding, Outcome, Report
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,8 +14,8 @@ class SectionTotal:
 
     Attributes:
         points: earned.
-        max_points: possible, without the manual items, as in the report's score.
-        open_points: of the manual items.
+        max_points: possible, without what waits for a person, as in the report's score.
+        open_points: of what waits for a person.
     """
 
     points: float
@@ -65,19 +62,19 @@ def section_totals(report: Report) -> dict[str, SectionTotal]:
     totals: dict[str, SectionTotal] = {}
     for section in dict.fromkeys(finding.section for finding in report.findings):
         inside = [finding for finding in report.findings if finding.section == section]
-        manual = [finding for finding in inside if finding.outcome is Outcome.MANUAL]
-        scored = [finding for finding in inside if finding.outcome is not Outcome.MANUAL]
+        waiting = [finding for finding in inside if is_open(finding)]
+        scored = [finding for finding in inside if not is_open(finding)]
         totals[section] = SectionTotal(
             points=sum(finding.points for finding in scored),
             max_points=sum(finding.max_points for finding in scored),
-            open_points=sum(finding.max_points for finding in manual),
+            open_points=sum(finding.max_points for finding in waiting),
         )
     return totals
 
 
 def is_open(finding: Finding) -> bool:
     """Whether a person still has to decide about an item."""
-    return finding.outcome in OPEN_OUTCOMES
+    return finding.outcome in OPEN
 
 
 def shares(reports: Sequence[Report]) -> list[float]:

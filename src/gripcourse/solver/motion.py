@@ -58,17 +58,26 @@ def declared_ratio(
 
 
 def work_ratio(
-    plan: Plan, motion: Kinematics, known: Mapping[str, Array], drive: Array, step: float
+    plan: Plan,
+    motion: Kinematics,
+    known: Mapping[str, Array],
+    position: str,
+    drive: Array,
+    step: float,
 ) -> Array:
     """Return the same ratio by virtual work: jaws times jaw displacement over drive displacement.
 
-    A central difference of fourth order; it knows nothing of the closed form.
+    A central difference of fourth order; it knows nothing of the closed form. What describes the
+    position is frozen where the drive stands: a force keeps its direction in a virtual motion.
     """
-    values = evaluate(plan, known).values
+    at_rest = evaluate(plan, known).values
+    where = coordinates(motion, at_rest, drive)
+    frozen = {name: where[one] for name, one in motion.state.get(position, {}).items()}
+    values = {**at_rest, **frozen}
     jaws = evaluate_formula(motion.jaws, "", values, {})
 
-    def jaw(where: Array) -> Array:
-        return coordinates(motion, values, where)[motion.jaw]
+    def jaw(place: Array) -> Array:
+        return coordinates(motion, values, place)[motion.jaw]
 
     near = jaw(drive + step) - jaw(drive - step)
     far = jaw(drive + 2 * step) - jaw(drive - 2 * step)

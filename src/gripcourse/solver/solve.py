@@ -16,6 +16,8 @@ from gripcourse.formula.tree import Call, Formula, Name
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor
 
+_NOTHING = 1e-12  # of a declared unit: what is left where equal numbers were subtracted
+
 Values = Mapping[str, NDArray[np.float64]]
 
 
@@ -115,5 +117,5 @@ def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:
 
 
 def _tidy(value: float) -> float:
-    """Remove what converting units adds in the last place: 63 mm, not 63.00000000000001 mm."""
-    return float(f"{value:.14g}")
+    """Remove what floating point adds: 63 mm, not 63.00000000000001 mm, and 0°, not -2.6e-15°."""
+    return 0.0 if abs(value) < _NOTHING else float(f"{value:.14g}")

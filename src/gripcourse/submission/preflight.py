@@ -31,17 +31,18 @@ _ENCRYPTED: Final = "EncryptedPackage".encode("utf-16-le")
 _PICTURES: Final = (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"II*\0", b"MM\0*")
 _RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
 _BEFORE_XML: Final = b"\xef\xbb\xbf\xff\xfe\0 \t\r\n"  # byte order marks and white space
+_CONTROL: Final = re.compile(rb"[\0-\x08\x0e-\x1f]")  # bytes that no text has
 _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
 
 _SAVE_AGAIN: Final = message("Open the answer workbook in a spreadsheet program and save it again.")
-_DAMAGED: Final = message(
+DAMAGED: Final = message(
     "The file is damaged: it was not copied or sent as a whole. Send it again."
 )
 _TOO_LARGE: Final = message(
     "The file holds far more than an answer workbook does. Copy the answers into the workbook "
     "that was issued."
 )
-_NO_WORKBOOK: Final = message("The file is not a workbook. Send the .xlsx file that was issued.")
+NO_WORKBOOK: Final = message("The file is not a workbook. Send the .xlsx file that was issued.")
 _FOREIGN_CONTENT: Final = message(
     "The workbook holds content that no spreadsheet program writes. Copy the answers into the "
     "workbook that was issued."
@@ -118,12 +119,12 @@ def _about_text(beginning: bytes) -> Message:
             "The file is a web page or XML, not an .xlsx workbook, whatever its name says. Save it "
             "as an .xlsx workbook."
         )
-    if b"\0" not in beginning and sum(byte < ord(" ") for byte in start) * 10 < len(start):
+    if not _CONTROL.search(beginning):
         return message(
             "The file is plain text, for example a CSV table, not an .xlsx workbook. Fill in the "
             "workbook that was issued."
         )
-    return _NO_WORKBOOK
+    return NO_WORKBOOK
 
 
 def _check_archive(data: bytes) -> None:
@@ -138,9 +139,9 @@ def _check_archive(data: bytes) -> None:
             for member in members:
                 _check_part(archive, member, scan)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as fault:
-        raise _Refused(_DAMAGED) from fault
+        raise _Refused(DAMAGED) from fault
     except (NotImplementedError, RuntimeError) as fault:  # a method or a cipher of other archivers
-        raise _Refused(_NO_WORKBOOK) from fault
+        raise _Refused(NO_WORKBOOK) from fault
 
 
 def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
@@ -154,7 +155,7 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
     if "word/document.xml" in names:
         raise _Refused(message("The file is a text document. Send the .xlsx workbook itself."))
     if not any(name.startswith("xl/") for name in names):
-        raise _Refused(_NO_WORKBOOK)
+        raise _Refused(NO_WORKBOOK)
 
 
 def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan") -> None:
@@ -182,6 +183,7 @@ class _Scan:
 
     def __init__(self) -> None:
         self._depth = 0
+        self._elements = 0
         self._seen: Counter[str] = Counter()
 
     def parser(self) -> expat.XMLParserType:
@@ -195,13 +197,15 @@ class _Scan:
 
     def _enter(self, element: str, attributes: dict[str, str]) -> None:
         self._depth += 1
+        self._elements += 1
         if self._depth > DEEPEST:
             raise _Refused(_FOREIGN_CONTENT)
-        name = element.rpartition(":")[2]
-        self._count("element", 1, MOST_ELEMENTS, _TOO_LARGE)
+        if self._elements > MOST_ELEMENTS:
+            raise _Refused(_TOO_LARGE)
+        name = element.rpartition(":")[2] if ":" in element else element
         if name == "sheet":
             self._count("sheet", 1, MOST_SHEETS, _TOO_LARGE)
-        if name in _RANGES:
+        elif name in _RANGES:
             self._count("range", 1, MOST_RANGES, _MERGED)
             self._count("covered", _covered(attributes.get("ref", "")), MOST_COVERED, _MERGED)
 

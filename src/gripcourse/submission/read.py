@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from gripcourse.submission.model import Identity, Rejected
-from gripcourse.submission.preflight import refusal
+from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.words import Message, message
 from gripcourse.workbook import names
@@ -30,10 +30,7 @@ _NAME: Final = re.compile(r"(answer|given|meta)[._](\w{1,100})", re.ASCII)
 
 _COPY: Final = message("Copy the answers into the workbook that was issued and send that.")
 _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], Message], ...]] = (
-    (
-        (zipfile.BadZipFile, zlib.error, EOFError),
-        message("The file is damaged: it was not copied or sent as a whole. Send it again."),
-    ),
+    ((zipfile.BadZipFile, zlib.error, EOFError), DAMAGED),
     (
         (MemoryError, OverflowError, RecursionError),
         message("The workbook is too large to be read. {remedy}", remedy=_COPY),
@@ -50,10 +47,7 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], Message], ...]] = (
             remedy=_COPY,
         ),
     ),
-    (
-        (OSError,),
-        message("The file is not a workbook. Send the .xlsx file that was issued."),
-    ),
+    ((OSError,), NO_WORKBOOK),
 )
 _UNKNOWN_CONTENT: Final = message(
     "The workbook holds something that cannot be read, for example a pivot table or a damaged "

@@ -123,7 +123,7 @@ def _units(place: Table) -> dict[str, str]:
             place.add(
                 f"evaluated_in.{name}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.toml of the package, for example 'N*m'."),
+                message("Write it as in units.csv of the package, for example 'N*m'."),
             )
             units[name] = ""
     return units

@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.assignment.model import Issued
 from gripcourse.pdf import day_text
 from gripcourse.solver.plan import Plan
+from gripcourse.variants.model import Issued
 from gripcourse.words import Words, message
 from gripcourse.workbook import names
 from gripcourse.workbook.guidance import HOW_TO

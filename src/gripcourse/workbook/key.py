@@ -12,7 +12,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.course.model import Kind
+from gripcourse.course.model import Convention, Kind
 from gripcourse.files import write_bytes
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
@@ -159,8 +159,9 @@ def _about(plan: Plan, words: Words) -> str:
         for choice in option.choices
         if choice.id == plan.options.get(option.id)
     ]
-    convention = words.say(message("formulas: {convention}", convention=plan.convention.value))
-    return "; ".join((plan.scheme.title.of(language), *chosen, convention))
+    guide = plan.convention is Convention.GUIDE
+    formulas = message("formulas as printed") if guide else message("corrected formulas")
+    return "; ".join((plan.scheme.title.of(language), *chosen, words.say(formulas)))
 
 
 def _headings(words: Words) -> tuple[str, ...]:

@@ -187,5 +187,7 @@ def set_page(sheet: "Worksheet", left: str, right: str, *, landscape: bool = Fal
 
 
 def _header_text(text: str, longest: int) -> str:
-    """Write text into a page header, where `&` begins a code."""
-    return text[:longest].replace("&", "&&")
+    """Write text into a page header, where `&` begins a code and `&&` is the sign itself."""
+    written = text.replace("&", "&&")[:longest]
+    half_cut = (len(written) - len(written.rstrip("&"))) % 2
+    return written[: len(written) - half_cut]

@@ -8,10 +8,10 @@ from datetime import datetime, time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.assignment.model import Issued
 from gripcourse.course.model import Course
 from gripcourse.files import write_bytes
 from gripcourse.solver.plan import Plan
+from gripcourse.variants.model import Issued
 from gripcourse.words import Words
 from gripcourse.workbook import names
 from gripcourse.workbook.cover import write_cover

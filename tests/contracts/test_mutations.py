@@ -1,0 +1,190 @@
+"""A wrong sign in a formula does not go unnoticed: every operator is flipped, one at a time."""
+
+import dataclasses
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.course.policy import Policy
+from gripcourse.formula.evaluate import evaluate
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import (
+    Call,
+    Formula,
+    Negation,
+    Node,
+    Number,
+    Operation,
+    Operator,
+    children,
+)
+from gripcourse.grading.bands import band, within
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import choose, reference_rounding, solve_variant
+from gripcourse.units import factor
+
+if TYPE_CHECKING:
+    from conftest import Composition, Reference
+
+FLIPPED: Mapping[Operator, Operator] = {
+    "+": "-",
+    "-": "+",
+    "*": "/",
+    "/": "*",
+    "<": ">",
+    "<=": ">=",
+    ">": "<",
+    ">=": "<=",
+}
+# Flips that change no number, and why.
+EQUIVALENT: Mapping[str, str] = {}
+# Flips that the worked example's own numbers cannot show, and why; variants show them.
+HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
+    "rack_parallelogram": {
+        "arm_angle_at_min: /": "the numerator is 0: any divisor does",
+        "force_ratio_at_min: *": "the arms lie along the axis: the cosine is 1",
+        "drive_force: /": "the example leaves the efficiency out, it is 1",
+        "pin_diameter_required: *": "one shear plane",
+    },
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """A formula with one operator flipped; `operator` is the one that was there."""
+
+    operator: str
+    tree: Node
+
+
+def mutants(node: Node) -> Iterator[Mutant]:
+    """Yield a tree with each of its operators flipped; an exponent grows by one."""
+    if isinstance(node, Operation) and node.operator in FLIPPED:
+        yield Mutant(node.operator, dataclasses.replace(node, operator=FLIPPED[node.operator]))
+    if isinstance(node, Operation) and node.operator == "**":
+        more = Operation("+", node.right, Number(1.0, "1"))
+        yield Mutant("**", dataclasses.replace(node, right=more))
+    below = children(node)
+    for place, child in enumerate(below):
+        for one in mutants(child):
+            changed = (*below[:place], one.tree, *below[place + 1 :])
+            yield Mutant(one.operator, with_children(node, changed))
+
+
+def with_children(node: Node, below: tuple[Node, ...]) -> Node:
+    """Put other nodes below a node."""
+    match node:
+        case Operation(operator):
+            return Operation(operator, *below)
+        case Negation():
+            return Negation(*below)
+        case Call(function, _, column):
+            return Call(function, below, column)
+        case _:
+            return node
+
+
+def named_mutants(plan: Plan) -> Iterator[tuple[str, Quantity, Formula]]:
+    """Yield every mutant of every reference formula, by quantity and operator."""
+    for one in plan.answered:
+        formula = plan.reference_formula(one.id)
+        if formula is not None:
+            for mutant in mutants(formula.tree):
+                changed = dataclasses.replace(formula, tree=mutant.tree)
+                yield f"{one.id}: {mutant.operator}", one, changed
+
+
+def value(plan: Plan, one: Quantity, formula: Formula, reference: "Reference") -> float:
+    """Compute a quantity by another formula, in its declared unit."""
+    result = evaluate(formula, one.unit, reference.values, plan.columns)
+    if one.choice is not None:
+        result = choose(result, one.choice, reference_rounding(one, plan.convention), plan)
+    return float(result) / factor(one.unit)
+
+
+def is_seen(
+    plan: Plan, one: Quantity, formula: Formula, reference: "Reference", policy: Policy
+) -> bool:
+    """Tell whether a mutant changes its quantity by more than the band."""
+    right_formula = plan.reference_formula(one.id)
+    assert right_formula is not None
+    right = value(plan, one, right_formula, reference)
+    wrong = value(plan, one, formula, reference)
+    return math.isfinite(right) and not within(wrong, right, band(one, right, policy))
+
+
+def student(reference: "Reference") -> "Reference":
+    """Return the numbers of a student who errs a little everywhere, each time otherwise.
+
+    Reference values are not independent: the arms lie exactly along the axis when the smallest
+    object is held, so that the sign of that angle would never show.
+    """
+    chance = np.random.default_rng(7)
+    values = {
+        name: value * chance.uniform(0.93, 1.07) + (value == 0) * chance.uniform(0.2, 0.4)
+        for name, value in reference.values.items()
+    }
+    return dataclasses.replace(reference, name=f"student of {reference.name}", values=values)
+
+
+def test_a_flipped_operator_changes_an_answer(composition: "Composition", policy: Policy) -> None:
+    tried = [*composition.references, *(student(one) for one in composition.references)]
+    unseen = {
+        name
+        for name, one, formula in named_mutants(composition.plan)
+        if not any(is_seen(composition.plan, one, formula, known, policy) for known in tried)
+    }
+    assert unseen == EQUIVALENT.keys() & unseen
+
+
+def test_a_flipped_operator_of_a_printed_version_changes_an_answer(
+    printed_composition: "Composition", policy: Policy
+) -> None:
+    test_a_flipped_operator_changes_an_answer(printed_composition, policy)
+
+
+def test_a_flipped_operator_breaks_the_worked_example(course: Course) -> None:
+    """Of every quantity that the example gives a number for, in the convention that gives it."""
+    for scheme in course.schemes.values():
+        if scheme.example is None:
+            continue
+        unseen: set[str] = set()
+        for convention, expected in scheme.example.expected.items():
+            plan = make_plan(course, scheme.id, scheme.example.options, convention)
+            given = {**scheme.example.given, **scheme.example.chosen[convention]}
+            for name, one, formula in named_mutants(plan):
+                if one.id in expected and one.kind is not Kind.VERDICT:
+                    changed = solve_variant(_with(plan, one, formula, convention), given)
+                    if _all_as_expected(changed, expected):
+                        unseen.add(name)
+        assert unseen == HIDDEN_BY_THE_EXAMPLE.get(scheme.id, {}).keys(), scheme.id
+
+
+def _with(plan: Plan, one: Quantity, formula: Formula, convention: Convention) -> Plan:
+    """Return the plan with another reference formula of a quantity."""
+    printed = one.as_printed
+    if convention is Convention.GUIDE:
+        printed = tuple(dataclasses.replace(p, formula=None) for p in printed)
+    changed = dataclasses.replace(one, formula=formula, as_printed=printed)
+    return dataclasses.replace(plan, quantities={**plan.quantities, one.id: changed})
+
+
+def _all_as_expected(
+    values: Mapping[str, float], expected: Mapping[str, tuple[float, float]]
+) -> bool:
+    return all(
+        np.isclose(values[name], number, rtol=1e-12, atol=difference)
+        for name, (number, difference) in expected.items()
+    )
+
+
+def test_every_operator_is_flipped_once() -> None:
+    found = [
+        (one.operator, one.tree) for one in mutants(parse("sqrt(a*b**2) + max(c, -(d - e)/f)"))
+    ]
+    assert [operator for operator, _ in found] == ["+", "*", "**", "/", "-"]
+    assert found[3][1] == parse("sqrt(a*b**2) + max(c, -(d - e)*f)")

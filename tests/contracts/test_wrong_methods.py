@@ -1,0 +1,100 @@
+"""A slip or a printed erratum that gives the right number is useless: nobody would be told."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.policy import Policy
+from gripcourse.formula.evaluate import evaluate
+from gripcourse.grading.bands import band, within
+from gripcourse.solver.solve import choose
+from gripcourse.units import factor
+
+if TYPE_CHECKING:
+    from conftest import Composition, Reference
+    from gripcourse.solver.plan import Plan
+
+# Where the worked example's own numbers hide a wrong method; variants must show it.
+SAME_IN_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
+    "rack_parallelogram": {
+        "drive_force: efficiency_multiplied": "the guide's example leaves the efficiency out",
+        "drive_force: efficiency_left_out": "the guide's example leaves the efficiency out",
+        "lifting_load: E16": "the example is computed with the printed gravity",
+    },
+}
+# Wrong methods that few variants can show, and why they are declared all the same.
+SELDOM_DIFFERENT: Mapping[str, str] = {}
+USUAL = 0.9  # share of the variants in which a wrong method must show
+
+
+@dataclass(frozen=True, slots=True)
+class Wrong:
+    """A wrong value of a quantity, by the name of its slip or erratum; declared unit."""
+
+    name: str
+    quantity: Quantity
+    value: float
+    right: float
+
+
+def wrong_values(plan: "Plan", reference: "Reference") -> Iterator[Wrong]:
+    """Compute every wrong method at the right inputs."""
+    for one in plan.answered:
+        size = factor(one.unit)
+        right = float(reference.values[one.id]) / size
+        named = [(slip.id, slip.formula) for slip in one.slips]
+        named += [
+            (printed.erratum, printed.formula) for printed in one.as_printed if printed.formula
+        ]
+        for name, formula in named:
+            value = evaluate(formula, one.unit, reference.values, plan.columns)
+            yield Wrong(f"{one.id}: {name}", one, float(value) / size, right)
+        for printed in one.as_printed:
+            if printed.rounding is None or one.choice is None or one.formula is None:
+                continue
+            required = evaluate(one.formula, one.unit, reference.values, plan.columns)
+            value = choose(required, one.choice, printed.rounding, plan)
+            yield Wrong(f"{one.id}: {printed.erratum}", one, float(value) / size, right)
+
+
+def is_seen(wrong: Wrong, policy: Policy) -> bool:
+    """Tell whether a wrong value lies outside the band round the right one."""
+    return not within(wrong.value, wrong.right, band(wrong.quantity, wrong.right, policy))
+
+
+def test_a_wrong_method_shows_in_the_worked_example(
+    published: "Composition", policy: Policy
+) -> None:
+    found = wrong_values(published.plan, published.example)
+    hidden = {wrong.name for wrong in found if not is_seen(wrong, policy)}
+    assert hidden == SAME_IN_THE_EXAMPLE.get(published.plan.scheme.id, {}).keys()
+
+
+def test_a_wrong_method_shows_in_most_variants(composition: "Composition", policy: Policy) -> None:
+    variants = [one for one in composition.references if one.name != "worked example"]
+    seen: dict[str, int] = {}
+    for reference in variants:
+        for wrong in wrong_values(composition.plan, reference):
+            rounded = wrong.quantity.kind is Kind.CHOICE  # often the same entry of the series
+            shows = is_seen(wrong, policy) or rounded
+            seen[wrong.name] = seen.get(wrong.name, 0) + shows
+    seldom = {name for name, count in seen.items() if count < USUAL * len(variants)}
+    assert seldom == SELDOM_DIFFERENT.keys() & seen.keys()
+
+
+def test_two_wrong_methods_of_a_quantity_give_two_values(
+    composition: "Composition", policy: Policy
+) -> None:
+    """Else the hint of the one would be given for the other."""
+    doubled: dict[tuple[str, str], int] = {}
+    for reference in composition.references:
+        found = list(wrong_values(composition.plan, reference))
+        for index, one in enumerate(found):
+            for other in found[index + 1 :]:
+                if one.quantity.id == other.quantity.id:
+                    key = (one.name, other.name)
+                    same = within(one.value, other.value, band(one.quantity, other.value, policy))
+                    doubled[key] = doubled.get(key, 0) + same
+    always = {key for key, count in doubled.items() if count == len(composition.references)}
+    assert always == set()

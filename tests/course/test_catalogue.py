@@ -1,0 +1,76 @@
+"""Catalogues: what a table of standard sizes must say, and what is read from it."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from gripcourse.course.catalogue import columns_of
+from gripcourse.course.model import Course
+
+if TYPE_CHECKING:
+    from conftest import Draft
+
+PIN = "variants/catalogues/pin.csv"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "what", "remedy"),
+    [
+        ("# source:", "# sauce:", "source", "where its numbers come from", "'# source: …'"),
+        ("# mark:", "# work:", "mark", "where its numbers come from", "'# mark: …'"),
+        ("\n3\n4\n", "\n4\n3\n", "column diameter", "do not grow", "Sort the rows"),
+        ("\n3\n4\n", "\n3\n3\n", "column diameter", "do not grow", "remove doubled sizes"),
+        ("\n3\n4\n", "\n3\nfour\n", "row 2", "does not hold 1 numbers", "a number with a point"),
+        ("\n3\n4\n", "\n3\n4,5\n", "row 2", "does not hold 1 numbers", "in every column"),
+        ("\n3\n4\n", "\n3\nnan\n", "row 2", "does not hold 1 numbers", "in every column"),
+        (
+            "diameter [mm]",
+            "diameter [mmm]",
+            "column diameter [mmm]",
+            "cannot be used",
+            "known unit",
+        ),
+        ("diameter [mm]", "dia meter [mm]", "column dia meter [mm]", "cannot be used", "new name"),
+    ],
+)
+def test_a_fault_of_a_catalogue_is_one_problem(
+    draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
+) -> None:
+    problem = draft.edit(PIN, old, new).problem()
+    assert (problem.file, problem.key) == (PIN, key)
+    assert what in str(problem.what)
+    assert remedy in str(problem.remedy)
+
+
+def test_a_catalogue_in_another_encoding_is_named(draft: "Draft") -> None:
+    text = "# source: ГОСТ 9650-80\n# mark: handbook\ndiameter [mm]\n3\n4\n"
+    problem = draft.put(PIN, text.encode("cp1251")).problem()
+    assert (problem.file, str(problem.what)) == (PIN, "The file is not UTF-8.")
+    assert str(problem.remedy) == "Save it as UTF-8."
+
+
+@pytest.mark.parametrize("rows", ["", "diameter [mm]\n"])
+def test_a_catalogue_without_sizes_is_empty(draft: "Draft", rows: str) -> None:
+    text = f"# source: nowhere\n# mark: none\n{rows}"
+    problem = draft.put(PIN, text.encode()).problem()
+    assert (problem.file, str(problem.what)) == (PIN, "The catalogue is empty.")
+
+
+def test_blank_lines_are_no_rows(draft: "Draft") -> None:
+    draft.edit(PIN, "\n3\n4\n", "\n\n3\n\n4\n").append(PIN, "")
+    assert draft.problems() == ()
+
+
+def test_sizes_are_kept_in_si_with_their_source(course: Course) -> None:
+    catalogue = course.catalogues["bore_pneumatic"]
+    assert catalogue.units == {"bore": "mm", "rod": "mm"}
+    assert catalogue.columns["bore"][0] == pytest.approx(0.008)
+    assert catalogue.source.startswith("ISO 6432")
+    assert catalogue.source.endswith("(handbook value, not read in the standard itself)")
+
+
+def test_every_column_is_found_by_catalogue_and_name(course: Course) -> None:
+    column = columns_of(course.catalogues)["bore_pneumatic.rod"]
+    assert np.array_equal(column.sizes, course.catalogues["bore_pneumatic"].columns["bore"])
+    assert np.array_equal(column.values, course.catalogues["bore_pneumatic"].columns["rod"])

@@ -1,0 +1,147 @@
+"""The policy of a head of course: each fault is one problem."""
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.course.policy import Policy, Reveal
+
+if TYPE_CHECKING:
+    from conftest import Draft
+
+POLICY = "grader/policy.toml"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "what", "remedy"),
+    [
+        (
+            "grip = 15",
+            "grip = 20",
+            "points.section",
+            "add up to 105, the total is 100.",
+            "Change a section or the total.",
+        ),
+        ("total = 100", 'total = "hundred"', "points.total", "wrong type", "a number"),
+        (
+            "general_view = 15",
+            "general_view = 15\ngrips = 0",
+            "points.section.grips",
+            "The course has no section 'grips'.",
+            "Did you mean 'grip'?",
+        ),
+        (
+            "elements = 25\ngeneral_view = 15",
+            "elements = 40",
+            "points.section.general_view",
+            "The section 'general_view' has no points.",
+            "0 where it is not marked",
+        ),
+        (
+            "scheme = 25\ndrive = 20",
+            "scheme = 55\ndrive = -10",
+            "points.section.drive",
+            "The points are negative.",
+            "0 or a positive number",
+        ),
+        (
+            "relative = 0.01",
+            "relative = -0.01",
+            "tolerance.relative",
+            "The tolerance −0.01 is negative.",
+            "0 or a positive number",
+        ),
+        (
+            '"mm" = 0.01',
+            '"mm" = -0.01',
+            "tolerance.floor.mm",
+            "The tolerance −0.01 is negative.",
+            "0 or a positive number",
+        ),
+        (
+            '"mm" = 0.01',
+            '"mmm" = 0.01',
+            "tolerance.floor.mmm",
+            "The unit 'mmm' is not known.",
+            "for example 'N*m'",
+        ),
+        (
+            "rack_height = 0.25",
+            "rack_hight = 0.25",
+            "weight.quantity.rack_hight",
+            "There is no 'rack_hight' in the course.",
+            "Did you mean 'rack_height'?",
+        ),
+        (
+            "rack_height = 0.25",
+            "rack_height = -1",
+            "weight.quantity.rack_height",
+            "The weight −1 is negative.",
+            "0 or a positive number",
+        ),
+        (
+            "verdict = 0.5",
+            "",
+            "weight.kind.verdict",
+            "This key is missing.",
+            "the weight of a quantity of this kind",
+        ),
+        (
+            "[credit]",
+            "[quantity_tolerance.bor]\nrelative = 0.1\n[credit]",
+            "quantity_tolerance.bor",
+            "There is no 'bor' in the course.",
+            "Did you mean 'bore'?",
+        ),
+        (
+            "[credit]",
+            "[quantity_tolerance.bore]\nfloor = 0.1\n[credit]",
+            "quantity_tolerance.bore.floor",
+            "This key means nothing here.",
+            "",
+        ),
+        ("carried = 1.0", "carried = 1.5", "credit.carried", "The share is 1.5.", "from 0 to 1"),
+        ("carried = 1.0", 'carried = "all"', "credit.carried", "wrong type", "a number"),
+        ("carried = 1.0", "", "credit.carried", "This key is missing.", "Write it."),
+        (
+            'reveal = "nothing"',
+            'reveal = "noting"',
+            "report.reveal",
+            "There is no level 'noting'.",
+            "Did you mean 'nothing'?",
+        ),
+        ("[report]", "[reports]", "reports", "This key means nothing here.", "'report'"),
+    ],
+)
+def test_a_fault_of_the_policy_is_told_with_its_key(
+    draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
+) -> None:
+    problems = draft.edit(POLICY, old, new).problems()
+    if key == "reports":  # the table is misspelt, so another is missing
+        assert [problem.key for problem in problems] == ["reports", "report"]
+    else:
+        assert len(problems) == 1, [str(problem.what) for problem in problems]
+    assert (problems[0].file, problems[0].key) == (POLICY, key)
+    assert what in str(problems[0].what)
+    assert remedy in str(problems[0].remedy)
+
+
+def test_a_missing_table_is_one_problem(draft: "Draft") -> None:
+    text = (draft.root / POLICY).read_text(encoding="utf-8")
+    draft.put(POLICY, text[: text.index("[credit]")].encode())
+    assert [problem.key for problem in draft.problems()] == ["credit", "report"]
+
+
+def test_printed_versions_can_be_refused(draft: "Draft") -> None:
+    draft.edit(POLICY, "printed = 1.0", "printed = false")
+    assert draft.problems() == ()
+
+
+def test_points_of_the_sections_add_up(policy: Policy, course: Course) -> None:
+    assert sum(policy.section_points.values()) == policy.total
+    assert policy.section_points.keys() == {section.id for section in course.sections}
+
+
+def test_the_reference_is_kept_from_students_unless_the_policy_reveals_it(policy: Policy) -> None:
+    assert policy.reveal is Reveal.NOTHING

@@ -1,0 +1,140 @@
+"""Design decisions: a set of sound entries, by the reference or by the student's own numbers."""
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.course.model import Kind
+from gripcourse.grading.model import Against, Finding, Outcome
+from gripcourse.units import factor
+
+if TYPE_CHECKING:
+    from conftest import Case
+
+# The guide's example with g = 9.81 m/s² needs a bore of 59.7 mm, a module of 5.08 mm and a pin of
+# 10.1 mm; the series are those of GOST 6540-68, GOST 9563-60 and GOST 9650-80.
+SOUND_BORES = [63.0, 80.0, 100.0]
+SOUND_SECOND_ROW = [70.0, 90.0]
+
+
+def finding(case: "Case", quantity: str, value: float) -> Finding:
+    return case.findings({**case.answers, quantity: value})[quantity]
+
+
+def series(case: "Case", quantity: str) -> list[float]:
+    """The preferred entries of a choice, in its declared unit."""
+    declared = case.plan.quantities[quantity]
+    assert declared.choice is not None
+    sizes = case.plan.columns[declared.choice.column].sizes / factor(declared.unit)
+    return [float(f"{size:.12g}") for size in sizes]
+
+
+class TestSoundSet:
+    @pytest.mark.parametrize("bore", [*SOUND_BORES, *SOUND_SECOND_ROW])
+    def test_entries_up_to_two_steps_above_are_sound_in_both_rows(
+        self, hydraulic: "Case", bore: float
+    ) -> None:
+        found = finding(hydraulic, "bore", bore)
+        assert (found.outcome, found.points) == (Outcome.CORRECT, found.max_points)
+
+    def test_each_choice_takes_exactly_its_steps(self, case: "Case") -> None:
+        """Of the preferred row: the reference, and as many entries above it as the rule says."""
+        for quantity in (one for one in case.plan.answered if one.kind is Kind.CHOICE):
+            rule = quantity.choice
+            assert rule is not None
+            if rule.steps is None:
+                continue
+            sizes = series(case, quantity.id)
+            first = sizes.index(pytest.approx(case.reference[quantity.id]))
+            last = first + rule.steps
+            near = sizes[max(first - 2, 0) : last + 3]
+            found = {size: finding(case, quantity.id, size).against for size in near}
+            sound = [size for size in near if found[size] is Against.REFERENCE]
+            assert sound == sizes[first : last + 1], quantity.id
+
+    def test_a_condition_bounds_the_set_instead_of_steps(self, hydraulic: "Case") -> None:
+        """A rod from 0.3 to 0.7 of the bore of 63 mm: from 18.9 to 44.1 mm."""
+        sound = [
+            rod
+            for rod in series(hydraulic, "rod")
+            if finding(hydraulic, "rod", rod).outcome is Outcome.CORRECT
+        ]
+        assert sound == [20, 22, 25, 28, 32, 36, 40]
+
+    def test_an_entry_typed_with_a_rounding_error_is_that_entry(self, hydraulic: "Case") -> None:
+        assert finding(hydraulic, "bore", 63 * (1 + 1e-12)).outcome is Outcome.CORRECT
+
+
+class TestUnsound:
+    @pytest.mark.parametrize(
+        ("bore", "said"),
+        [
+            (50.0, "Rounded down: the size is below the required value."),
+            (56.0, "Rounded down: the size is below the required value."),
+            (125.0, "Wastefully large: more than 2 steps above the smallest size that fits."),
+            (65.0, "This size is not in the series."),
+        ],
+    )
+    def test_what_is_wrong_is_named(self, hydraulic: "Case", bore: float, said: str) -> None:
+        found = finding(hydraulic, "bore", bore)
+        assert (found.outcome, found.points) == (Outcome.WRONG, 0)
+        assert str(found.message) == said
+
+    def test_a_rod_too_thick_for_the_bore_breaks_the_condition(self, hydraulic: "Case") -> None:
+        found = finding(hydraulic, "rod", 45.0)
+        assert str(found.message) == "The size does not satisfy the condition of the rule."
+
+    def test_a_smaller_entry_costs_the_decision_only(self, case: "Case") -> None:
+        entries = series(case, "bore")
+        smaller = entries[entries.index(pytest.approx(case.reference["bore"])) - 1]
+        lost = case.lost(case.following(bore=smaller))
+        assert lost == {"bore"}
+
+
+class TestOwnNumbers:
+    def test_the_students_own_required_value_counts(self, hydraulic: "Case") -> None:
+        answers = {**hydraulic.answers, "bore_required": 130.0, "bore": 160.0}
+        found = hydraulic.findings(answers)["bore"]
+        assert (found.outcome, found.against) == (Outcome.CARRIED, Against.OWN_INPUTS)
+        assert found.points == found.max_points
+
+    def test_a_decision_is_used_downstream(self, hydraulic: "Case") -> None:
+        findings = hydraulic.findings(hydraulic.following(bore=80))
+        assert findings["bore"].outcome is Outcome.CORRECT
+        assert findings["supply_flow"].outcome is Outcome.CARRIED
+        assert findings["supply_flow"].inputs["bore"] == 80
+
+    def test_a_sound_decision_other_than_the_reference_costs_nothing(
+        self, hydraulic: "Case"
+    ) -> None:
+        for bore in (*SOUND_BORES, *SOUND_SECOND_ROW):
+            assert hydraulic.lost(hydraulic.following(bore=bore)) == set()
+
+    def test_a_bore_of_no_catalogue_does_not_lose_what_follows(self, pneumatic: "Case") -> None:
+        """No row pairs such a bore with a rod: the reference rod stands in for what follows."""
+        answers = pneumatic.following(bore=77.0, rod=pneumatic.reference["rod"])
+        findings = pneumatic.findings(answers)
+        assert str(findings["bore"].message) == "This size is not in the series."
+        assert pneumatic.lost(answers) == {"bore"}
+        assert findings["drive_force_actual"].outcome is Outcome.CARRIED
+
+    def test_with_such_a_bore_a_blank_rod_is_blank_and_nothing_else_is_lost(
+        self, pneumatic: "Case"
+    ) -> None:
+        answers = pneumatic.following(bore=77.0, rod=pneumatic.reference["rod"])
+        assert pneumatic.lost({**answers, "rod": None}) == {"bore", "rod"}
+
+
+class TestPrintedRounding:
+    def test_a_size_rounded_as_the_guide_does_is_accepted_with_a_remark(
+        self, hydraulic: "Case"
+    ) -> None:
+        """The guide takes a pin of 10 mm for a required 10.17 (erratum E13)."""
+        found = finding(hydraulic, "pin_diameter", 10.0)
+        assert (found.outcome, found.against) == (Outcome.CORRECT, Against.PRINTED)
+        assert any("E13" in str(remark) for remark in found.remarks)
+
+    def test_a_policy_may_refuse_it(self, hydraulic: "Case") -> None:
+        found = finding(hydraulic.with_policy(printed_credit=None), "pin_diameter", 10.0)
+        assert (found.outcome, found.points) == (Outcome.WRONG, 0)
+        assert str(found.message) == "Rounded down: the size is below the required value."

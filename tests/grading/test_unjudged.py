@@ -1,0 +1,70 @@
+"""Files that could not be judged are no zeros."""
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.grading.model import Report
+from gripcourse.grading.unjudged import incident_report, rejected_report, unknown_student_report
+from gripcourse.submission.model import Rejected
+from gripcourse.words import message
+
+if TYPE_CHECKING:
+    from conftest import Case
+
+REASON = message("The file is empty: it has no bytes.")
+
+
+def reports(case: "Case") -> list[Report]:
+    return [
+        rejected_report(Rejected("inbox/s01.xlsx", "d" * 64, REASON), case.issued),
+        rejected_report(Rejected("inbox/x.xlsx", "d" * 64, REASON), None),
+        unknown_student_report("inbox/x.xlsx", "s99", "d" * 64),
+        incident_report("inbox/s01.xlsx", "0badf00d", case.issued),
+    ]
+
+
+def test_nothing_is_marked_and_a_flag_says_why(hydraulic: "Case") -> None:
+    for report in reports(hydraulic):
+        assert not report.judged
+        assert report.findings == ()
+        assert report.max_score == 0
+        assert len(report.flags) == 1
+
+
+def test_each_reason_has_its_flag(hydraulic: "Case") -> None:
+    codes = [report.flags[0].code for report in reports(hydraulic)]
+    assert codes == ["rejected", "rejected", "unknown_student", "incident"]
+
+
+def test_the_student_is_named_where_the_path_names_one(hydraulic: "Case") -> None:
+    students = [report.student for report in reports(hydraulic)]
+    assert students == ["s01", "", "", "s01"]
+
+
+def test_a_rejected_file_says_its_reason_and_keeps_its_digest(hydraulic: "Case") -> None:
+    report = reports(hydraulic)[0]
+    assert report.flags[0].message == REASON
+    assert report.digest == "d" * 64
+
+
+def test_the_student_is_told_what_only_the_student_can_mend(hydraulic: "Case") -> None:
+    rejected, _, unknown, incident = reports(hydraulic)
+    assert rejected.remarks == (REASON,)
+    assert (unknown.remarks, incident.remarks) == ((), ())
+
+
+def test_an_incident_has_its_number(hydraulic: "Case") -> None:
+    assert "0badf00d" in str(reports(hydraulic)[3].flags[0].message)
+
+
+@pytest.mark.parametrize(
+    ("student", "said"),
+    [
+        ("s99", "The register has no student 's99'."),
+        ("", "Neither the file's name nor the workbook says whose it is."),
+    ],
+)
+def test_an_unknown_student_and_an_unnamed_one_are_told_apart(student: str, said: str) -> None:
+    report = unknown_student_report("inbox/x.xlsx", student, "")
+    assert str(report.flags[0].message) == said
