@@ -94,6 +94,7 @@ _NO_UNIT: Final = frozenset({"", "-", "–", "—", "1", "б/р"})
 _LOOK_ALIKES: Final = str.maketrans("АВЕКМНОРСТХІУасеорхуі", "ABEKMHOPCTXIYaceopxyi")
 
 
+@lru_cache(maxsize=1024)
 def known(unit: str) -> bool:
     """Tell whether a unit is spelled as the table and its compounds are."""
     parts = _split(unit, _OUR_FACTOR)
