@@ -54,6 +54,17 @@ def test_every_sentence_is_written_out_where_it_is_made() -> None:
     assert hidden == []
 
 
+def test_the_extractor_sees_every_sentence() -> None:
+    written = {
+        node.args[0].value
+        for path in (REPOSITORY / "src").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and takes_a_sentence(node.func)
+        if node.args and isinstance(node.args[0], ast.Constant)
+    }
+    assert written <= SENTENCES
+
+
 @pytest.mark.parametrize(
     "source",
     ['message(f"{x} mm")', 'message("a" + b)', "message(text)", "words.translate(said.text)"],

@@ -36,8 +36,8 @@ class Problem:
 
     def say(self, words: Words) -> str:
         """Put the problem into words: place, fault, remedy, and the excerpt on lines below."""
-        place = ": ".join(part for part in (self.file, self.key) if part)
-        line = f"{place}: {words.say(self.what)} {words.say(self.remedy)}".strip()
+        said = f"{words.say(self.what)} {words.say(self.remedy)}".strip()
+        line = ": ".join(part for part in (self.file, self.key, said) if part)
         return f"{line}\n{self.excerpt}" if self.excerpt else line
 
 

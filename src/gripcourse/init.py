@@ -96,8 +96,9 @@ def _move_entries(source: Path, target: Path) -> None:
 def _guide(words: Words) -> str:
     """Write the short guide that lies in the folder."""
     say = words.say
+    title = say(message("Your course"))
     paragraphs = (
-        f"# {say(message('Your course'))}",
+        f"# {title}",
         say(message("This folder is yours. Three parts of it change without programming:")),
         "\n".join(f"- `{folder}/`: {say(purpose)}" for folder, purpose in _PURPOSES.items()),
         say(

@@ -12,7 +12,7 @@ import pytest
 
 from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.model import Convention, Course, Kind, Scheme
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.variants.draw import draw
@@ -58,13 +58,12 @@ class Composition:
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Give every composition, and every number of a worked example, a test of its own."""
     if "composition_key" in metafunc.fixturenames:
-        only_examples = "published" in metafunc.fixturenames
+        only_guide = "of_the_guide" in metafunc.fixturenames
         keys = [
             (scheme.id, tuple(sorted(options.items())))
             for scheme in load_course(REPOSITORY).schemes.values()
             for options in option_sets(scheme)
-            if not only_examples
-            or (scheme.example is not None and options == scheme.example.options)
+            if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
     if "expected_key" in metafunc.fixturenames:
@@ -76,6 +75,11 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
             for quantity in values
         ]
         metafunc.parametrize("expected_key", expected, ids=["-".join(key) for key in expected])
+
+
+def _is_of_the_guide(scheme: Scheme, options: Mapping[str, str]) -> bool:
+    example = scheme.example
+    return example is not None and example.source.work == "guide" and example.options == options
 
 
 def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:
@@ -130,8 +134,8 @@ def composition(
 
 
 @pytest.fixture
-def published(composition: Composition) -> Composition:
-    """Only those combinations of options that a worked example is published for."""
+def of_the_guide(composition: Composition) -> Composition:
+    """Only those combinations of options that the guide has an example of."""
     assert composition.example.is_example
     return composition
 

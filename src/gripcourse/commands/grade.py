@@ -101,6 +101,9 @@ def write_results(
     write_grades(reports, desk, out, graded_on)
     if incidents:
         write_text(out / INCIDENTS, "\n".join(incidents))
+    else:
+        # Those of an earlier run into the same folder have been mended.
+        (out / INCIDENTS).unlink(missing_ok=True)
     return Outcome(tuple(reports), written, any(one.flags for one in reports))
 
 

@@ -140,8 +140,10 @@ def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, 
 
 
 def _section(table: Table) -> Section:
-    table.known_keys({"id", "title", "task"})
-    return Section(table.text("id"), table.texts("title"), table.texts("task"))
+    table.known_keys({"id", "title", "short", "task"})
+    return Section(
+        table.text("id"), table.texts("title"), table.texts("short"), table.texts("task")
+    )
 
 
 def _works(table: Table) -> dict[str, Work]:

@@ -229,10 +229,18 @@ class Scheme:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A section of the assignment, in the order in which it is handed out."""
+    """A section of the assignment, in the order in which it is handed out.
+
+    Attributes:
+        id: name in declarations.
+        title: in full.
+        short: what fits a tab of a workbook or a column of a table.
+        task: what is to be done in it.
+    """
 
     id: str
     title: Texts
+    short: Texts
     task: Texts
 
 

@@ -23,8 +23,12 @@ def about_date(value: date) -> Message:
         "typed. Set the cell's format to General and type the number with the decimal sign of the "
         "program.",
         date=f"{day:02d}.{month:02d}.{year}",
-        readings=reduce(lambda one, two: message("{one} or {two}", one=one, two=two), readings),
+        readings=reduce(_either, readings),
     )
+
+
+def _either(one: Message, two: Message) -> Message:
+    return message("{one} or {two}", one=one, two=two)
 
 
 def about_time() -> Message:

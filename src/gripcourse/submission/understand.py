@@ -1,5 +1,6 @@
 """What one answer cell means: a value, nothing, or the reason why it cannot be read."""
 
+import re
 from datetime import date, datetime, time, timedelta
 from typing import Final
 
@@ -16,13 +17,9 @@ _YES: Final = frozenset({"да", "так", "yes", "+", "1", "true", "истин�
 _NO: Final = frozenset(
     {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність"}
 )
-# Files store errors in English; the Russian words come as text that was pasted.
-_ERRORS: Final = frozenset(
-    {
-        *("#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A", "#NULL!"),
-        *("#ДЕЛ/0!", "#ЗНАЧ!", "#ССЫЛКА!", "#ИМЯ?", "#ЧИСЛО!", "#Н/Д", "#ПУСТО!"),
-    }
-)
+# Files store errors in English; other languages come as text that was pasted.
+# As #DIV/0!, #ДЕЛ/0!, #Н/Д.
+_ERROR: Final = re.compile(r"#(?:N/A|Н/Д|[^\W\d_][\w/'’]{1,14}[!?])")
 _VERDICT_NEEDED: Final = message("Yes or no is needed here.")
 _NUMBER_NEEDED: Final = message("A number is needed here, not a logical value.")
 _NO_NUMBER: Final = message("A number is needed here.")
@@ -53,7 +50,7 @@ def _spoiled(cell: RawCell) -> Message | None:
             "The cell holds a formula whose result is not stored in the file. Open the workbook in "
             "a spreadsheet program, save it there and send it again."
         )
-    if cell.error or (isinstance(value, str) and value.strip().upper() in _ERRORS):
+    if cell.error or (isinstance(value, str) and _ERROR.fullmatch(value.strip().upper())):
         return message(
             "The formula in the cell {cell} gives the error {error}.",
             cell=cell.cell,

@@ -196,7 +196,7 @@ def _section_sheets(plan: Plan, words: Words, cover: str) -> Iterator[SectionShe
         if not answered and not manual:
             continue
         number = len(taken) - 1
-        name = _sheet_name(f"{number}. {section.title.of(words.language)}", taken)
+        name = _sheet_name(f"{number}. {section.short.of(words.language)}", taken)
         taken.append(name)
         first = SECTION_HEADER + 1
         prefix = f"{number}."
