@@ -62,7 +62,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         keys = [
             (scheme.id, tuple(sorted(options.items())))
             for scheme in load_course(REPOSITORY).schemes.values()
-            for options in option_sets(scheme)
+            for options in covering(scheme)
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
@@ -77,6 +77,31 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("expected_key", expected, ids=["-".join(key) for key in expected])
 
 
+def covering(scheme: Scheme) -> list[Mapping[str, str]]:
+    """Choose combinations of options in which every two choices of two options meet.
+
+    The parts of one option know those of another at most by their names: two at a time show what
+    goes wrong, and a scheme with five options has hundreds of combinations. The worked example's
+    combination comes first.
+    """
+    left = [dict(options) for options in option_sets(scheme)]
+    if scheme.example is not None:
+        left.sort(key=lambda options: options != scheme.example.options)
+    chosen = [left[0]]
+    met = _pairs(left[0])
+    while best := max(left, key=lambda options: len(_pairs(options) - met), default=None):
+        if _pairs(best) <= met:
+            break
+        chosen.append(best)
+        met |= _pairs(best)
+    return chosen
+
+
+def _pairs(options: Mapping[str, str]) -> set[frozenset[tuple[str, str]]]:
+    """Return the choices two by two; a lone option with itself."""
+    return {frozenset((one, other)) for one in options.items() for other in options.items()}
+
+
 def _is_of_the_guide(scheme: Scheme, options: Mapping[str, str]) -> bool:
     example = scheme.example
     return example is not None and example.source.work == "guide" and example.options == options
@@ -88,22 +113,21 @@ def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:
 
 @pytest.fixture(scope="session")
 def variants_of(course: Course) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
-    """Find variants of a scheme with options: issued ones, else drawn ones; maybe none."""
+    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none."""
     table = course.root / "variants" / "tables" / "main.csv"
     issued = read_table(table, course) if table.exists() else ()
     spaces = load_spaces(course)
 
     def find(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
         tabled = [one for one in issued if one.scheme == scheme and one.options == options]
-        if tabled:
-            return tuple(tabled[:DRAWN])
         cases = [
             Space(scheme, 1, (case,), space.file)
             for space in spaces
             for case in space.cases
             if space.scheme == scheme and case.options == options
         ]
-        return draw(course, cases, DRAWN, SEED).variants if cases else ()
+        drawn = draw(course, cases, DRAWN, SEED).variants if cases else ()
+        return (*tabled, *drawn)[:DRAWN]
 
     return find
 
