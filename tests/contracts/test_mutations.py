@@ -43,9 +43,13 @@ FLIPPED: Mapping[Operator, Operator] = {
     ">": "<",
     ">=": "<=",
 }
-STUDENTS = 4  # for each set of reference numbers
+STUDENTS = 60  # for each set of reference numbers
 # Flips that change no number, and why.
-EQUIVALENT: Mapping[str, str] = {}
+EQUIVALENT: Mapping[str, str] = {
+    "cups_fit: *": "cups are far smaller than their pitch, or far larger",
+    "jaw_chord: +": "as printed, by E3, the band of contact is too narrow to count",
+    "jaw_chord: *": "as printed, by E3, the band of contact is too narrow to count",
+}
 # Flips that the worked example's own numbers cannot show, and why; variants show them.
 HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
     "rack_parallelogram": {
@@ -55,6 +59,12 @@ HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
         "pin_diameter_required: *": "one shear plane",
     },
     "link_lever_3": {"pin_diameter_required: *": "one shear plane"},
+    "plain_lever": {
+        "grip_arm_angle_at_min: /": "the numerator is 0: any divisor does",
+        "drive_arm_angle_at_min: -": "the arms lie along the axis: that angle is 0",
+        "force_ratio_at_min: *": "the arms lie along the axis: the cosine is 1",
+    },
+    "pinion_racks": {"stroke_required: /": "the ratio of the jaw's speed to the rack's is 1"},
 }
 
 
@@ -125,26 +135,32 @@ def is_seen(
     )
 
 
-def students(references: Sequence["Reference"]) -> Values:
-    """Stack references, and beside each the numbers of students who err a little everywhere.
+def students(plan: Plan, references: Sequence["Reference"]) -> Values:
+    """Stack references, and beside each the numbers of students who err everywhere.
 
     Reference values are not independent: the arms lie exactly along the axis when the smallest
-    object is held, so that the sign of that angle would never show.
+    object is held, so that the sign of that angle would never show. And of two sizes the same is
+    always the larger. So inputs are moved as far as students move them: nearly doubled or halved,
+    angles turned, and of another sign where the bounds let them.
     """
     chance = np.random.default_rng(7)
     stacked: dict[str, Array] = {}
     for name in references[0].values:
+        one = plan.quantities[name]
         right = np.array([float(one.values[name]) for one in references])
         shape = (STUDENTS, right.size)
-        erred = right * chance.uniform(0.9, 1.1, shape) + (right == 0) * chance.uniform(
-            0.2, 0.4, shape
-        )
+        erred = right * chance.uniform(0.5, 1.9, shape)
+        if one.unit in {"deg", "rad"}:
+            erred = erred + chance.uniform(-0.4, 0.4, shape)
+        elif one.bounds[0] < 0:
+            erred = erred * chance.choice([-1, 1], shape)
+        erred = erred + (erred == 0) * chance.uniform(0.2, 0.4, shape)
         stacked[name] = np.concatenate([right, erred.ravel()])
     return stacked
 
 
 def test_a_flipped_operator_changes_an_answer(composition: "Composition", policy: Policy) -> None:
-    values = students(composition.references)
+    values = students(composition.plan, composition.references)
     unseen = {
         name
         for name, one, formula in named_mutants(composition.plan)

@@ -28,7 +28,7 @@ FULL = 15  # figures
 _DIGITS = {"en": r"\d[\d,]*(?:\.\d+)?", "ru": r"\d[\d\u202f]*(?:,\d+)?"}
 _POWER_OF_TEN = "(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
 _LETTERS = r"[^\W\d_]+[²³⁴]?"
-_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/]{_LETTERS})*))?"
+_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/]{_LETTERS})*|%))?"
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _WORDS = {
     "√": "sqrt",
