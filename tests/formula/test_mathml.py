@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from gripcourse.formula.boxes import Fence, Fraction, Root, Row, Script, Text, Value
 from gripcourse.formula.functions import FUNCTIONS
-from gripcourse.formula.mathml import mathml
+from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.parse import parse
 from gripcourse.formula.typeset import Box, number_box, symbol_box, typeset
 
@@ -57,7 +57,11 @@ def laid_out(formula: str) -> str:
         ("a < 2", "<mi>a</mi><mo>&lt;</mo><mn>2</mn>"),
         (
             "sin(a)**2",
-            "<msup><mi>sin</mi><mn>2</mn></msup><mo>\u2061</mo>"
+            '<msup><mi>sin</mi><mn>2</mn></msup><mo>\u2061</mo><mspace width="0.17em"/><mi>a</mi>',
+        ),
+        (
+            "a*cos(a)",
+            '<mi>a</mi><mo>\u2062</mo><mspace width="0.17em"/><mi>cos</mi><mo>\u2061</mo>'
             '<mspace width="0.17em"/><mi>a</mi>',
         ),
         ("c", "<mn>−3</mn><mtext>\u00a0м/с²</mtext>"),
@@ -74,6 +78,14 @@ def test_brackets_grow_round_a_fraction_but_not_in_a_symbol() -> None:
 
 def test_a_formula_on_its_own_line_has_fractions_in_full_size() -> None:
     assert mathml(symbol_box("a"), large=True) == '<math displaystyle="true"><mi>a</mi></math>'
+
+
+@pytest.mark.parametrize(
+    ("formula", "aloud"),
+    [("a > 0", True), ("a*sin(b) + 2", True), ("a/2", False), ("a**2", False), ("sqrt(a)", False)],
+)
+def test_only_what_is_not_drawn_is_lost(formula: str, *, aloud: bool) -> None:
+    assert reads_aloud(typeset(parse(formula), SYMBOLS)) is aloud
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

@@ -5,7 +5,18 @@ from collections.abc import Iterator
 from html import escape
 from typing import Final, assert_never
 
-from gripcourse.formula.boxes import Applied, Box, Fence, Fraction, Root, Row, Script, Text, Value
+from gripcourse.formula.boxes import (
+    Applied,
+    Box,
+    Fence,
+    Fraction,
+    Root,
+    Row,
+    Script,
+    Text,
+    Value,
+    boxes,
+)
 from gripcourse.formula.markup import argument
 
 _INVISIBLE_TIMES: Final = "\u2062"
@@ -13,6 +24,7 @@ _APPLIED_TO: Final = "\u2061"
 _NO_BREAK: Final = "\u00a0"
 _BRACKETS: Final = frozenset("()[]{}|")
 _PIECE: Final = re.compile(r"[()\[\]{}|]|[^()\[\]{}|]+")
+_JUXTAPOSED: Final = Text("times", "")
 _THIN_SPACE: Final = '<mspace width="0.17em"/>'
 
 
@@ -27,6 +39,16 @@ def mathml(box: Box, *, large: bool = False) -> str:
     return f"{start}{''.join(_elements(box))}</math>"
 
 
+def reads_aloud(box: Box) -> bool:
+    """Tell whether the signs of a box say the same where a viewer draws nothing but them."""
+    return not any(
+        isinstance(part, Fraction | Root)
+        or (isinstance(part, Script) and part.sup is not None)
+        or (isinstance(part, Applied) and part.power is not None)
+        for part in boxes(box)
+    )
+
+
 def _one(box: Box) -> str:
     """Return a box as exactly one element, as fractions, indices and exponents need it."""
     elements = list(_elements(box))
@@ -38,19 +60,14 @@ def _elements(box: Box) -> Iterator[str]:
     match box:
         case Text():
             yield from _text(box)
-        case Value(number, unit):
-            yield f"<mn>{escape(number)}</mn>"
-            if unit:
-                gap = "" if unit.startswith("°") else _NO_BREAK
-                yield f"<mtext>{gap}{escape(unit)}</mtext>"
+        case Value():
+            yield from _value(box)
         case Row(items):
-            for item in items:
-                yield from _elements(item)
+            yield from _row(items)
         case Fraction(top, bottom):
             yield f"<mfrac>{_one(top)}{_one(bottom)}</mfrac>"
         case Root(body, index):
-            inside = f"{_one(body)}<mn>{escape(index)}</mn>" if index else "".join(_elements(body))
-            yield f"<mroot>{inside}</mroot>" if index else f"<msqrt>{inside}</msqrt>"
+            yield _root(body, index)
         case Script(base, sub, sup):
             yield _script(base, sub, sup)
         case Fence(left, body, right):
@@ -62,6 +79,26 @@ def _elements(box: Box) -> Iterator[str]:
             yield from _elements(argument(word, arguments))
         case _:
             assert_never(box)
+
+
+def _row(items: tuple[Box, ...]) -> Iterator[str]:
+    for before, item in zip((None, *items), items, strict=False):
+        if isinstance(item, Applied) and before == _JUXTAPOSED:
+            yield _THIN_SPACE  # l cos θ, not lcos θ
+        yield from _elements(item)
+
+
+def _value(value: Value) -> Iterator[str]:
+    yield f"<mn>{escape(value.number)}</mn>"
+    if value.unit:
+        gap = "" if value.unit.startswith("°") else _NO_BREAK
+        yield f"<mtext>{gap}{escape(value.unit)}</mtext>"
+
+
+def _root(body: Box, index: str) -> str:
+    if index:
+        return f"<mroot>{_one(body)}<mn>{escape(index)}</mn></mroot>"
+    return f"<msqrt>{''.join(_elements(body))}</msqrt>"
 
 
 def _script(base: Box, sub: Box | None, sup: Box | None) -> str:
