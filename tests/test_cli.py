@@ -328,11 +328,10 @@ class TestOurMistakes:
         assert "ZeroDivisionError" in log.read_text(encoding="utf-8")
 
 
-@pytest.mark.xdist_group("issued by command")
 def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_path: Path) -> None:
     """Issue, check, grade: the codes say whether somebody must look."""
     handed_out, graded = tmp_path / "assignments", tmp_path / "graded"
-    place = ("--course", course, "--workers", 2, "--date", "2026-09-07")
+    place = ("--course", course, "--workers", 1, "--date", "2026-09-07")
     roster = course / "variants" / "roster.csv"
     issued = gripcourse("issue", *place, "--roster", roster, "--out", handed_out)
     assert issued.code == cli.DONE

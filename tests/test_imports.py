@@ -38,6 +38,7 @@ LEVELS = (
     ("init",),
     ("commands",),
     ("cli_text",),
+    ("cli_options",),
     ("cli",),
     ("__main__",),
 )

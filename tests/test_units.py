@@ -41,6 +41,10 @@ _exponents = st.fractions(-3, 3, max_denominator=6)
         ("%", 0.01),
         ("t", 1000.0),
         ("rpm", 3.141592653589793 / 30),
+        ("A/mm**2", 1e6),
+        ("ohm*mm**2/m", 1e-6),
+        ("T", 1.0),
+        ("N/A**2", 1.0),
     ],
 )
 def test_a_value_in_a_unit_times_its_factor_is_in_si(unit: str, size: float) -> None:
@@ -114,6 +118,11 @@ def test_what_is_read_is_in_our_spelling(unit: str) -> None:
         ("ч", "h"),
         ("год", "h"),
         ("%", "%"),
+        ("А", "A"),  # Cyrillic
+        ("\N{OHM SIGN}", "ohm"),
+        ("Ом·мм²/м", "ohm*mm**2/m"),
+        ("Тл", "T"),
+        ("т", "t"),
         ("", ""),
         ("—", ""),
     ],
@@ -122,7 +131,7 @@ def test_people_may_spell_units_in_many_ways(typed: str, unit: str) -> None:
     assert read_unit(typed) == unit
 
 
-@pytest.mark.parametrize("typed", ["foo", "мм мм мм??", "12", "kg/", "*", "м//с", "Ω", "мм2м2)("])
+@pytest.mark.parametrize("typed", ["foo", "мм мм мм??", "12", "kg/", "*", "м//с", "℧", "мм2м2)("])
 def test_what_is_no_unit_is_not_read_as_one(typed: str) -> None:
     assert read_unit(typed) is None
 

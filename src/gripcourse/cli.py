@@ -3,19 +3,33 @@
 Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid course; 3 our mistake.
 """
 
-import os
 import sys
 import traceback
 from collections.abc import Callable
-from datetime import date, datetime
+from datetime import datetime
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from gripcourse import cli_text
+from gripcourse.cli_options import (
+    PROCESSORS,
+    CourseOption,
+    DateOption,
+    LanguageOption,
+    OutOption,
+    TableOption,
+    WorkersOption,
+    chosen_words,
+    course_folder,
+    day_of,
+    document_language,
+    main_table,
+    words_for,
+)
 from gripcourse.errors import GripcourseError
-from gripcourse.words import LANGUAGES, Words, message
+from gripcourse.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -31,36 +45,14 @@ app = typer.Typer(
 variants_app = typer.Typer(no_args_is_help=True, help="Variant tables: draw or import.")
 app.add_typer(variants_app, name="variants")
 
-CourseOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--course",
-        help="Folder of the course; default: this folder if it is one, else the one shipped.",
-    ),
-]
-LanguageOption = Annotated[
-    str | None, typer.Option("--language", help="en, ru or uk; default: the course's language.")
-]
-TableOption = Annotated[
-    Path | None, typer.Option("--table", help="Variant table; default: the course's main table.")
-]
-OutOption = Annotated[Path, typer.Option("--out", help="Where to write.")]
-DateOption = Annotated[
-    datetime | None, typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; today.")
-]
-WorkersOption = Annotated[
-    int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
-]
-PROCESSORS = os.cpu_count() or 1
-
 
 @app.command()
 def validate(course: CourseOption = None, language: LanguageOption = None) -> None:
     """Check a whole course and list all its problems at once."""
     from gripcourse.commands.validate import all_problems
 
-    words = _words(language)
-    problems = all_problems(_root(course))
+    words = words_for(language)
+    problems = all_problems(course_folder(course))
     if problems:
         raise GripcourseError(problems)
     typer.echo(words.say(message("The course is valid.")))
@@ -92,7 +84,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.commands import solve as command
     from gripcourse.course.load import load_course
 
-    loaded = load_course(_root(course))
+    loaded = load_course(course_folder(course))
     wanted = cli_text.chosen_convention(convention)
     if (variant is None) == (scheme is None):
         raise cli_text.misuse(message("Name a variant of the table, or a scheme with --scheme."))
@@ -101,11 +93,11 @@ def solve(  # noqa: PLR0913 (one parameter per option)
             raise cli_text.misuse(message("--set and --option go with --scheme."))
         from gripcourse.variants.table import read_table
 
-        variants = read_table(table or _main_table(loaded.root), loaded)
+        variants = read_table(table or main_table(loaded.root), loaded)
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
         solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
-    words = Words(_document_language(language, loaded.language))
+    words = Words(document_language(language, loaded.language))
     if pdf:
         typer.echo(str(command.write_solution(solved, out, words)))
     if xlsx:
@@ -130,8 +122,8 @@ def variants_draw(
     from gripcourse.commands.variants import draw_table
     from gripcourse.course.load import load_course
 
-    words = _words(language)
-    drawn = draw_table(load_course(_root(course)), count, seed, scheme, out)
+    words = words_for(language)
+    drawn = draw_table(load_course(course_folder(course)), count, seed, scheme, out)
     typer.echo(cli_text.drawn_text(drawn, out, words))
 
 
@@ -147,8 +139,8 @@ def variants_import(
     from gripcourse.commands.variants import import_table
     from gripcourse.course.load import load_course
 
-    words = _words(language)
-    count = import_table(load_course(_root(course)), source, out)
+    words = words_for(language)
+    count = import_table(load_course(course_folder(course)), source, out)
     said = message("{count} variants were written to {file}.", count=count, file=str(out))
     typer.echo(words.say(said))
 
@@ -172,13 +164,13 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.course.policy_load import load_policy
 
-    words = _words(language)
-    loaded = load_course(_root(course))
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
     order = Order(
         roster=roster,
-        table=table or _main_table(loaded.root),
+        table=table or main_table(loaded.root),
         out=out,
-        today=_day(on),
+        today=day_of(on),
         deadline=deadline.date() if deadline else None,
     )
     with cli_text.progress() as step:
@@ -206,16 +198,16 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.course.policy_load import load_policy
 
-    words = _words(language)
+    words = words_for(language)
     files = command.find_files(paths)
-    loaded = load_course(_root(course))
+    loaded = load_course(course_folder(course))
     register = read_register(register_path(loaded.root), loaded.id).by_student()
     desk = Desk(loaded, load_policy(loaded), register)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, desk, workers, lambda _: tick())
         tick = step(words.say(message("Writing reports")), len(files))
-        outcome = command.write_results(graded, desk, out, _day(on), workers, lambda _: tick())
+        outcome = command.write_results(graded, desk, out, day_of(on), workers, lambda _: tick())
     if json:
         typer.echo(command.json_text(outcome.reports, words))
     else:
@@ -235,9 +227,9 @@ def check(
     from gripcourse.course.load import load_course
     from gripcourse.course.policy_load import load_policy
 
-    loaded = load_course(_root(course))
+    loaded = load_course(course_folder(course))
     checked = check_file(file, loaded, load_policy(loaded))
-    words = Words(_document_language(language, loaded.language))
+    words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 
 
@@ -253,8 +245,8 @@ def atlas(
     from gripcourse.commands.atlas import draw_atlas
     from gripcourse.course.load import load_course
 
-    loaded = load_course(_root(course))
-    words = Words(_document_language(language, loaded.language))
+    loaded = load_course(course_folder(course))
+    words = Words(document_language(language, loaded.language))
     for path in draw_atlas(loaded, name, out, words):
         typer.echo(str(path))
 
@@ -286,7 +278,7 @@ def init(
 
     from gripcourse.init import init_course
 
-    words = _words(language)
+    words = words_for(language)
     init_course(folder, secrets.token_bytes(32), words)
     typer.echo(words.say(message("The course is in {folder}.", folder=str(folder))))
 
@@ -296,7 +288,7 @@ def doctor(language: LanguageOption = None) -> None:
     """Check this machine and say how to mend what it lacks."""
     from gripcourse.doctor import checks
 
-    words = _words(language)
+    words = words_for(language)
     found = checks(Path.cwd())
     typer.echo(cli_text.doctor_text(found, words))
     raise typer.Exit(WRONG_USE if any(one.required and not one.ok for one in found) else DONE)
@@ -313,9 +305,9 @@ def demo(
     """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
     from gripcourse.commands.demo import run_demo
 
-    words = _words(language)
+    words = words_for(language)
     with cli_text.progress() as step:
-        done = run_demo(_root(course), out, words, workers, step)
+        done = run_demo(course_folder(course), out, words, workers, step)
     typer.echo(cli_text.demo_text(done, words))
 
 
@@ -328,7 +320,7 @@ def _guard(run: Callable[[], object]) -> None:
     try:
         run()
     except GripcourseError as error:
-        words = _words(None)
+        words = chosen_words()
         for problem in error.problems:
             typer.echo(problem.say(words), err=True)
         sys.exit(WRONG_USE)
@@ -339,40 +331,5 @@ def _guard(run: Callable[[], object]) -> None:
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         log = cli_text.write_incident(traceback.format_exc())
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
-        typer.echo(_words(None).say(said), err=True)
+        typer.echo(chosen_words().say(said), err=True)
         sys.exit(OUR_MISTAKE)
-
-
-def _root(course: Path | None) -> Path:
-    from gripcourse.resources import course_root, is_course
-
-    here = Path.cwd()
-    return course_root(course or (here if is_course(here) else None))
-
-
-def _main_table(root: Path) -> Path:
-    return root / "variants" / "tables" / "main.csv"
-
-
-def _day(chosen: datetime | None) -> date:
-    return chosen.date() if chosen else datetime.now().astimezone().date()
-
-
-def _words(language: str | None) -> Words:
-    """Return the language that the command line speaks: chosen, else the system's, else English."""
-    if language is not None:
-        return Words(_known(language))
-    system = os.environ.get("LC_ALL") or os.environ.get("LC_MESSAGES") or os.environ.get("LANG", "")
-    return Words(system[:2] if system[:2] in LANGUAGES else LANGUAGES[0])
-
-
-def _document_language(chosen: str | None, course: str) -> str:
-    return _known(chosen) if chosen is not None else course
-
-
-def _known(language: str) -> str:
-    if language not in LANGUAGES:
-        raise cli_text.misuse(
-            message("There is no language '{language}': en, ru or uk.", language=language)
-        )
-    return language

@@ -197,12 +197,15 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
 
 def demo_text(demo: "Demo", words: Words) -> str:
     """Return what each scripted student did and got, and where everything is."""
+    from gripcourse.commands.students import TOLD
+
     by_student = {one.student: one for one in demo.outcome.reports}
     rows = []
     for student, story in demo.students.items():
         report = by_student[student]
         score = f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
-        rows.append((student, story, score, ", ".join(flag.code for flag in report.flags)))
+        told = words.say(TOLD[story])
+        rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
     for said, place in (

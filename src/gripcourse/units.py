@@ -80,6 +80,13 @@ class _Part:
 
 _OUR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()]+|1(?![\d*]))(?:\*\*(-?\d+))?")
 _THEIR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()^-]+|1(?![\d^-]))(?:\^?(-?\d+))?")
+_BASE_UNITS: Final = {
+    "mass": "kg",
+    "length": "m",
+    "time": "s",
+    "current": "A",
+    "temperature": "K",
+}
 _SUPERSCRIPTS: Final = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _NO_UNIT: Final = frozenset({"", "-", "–", "—", "1", "б/р"})
 # Capitals and small letters of two alphabets that look alike in print: a student who forgets to
@@ -87,6 +94,7 @@ _NO_UNIT: Final = frozenset({"", "-", "–", "—", "1", "б/р"})
 _LOOK_ALIKES: Final = str.maketrans("АВЕКМНОРСТХІУасеорхуі", "ABEKMHOPCTXIYaceopxyi")
 
 
+@lru_cache(maxsize=1024)
 def known(unit: str) -> bool:
     """Tell whether a unit is spelled as the table and its compounds are."""
     parts = _split(unit, _OUR_FACTOR)
@@ -218,7 +226,7 @@ def _part_text(part: _Part, language: str) -> str:
 
 def _base_text(base: str, power: Fraction, language: str) -> str:
     """Write the SI unit of a base dimension to a power, which may be broken: `м^(1/2)`."""
-    unit = {"mass": "kg", "length": "m", "time": "s"}.get(base)
+    unit = _BASE_UNITS.get(base)
     name = base if unit is None else unit_text(unit, language)
     if power.denominator > 1:
         return f"{name}^({power})"

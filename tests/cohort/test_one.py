@@ -92,7 +92,7 @@ def test_a_workbook_of_nobody_on_the_register_waits_for_a_person(
 def test_the_plan_is_of_the_issued_variant_whatever_the_workbook_says(
     desk: Desk, plan: Plan, tmp_path: Path
 ) -> None:
-    pneumatic = make_plan(desk.course, plan.scheme.id, {"drive": "pneumatic"})
+    pneumatic = make_plan(desk.course, plan.scheme.id, {**plan.options, "drive": "pneumatic"})
     file = tmp_path / "s02.xlsx"
     file.write_bytes(answer_workbook(pneumatic, desk.register["s02"], desk.course, Words("ru")))
     assert grade_file(file, desk).options == plan.options

@@ -20,8 +20,6 @@ from gripcourse.words import LANGUAGES, Words
 if TYPE_CHECKING:
     from conftest import Classroom
 
-pytestmark = pytest.mark.xdist_group("issued")
-
 
 @pytest.fixture
 def slipped(issued: "Classroom", tmp_path: Path) -> Path:

@@ -14,8 +14,6 @@ from gripcourse.grading.model import Outcome, Report
 from gripcourse.resources import course_root
 from gripcourse.words import Words
 
-pytestmark = pytest.mark.xdist_group("demo")
-
 
 @pytest.fixture(scope="session")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:

@@ -15,7 +15,6 @@ from gripcourse.submission.read import read_workbook
 if TYPE_CHECKING:
     from conftest import Classroom
 
-pytestmark = pytest.mark.xdist_group("issued")
 
 STUDENTS = ("s01", "s02", "s03")
 

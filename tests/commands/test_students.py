@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from conftest import Classroom
     from gripcourse.commands.students import Behaviour, Typed
 
-pytestmark = pytest.mark.xdist_group("issued")
-
 
 def typed_by(issued: "Classroom", behaviour: "Behaviour") -> "Typed":
     return behaviour(issued.plan("s01"), issued.register["s01"])

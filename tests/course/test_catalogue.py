@@ -64,7 +64,7 @@ def test_blank_lines_are_no_rows(draft: "Draft") -> None:
 
 def test_sizes_are_kept_in_si_with_their_source(course: Course) -> None:
     catalogue = course.catalogues["bore_pneumatic"]
-    assert catalogue.units == {"bore": "mm", "rod": "mm"}
+    assert catalogue.units == {"bore": "mm", "rod": "mm", "ring_diameter": "mm"}
     assert catalogue.columns["bore"][0] == pytest.approx(0.008)
     assert catalogue.source.startswith("ISO 6432")
     assert catalogue.source.endswith("(handbook value, not read in the standard itself)")

@@ -21,6 +21,7 @@ _WORDS = {
     "arctg": "atan",
     "tg": "tan",
     "ln": "log",
+    "Hertz": "hertz_crossed",
 }
 _SIGNS = {"·": "*", "−": "-", "^": "**", ";": ";", "≤": "<=", "≥": ">=", "π": "pi", "\u202f": ""}
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")

@@ -111,6 +111,7 @@ SPECIAL = [
     *(f'at_least("s.x", {x})' for x in ("e", "0", "a", "a*(1 + 1e-10)", "0.26", "b", "d")),
     *(f'nearest("s.x", {x})' for x in ("e", "a", "0.874", "0.875", "0.876", "b", "9")),
     *(f'lookup("s.x", {x})' for x in ("0.04", "0.063*(1 + 1e-10)", "0.1")),
+    *(f'interpolate("s.x", {x})' for x in ("0.04", "0.07", "0.08", "0.1*(1 + 1e-10)")),
     'at_least("s.x", nearest("s.x", b)*4)',
 ]
 WITHOUT_VALUE = [
@@ -123,6 +124,8 @@ WITHOUT_VALUE = [
     'at_least("s.x", 3.1)',
     'lookup("s.x", 0.051)',
     'lookup("s.x", e)',
+    'interpolate("s.x", 0.039)',
+    'interpolate("s.x", 0.11)',
     "sqrt(e) > 0",
     "exp(1000)",
 ]

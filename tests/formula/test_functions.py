@@ -13,6 +13,7 @@ from gripcourse.formula.functions import (
     Column,
     Function,
     at_least,
+    interpolate,
     lookup,
     nearest,
 )
@@ -86,6 +87,31 @@ def test_lookup_is_the_row_of_that_size_and_no_other(size: float, value: float) 
 def test_the_first_of_two_rows_of_one_size_counts() -> None:
     twice = Column(np.array([5.0, 5.0]), np.array([1.0, 2.0]))
     assert _one(lookup, 5.0, twice) == 1.0
+
+
+# A table that is read between its rows: sizes in order, values as they come.
+TABLE = Column(np.array([1.0, 2.0, 4.0]), np.array([10.0, 30.0, 20.0]))
+
+
+@pytest.mark.parametrize(
+    ("size", "value"),
+    [
+        (1.0, 10.0),
+        (1.5, 20.0),
+        (2.0, 30.0),
+        (3.0, 25.0),
+        (4.0, 20.0),
+        (4.0 * (1 + 0.5 * SLACK), 20.0),
+        (1.0 - 0.5 * SLACK, 10.0),
+        (0.9, NAN),
+        (4.1, NAN),
+        (NAN, NAN),
+    ],
+)
+def test_interpolate_goes_straight_from_row_to_row_and_not_beyond(
+    size: float, value: float
+) -> None:
+    assert _one(interpolate, size, TABLE) == pytest.approx(value, nan_ok=True)
 
 
 _values = st.lists(st.floats(0.01, 1e4), min_size=1, max_size=12, unique=True).map(sorted)

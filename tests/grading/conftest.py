@@ -60,6 +60,23 @@ class Case:
         values = solve_variant(guide, self.given)
         return {one.id: values[one.id] for one in self.plan.answered}
 
+    @property
+    def label(self) -> str:
+        return f"{self.plan.scheme.id}, {dict(self.plan.options)}, {self.issued.variant.id}"
+
+    @property
+    def without_errata(self) -> "Case":
+        """A policy that refuses errata: an answer near a printed one is a question of its own."""
+        return self.with_policy(printed_credit=None)
+
+    def needing(self, wanted: str) -> set[str]:
+        """Everything that is computed from a quantity, directly or not."""
+        found = {wanted}
+        for name in self.plan.quantities:
+            if found.intersection(self.plan.inputs[name]):
+                found.add(name)
+        return found - {wanted}
+
     def submission(self, answers: Mapping[str, Written], **changes: object) -> Submission:
         """What was read of a workbook in which only these cells are filled."""
         variant = self.issued.variant

@@ -101,8 +101,8 @@ class TestOwnNumbers:
     def test_a_decision_is_used_downstream(self, hydraulic: "Case") -> None:
         findings = hydraulic.findings(hydraulic.following(bore=80))
         assert findings["bore"].outcome is Outcome.CORRECT
-        assert findings["supply_flow"].outcome is Outcome.CARRIED
-        assert findings["supply_flow"].inputs["bore"] == 80
+        assert findings["piston_area"].outcome is Outcome.CARRIED
+        assert findings["piston_area"].inputs["bore"] == 80
 
     def test_a_sound_decision_other_than_the_reference_costs_nothing(
         self, hydraulic: "Case"

@@ -23,6 +23,7 @@ from typing import TypeAlias
 
 from gripcourse.cohort.doubles import mark_doubles
 from gripcourse.cohort.one import Desk, grade_file
+from gripcourse.cohort.packed import pack, unpack
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
@@ -85,9 +86,10 @@ def grade_files(
     job = _Job(desk, grade_one, seconds)
     done: dict[Path, Graded] = {}
     waiting = deque(files)
+    packed = pack(job)
     while waiting:
         lost = []
-        for file, graded in _until_worker_dies(waiting, job, workers):
+        for file, graded in _until_worker_dies(waiting, packed, workers):
             if graded is None:
                 lost.append(file)
                 continue
@@ -103,7 +105,7 @@ def grade_files(
 
 
 def _until_worker_dies(
-    waiting: deque[Path], job: _Job, workers: int
+    waiting: deque[Path], packed: bytes, workers: int
 ) -> Iterator[tuple[Path, Graded | None]]:
     """Grade files from the left of `waiting`, until none is left or a worker dies.
 
@@ -117,7 +119,7 @@ def _until_worker_dies(
             while waiting and is_whole and len(running) < workers * _AHEAD:
                 file = waiting.popleft()
                 try:
-                    running[pool.submit(_grade_guarded, file, job)] = file
+                    running[pool.submit(_grade_guarded, file, packed)] = file
                 except BrokenProcessPool:
                     is_whole = False
                     yield file, None
@@ -127,8 +129,9 @@ def _until_worker_dies(
                 yield running.pop(future), graded
 
 
-def _grade_guarded(file: Path, job: _Job) -> Graded:
+def _grade_guarded(file: Path, packed: bytes) -> Graded:
     """Grade a file; a failure on our side becomes an incident with its trace."""
+    job: _Job = unpack(packed)
     try:
         with _alarm(job.seconds):
             return Graded(job.grade_one(file, job.desk), "")
@@ -138,7 +141,7 @@ def _grade_guarded(file: Path, job: _Job) -> Graded:
 
 def _grade_alone(file: Path, job: _Job) -> Graded:
     with _pool(1) as pool:
-        graded = _result(pool.submit(_grade_guarded, file, job))
+        graded = _result(pool.submit(_grade_guarded, file, pack(job)))
     return graded or _incident(file, job.desk, f"{file}: the process that graded the file died\n")
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from gripcourse.assignment.issue import workbook_path
 from gripcourse.assignment.register import read_register, register_path
+from gripcourse.assignment.roster import read_roster
 from gripcourse.cohort.one import Desk
 from gripcourse.commands.grade import Outcome, grade, write_results
 from gripcourse.commands.issue import Issuing, Order, issue_order
@@ -76,7 +77,7 @@ def run_demo(
         today=ISSUED_ON,
         deadline=DEADLINE,
     )
-    tick = step("issue", 12)
+    tick = step(words.say(message("Issuing")), len(read_roster(order.roster)))
     issuing = issue_order(course, policy, order, workers, lambda _: tick())
     register = read_register(register_path(course.root), course.id).by_student()
     stories = fill_workbooks(
@@ -84,9 +85,9 @@ def run_demo(
     )
     files = sorted(folders["submissions"].glob("*.xlsx"))
     desk = Desk(course, policy, register)
-    tick = step("grade", len(files))
+    tick = step(words.say(message("Grading")), len(files))
     graded = grade(files, desk, workers, lambda _: tick())
-    tick = step("report", len(files))
+    tick = step(words.say(message("Writing reports")), len(files))
     outcome = write_results(graded, desk, folders["graded"], GRADED_ON, workers, lambda _: tick())
     return Demo(students=stories, issuing=issuing, outcome=outcome, **folders)
 

@@ -13,9 +13,10 @@ from gripcourse.files import replacing, write_bytes
 from gripcourse.number_reading import Unreadable, read_number
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.units import unit_text
 from gripcourse.variants.explain import listed, with_unit
 from gripcourse.variants.model import Variant
-from gripcourse.words import Message, Words, message
+from gripcourse.words import LANGUAGES, Message, Texts, Words, message
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,8 +204,7 @@ def _settings(plan: Plan, settings: Iterable[str]) -> dict[str, float]:
             problems.append(_setting_problem(setting, what, did_you_mean(name, settable)))
         elif isinstance(read, Unreadable) or read.unit:
             what = message("'{text}' is not a number.", text=text)
-            unit = settable[name].unit
-            remedy = message("Write a plain number in {unit}.", unit=unit or "—")
+            remedy = message("Write a plain number in {unit}.", unit=_unit(settable[name]))
             problems.append(_setting_problem(setting, what, remedy))
         else:
             values[name] = read.value
@@ -219,6 +219,10 @@ def _split(setting: str) -> tuple[str, str]:
         what = message("'{setting}' has no equals sign.", setting=setting)
         raise UsageError([_setting_problem(setting, what, message("Write name=value."))])
     return name.strip(), text.strip()
+
+
+def _unit(quantity: Quantity) -> Texts:
+    return Texts({one: unit_text(quantity.unit, one) or "—" for one in LANGUAGES})
 
 
 def _setting_problem(setting: str, what: Message, remedy: Message) -> Problem:

@@ -13,6 +13,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.units import factor, unit_text
 from gripcourse.variants.model import Issued
+from gripcourse.words import Message, message
 from gripcourse.workbook.names import cell_name
 
 Typed = Mapping[str, float | str]
@@ -81,7 +82,19 @@ STORIES: Mapping[str, Behaviour] = {
     "rounded_down": rounded_down,
     "as_printed": printed,
 }
-COPIED = "another student's workbook"
+COPIED = "copied"
+
+TOLD: Mapping[str, Message] = {
+    "correct": message("answers everything correctly"),
+    "three_figures": message("rounds every step to three figures"),
+    "early_slip": message("slips early and computes on faultlessly"),
+    "blank": message("hands in a blank workbook"),
+    "text_and_units": message("types text and units into the cells"),
+    "rounded_down": message("rounds two sizes down"),
+    "as_printed": message("computes as the source prints it"),
+    COPIED: message("hands in another student's workbook"),
+}
+"""What each story is, for a person."""
 
 
 def fill_workbooks(

@@ -38,13 +38,16 @@ def check_course(course: Course) -> list[Problem]:
         found += _check_parts(course, scheme)
         if not _all_parts(scheme) <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
+        runs_in_circles = _has_circle(_all_inputs(course, scheme))
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
-            found += _check_declarations(course, quantities)
             new = _not_checked_yet(quantities, seen)
+            found += _check_declarations(course, new)
+            found += _check_use(course, quantities)
             found += check_formulas(new, quantities, columns, dimensions)
-            found += _check_graph(scheme, quantities)
-            found += check_series(quantities, columns, dimensions)
+            if runs_in_circles:
+                found += _check_graph(scheme, quantities)
+            found += check_series(new, columns, dimensions)
             found += _check_symbols(scheme, quantities, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_kinematics(scheme, quantities)
@@ -119,11 +122,25 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
             )
 
 
-def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
-    sections = {section.id for section in course.sections}
+def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    """Yield the givens of a composition that nothing in it uses."""
     used = used_names(quantities.values())
-    all_is_used = _is_readable(quantities.values()) and used <= {*quantities, *course.constants}
+    if not (_is_readable(quantities.values()) and used <= {*quantities, *course.constants}):
+        return
     for one in quantities.values():
+        if one.kind is Kind.GIVEN and one.id not in used:
+            yield Problem(
+                one.file,
+                f"quantity.{one.id}",
+                message("No formula uses the given '{name}'.", name=one.id),
+                message("Use it, or remove it: students would look for its purpose."),
+            )
+
+
+def _check_declarations(course: Course, declared: Iterable[Quantity]) -> Iterator[Problem]:
+    """Yield what is wrong with declarations wherever they are used."""
+    sections = {section.id for section in course.sections}
+    for one in declared:
         key = f"quantity.{one.id}"
         if one.section and one.section not in sections:
             yield Problem(
@@ -138,13 +155,6 @@ def _check_declarations(course: Course, quantities: Mapping[str, Quantity]) -> I
                 f"{key}.source.work",
                 message("The course cites no work '{work}'.", work=one.source.work),
                 did_you_mean(one.source.work, course.works),
-            )
-        if one.kind is Kind.GIVEN and all_is_used and one.id not in used:
-            yield Problem(
-                one.file,
-                key,
-                message("No formula uses the given '{name}'.", name=one.id),
-                message("Use it, or remove it: students would look for its purpose."),
             )
         for printed in one.as_printed:
             if printed.erratum not in course.errata:
@@ -170,6 +180,27 @@ def _is_readable(quantities: Iterable[Quantity]) -> bool:
 
 def _rubric_exists(course: Course, rubric: str) -> bool:
     return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()
+
+
+def _all_inputs(course: Course, scheme: Scheme) -> dict[str, set[str]]:
+    """Return what each id is computed from in any composition and convention of a scheme."""
+    inputs: dict[str, set[str]] = {}
+    parts = [course.parts[part].quantities for part in _all_parts(scheme)]
+    for quantities in (*parts, scheme.quantities, scheme.overrides):
+        for name, one in quantities.items():
+            own = inputs.setdefault(name, set())
+            for convention in Convention:
+                own.update(direct_inputs(one, convention))
+    return inputs
+
+
+def _has_circle(inputs: Mapping[str, Iterable[str]]) -> bool:
+    """Tell whether some composition may run in a circle; mostly none can: one look is enough."""
+    try:
+        TopologicalSorter(inputs).prepare()
+    except CycleError:
+        return True
+    return False
 
 
 def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:

@@ -1,6 +1,6 @@
 """Checking every formula of a composed scheme: names, dimensions, conditions, slips."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 
@@ -19,7 +19,7 @@ _FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}
 
 
 def check_formulas(
-    checked: Iterable[Quantity],
+    checked: Collection[Quantity],
     quantities: Mapping[str, Quantity],
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
@@ -32,6 +32,8 @@ def check_formulas(
         columns: catalogue columns.
         column_dimensions: of the sizes and of the column, by `catalogue.column`.
     """
+    if not checked:
+        return
     dimensions = {name: dimension(one.unit) for name, one in quantities.items() if known(one.unit)}
     for one in checked:
         for key, formula, is_condition in _keyed_formulas(one):

@@ -1,6 +1,6 @@
 """Checking the series that design decisions are taken from."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -13,12 +13,12 @@ from gripcourse.words import Message, message
 
 
 def check_series(
-    quantities: Mapping[str, Quantity],
+    quantities: Iterable[Quantity],
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
 ) -> Iterator[Problem]:
     """Yield the problems of every series: it must exist, be sizes, and be what is decided."""
-    for one in quantities.values():
+    for one in quantities:
         if one.choice is None:
             continue
         for key, name in (("series", one.choice.column), *(("also", n) for n in one.choice.also)):

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import Formula
 
 
 def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
@@ -43,7 +43,7 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:
     """Return every id that some formula of some quantity uses."""
-    return {name for one in quantities for formula in formulas(one) for name in names(formula.tree)}
+    return {name for one in quantities for formula in formulas(one) for name in formula.names}
 
 
 def formulas(quantity: Quantity) -> Iterator[Formula]:
@@ -73,4 +73,4 @@ def direct_inputs(quantity: Quantity, convention: Convention) -> tuple[str, ...]
     formula = reference_formula(quantity, convention)
     if formula is None or quantity.kind in {Kind.GIVEN, Kind.CONSTANT, Kind.MANUAL}:
         return ()
-    return names(formula.tree)
+    return formula.names

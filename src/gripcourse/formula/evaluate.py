@@ -24,7 +24,6 @@ from gripcourse.formula.tree import (
     Number,
     Operation,
     Operator,
-    names,
 )
 from gripcourse.units import factor
 
@@ -46,7 +45,7 @@ def evaluate(
         The result in SI, shaped as the values are together; NaN where there is none.
     """
     with np.errstate(all="ignore"):
-        used = {name: _finite(np.asarray(values[name], np.float64)) for name in names(formula.tree)}
+        used = {name: _finite(np.asarray(values[name], np.float64)) for name in formula.names}
         if formula.units:
             scaled = {name: value / factor(formula.units[name]) for name, value in used.items()}
             result = _value(formula.tree, scaled, columns) * factor(unit)

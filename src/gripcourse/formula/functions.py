@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.formula import boxes, rules
+from gripcourse.formula.hertz import crossed_cylinders
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -117,6 +118,17 @@ def lookup(arguments: tuple[Array, ...], column: Column | None) -> Array:
     return _entry(series.values, row, found)
 
 
+def interpolate(arguments: tuple[Array, ...], column: Column | None) -> Array:
+    """Return the value at a size between two rows, on the straight line; NaN outside the table.
+
+    The sizes must grow, which catalogues are checked for.
+    """
+    (size,), series = arguments, _needed(column)
+    slack = SLACK * np.abs(size)
+    inside = (size >= series.sizes[0] - slack) & (size <= series.sizes[-1] + slack)
+    return np.where(inside, np.interp(size, series.sizes, series.values), np.nan)
+
+
 def _entry(entries: Array, row: NDArray[np.intp], there: NDArray[np.bool_]) -> Array:
     """Take entries by row number, NaN where there is none."""
     return np.where(there, entries[np.minimum(row, entries.size - 1)], np.nan)
@@ -149,6 +161,15 @@ _NEAREST: Final = (
     "-ABS({0})*1E-9))+1)"
 )
 _LOOKUP: Final = "INDEX({values},SUMPRODUCT(MATCH(1,--(ABS({sizes}-({0}))<=ABS({0})*1E-9),0)))"
+
+# The row above the size, at most the last but one; a size above the last row divides by zero.
+_ROW: Final = "MIN(MATCH(({0})+ABS({0})*1E-9,{sizes},1),ROWS({sizes})-1)"
+_INTERPOLATE: Final = (
+    f"((INDEX({{values}},{_ROW})+(({{0}})-INDEX({{sizes}},{_ROW}))"
+    f"*(INDEX({{values}},{_ROW}+1)-INDEX({{values}},{_ROW}))"
+    f"/(INDEX({{sizes}},{_ROW}+1)-INDEX({{sizes}},{_ROW})))"
+    "/IF(({0})-MAX({sizes})<=ABS({0})*1E-9,1,0))"
+)
 
 FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
     {
@@ -190,6 +211,15 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
                 boxes.entry("≈", ""), _NEAREST,
             ),
             Function("lookup", 1, 1, True, lookup, rules.value_of_size, boxes.reading, _LOOKUP),
+            Function(
+                "interpolate", 1, 1, True, interpolate, rules.value_of_size,
+                boxes.reading, _INTERPOLATE,
+            ),
+            # No spreadsheet has elliptic integrals.
+            Function(
+                "hertz_crossed", 1, 1, False, _of(crossed_cylinders), rules.plain,
+                boxes.word("Hertz"), None,
+            ),
         )
     }
 )  # fmt: skip

@@ -73,11 +73,18 @@ class Formula:
         tree: what it means.
         units: for an empirical formula, the unit in which each name enters; empty otherwise. The
             result of an empirical formula is in the quantity's own unit.
+        names: ids of the quantities that it uses, each once, in order of appearance. Kept, because
+            a course has hundreds of compositions and each asks for them.
     """
 
     text: str
     tree: Node
     units: Mapping[str, str]
+    names: tuple[str, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Find the names once."""
+        object.__setattr__(self, "names", names(self.tree))
 
 
 CONSTANTS: frozenset[str] = frozenset({"pi"})

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from pathlib import PurePath
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity
@@ -160,7 +161,7 @@ def _range(lowest: float | None, highest: float | None, words: Words) -> str:
 def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
     totals = section_totals(report) if report.judged else {}
     return StudentRow(
-        name=report.name or report.student or report.file,
+        name=report.name or report.student or PurePath(report.file).name,
         variant=report.variant or "—",
         score=points_text(report.score, words) if report.judged else "—",
         sections=tuple(
@@ -190,7 +191,7 @@ def _title(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words)
 def _flagged(report: Report, words: Words) -> FlaggedFile:
     return FlaggedFile(
         name=report.name or report.student or "—",
-        file=report.file,
+        file=PurePath(report.file).name,
         sentences=tuple(words.say(flag.message) for flag in report.flags),
     )
 

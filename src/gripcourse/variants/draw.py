@@ -108,9 +108,8 @@ def draw(
         TableError: too few candidates can be solved; the main reasons are named.
     """
     search = [_Search(course, space, case, further) for space in spaces for case in space.cases]
-    shares = [space.weight / len(space.cases) for space in spaces for _ in space.cases]
-    counts = _apportion(count, shares)
-    seeds = np.random.SeedSequence(seed).spawn(len(search) + 1)
+    seeds = np.random.SeedSequence(seed).spawn(len(search) + 2)
+    counts = _counts(spaces, count, np.random.default_rng(seeds.pop()))
     found = [
         one.find(wanted, own) for one, wanted, own in zip(search, counts, seeds[:-1], strict=True)
     ]
@@ -124,6 +123,29 @@ def draw(
         for number, (scheme, options, given) in enumerate(mixed, start=1)
     )
     return Drawn(variants, _tallies(search, found))
+
+
+def _counts(spaces: Sequence[Space], count: int, rng: np.random.Generator) -> list[int]:
+    """Split a count among the cases of all spaces, in their order."""
+    parts = _apportion(count, [space.weight for space in spaces])
+    spread = (_spread(space.cases, part, rng) for space, part in zip(spaces, parts, strict=True))
+    return [wanted for one in spread for wanted in one]
+
+
+def _spread(cases: Sequence[Case], count: int, rng: np.random.Generator) -> list[int]:
+    """Split a count among the combinations of options, each choice of an option alike often.
+
+    There may be far more combinations than variants: which of them come is left to chance.
+    """
+    columns = []
+    for name in cases[0].options:
+        choices = tuple(dict.fromkeys(case.options[name] for case in cases))
+        numbers = (np.arange(count) + rng.integers(len(choices))) % len(choices)
+        columns.append([choices[number] for number in rng.permutation(numbers)])
+    chosen: Counter[tuple[str, ...]] = Counter(zip(*columns, strict=True))
+    if not columns:
+        chosen[()] = count
+    return [chosen[tuple(case.options.values())] for case in cases]
 
 
 def _apportion(count: int, shares: Sequence[float]) -> list[int]:
@@ -157,6 +179,8 @@ class _Search:
 
     def find(self, wanted: int, seed: np.random.SeedSequence) -> _Found:
         """Try candidates until enough are accepted."""
+        if not wanted:
+            return _Found((), 0, 0, ())
         plan = make_plan(self.course, self.space.scheme, self.case.options)
         rows: dict[tuple[float, ...], Mapping[str, float]] = {}
         reasons: Counter[Reason] = Counter()

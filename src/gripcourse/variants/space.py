@@ -44,7 +44,7 @@ class Space:
     Attributes:
         scheme: its id.
         weight: its share among the schemes.
-        cases: the combinations of options, equally frequent.
+        cases: the combinations of options; every choice of an option is equally frequent.
         file: where it is declared, for messages.
     """
 

@@ -1,0 +1,85 @@
+"""What the commands share: their common options, and what these mean."""
+
+import os
+import sys
+from datetime import date, datetime
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse import cli_text
+from gripcourse.words import LANGUAGES, Words, message
+
+CourseOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--course",
+        help="Folder of the course; default: this folder if it is one, else the one shipped.",
+    ),
+]
+LanguageOption = Annotated[
+    str | None, typer.Option("--language", help="en, ru or uk; default: the course's language.")
+]
+TableOption = Annotated[
+    Path | None, typer.Option("--table", help="Variant table; default: the course's main table.")
+]
+OutOption = Annotated[Path, typer.Option("--out", help="Where to write.")]
+DateOption = Annotated[
+    datetime | None, typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; today.")
+]
+WorkersOption = Annotated[
+    int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
+]
+PROCESSORS = os.cpu_count() or 1
+
+
+def chosen_words() -> Words:
+    """Return the language of a command that failed; a language that is none failed it."""
+    chosen = [two for one, two in pairwise(sys.argv) if one == "--language"]
+    return words_for(chosen[0] if chosen and chosen[0] in LANGUAGES else None)
+
+
+def course_folder(course: Path | None) -> Path:
+    """Return the course to work on: the named one, else this folder if it is one, else ours."""
+    from gripcourse.resources import course_root, is_course  # noqa: PLC0415 (not for --help)
+
+    here = Path.cwd()
+    return course_root(course or (here if is_course(here) else None))
+
+
+def main_table(root: Path) -> Path:
+    """Return where a course keeps the table that it issues from."""
+    return root / "variants" / "tables" / "main.csv"
+
+
+def day_of(chosen: datetime | None) -> date:
+    """Return the chosen day, else today."""
+    return chosen.date() if chosen else datetime.now().astimezone().date()
+
+
+def words_for(language: str | None) -> Words:
+    """Return the language that the command line speaks: chosen, else the system's, else English."""
+    if language is not None:
+        return Words(known_language(language))
+    system = os.environ.get("LC_ALL") or os.environ.get("LC_MESSAGES") or os.environ.get("LANG", "")
+    return Words(system[:2] if system[:2] in LANGUAGES else LANGUAGES[0])
+
+
+def document_language(chosen: str | None, course: str) -> str:
+    """Return the language of a document: chosen, else the course's."""
+    return known_language(chosen) if chosen is not None else course
+
+
+def known_language(language: str) -> str:
+    """Return the language if the program speaks it.
+
+    Raises:
+        UsageError: it does not.
+    """
+    if language not in LANGUAGES:
+        raise cli_text.misuse(
+            message("There is no language '{language}': en, ru or uk.", language=language)
+        )
+    return language
