@@ -256,14 +256,14 @@ def reference(
     *,
     out: OutOption = Path("reference"),
     course: CourseOption = None,
-    language: LanguageOption = "en",
+    language: Annotated[str, typer.Option("--language", help="en, ru or uk.")] = "en",
 ) -> None:
     """Write the formula reference: a page for each scheme, made from the declarations alone."""
     from gripcourse.commands.reference import write_reference
     from gripcourse.course.load import load_course
 
-    words = Words(_known(language or LANGUAGES[0]))
-    for path in write_reference(load_course(_root(course)), out, words):
+    words = words_for(language)
+    for path in write_reference(load_course(course_folder(course)), out, words):
         typer.echo(str(path))
 
 

@@ -14,6 +14,7 @@ from gripcourse.formula.typeset import Box, number_box, symbol_box, typeset
 CHILDREN = {"mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "msubsup": 3}
 TOKENS = {"mi", "mn", "mo", "mtext", "mspace"}
 CONTAINERS = {"math", "mrow", "msqrt", *CHILDREN}
+THIN = '<mspace width="0.17em"/>'
 SYMBOLS = {
     "a": symbol_box("a"),
     "b": symbol_box("F_тр"),
@@ -61,8 +62,7 @@ def laid_out(formula: str) -> str:
         ),
         (
             "a*cos(a)",
-            '<mi>a</mi><mo>\u2062</mo><mspace width="0.17em"/><mi>cos</mi><mo>\u2061</mo>'
-            '<mspace width="0.17em"/><mi>a</mi>',
+            f"<mi>a</mi><mo>\u2062</mo>{THIN}<mi>cos</mi><mo>\u2061</mo>{THIN}<mi>a</mi>",
         ),
         ("c", "<mn>−3</mn><mtext>\u00a0м/с²</mtext>"),
     ],

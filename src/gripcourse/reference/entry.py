@@ -216,7 +216,7 @@ def link_to(one: Occurrence, content: Content, language: str) -> Link:
 
 def brought(condition: Condition, language: str) -> Brought:
     """Name an option and those of its choices that bring a part."""
-    choices = ", ".join(one.title.of(language) for one in condition.choices)
+    choices = " / ".join(one.title.of(language) for one in condition.choices)
     return Brought(condition.option.title.of(language), choices)
 
 

@@ -1,6 +1,6 @@
 """Which declarations a scheme has: from which part each comes, and under which options."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.compose import direct_inputs, used_names
@@ -122,11 +122,26 @@ def _arranged(declared: tuple[Occurrence, ...]) -> tuple[Occurrence, ...]:
     for one in declared:
         own = needed.setdefault(one.quantity.id, set())
         own.update(direct_inputs(one.quantity, Convention.CORRECTED))
-    waiting = list(needed)
+    waiting = dict.fromkeys(needed)
     placed: list[str] = []
     while waiting:
-        ready = (name for name in waiting if needed[name].isdisjoint({*waiting} - {name}))
-        placed.append(next(ready, waiting[0]))
-        waiting.remove(placed[-1])
+        ready = (name for name in waiting if waiting.keys().isdisjoint(needed[name] - {name}))
+        # In a circle of options that exclude each other, begin where least else is missing.
+        name = next(ready, None) or min(
+            waiting, key=lambda one: len(_missing(one, needed, waiting))
+        )
+        placed.append(name)
+        del waiting[name]
     rank = {name: number for number, name in enumerate(placed)}
     return tuple(sorted(declared, key=lambda one: rank[one.quantity.id]))
+
+
+def _missing(name: str, needed: Mapping[str, set[str]], waiting: Collection[str]) -> set[str]:
+    """Return what is still waiting among all that a quantity is computed from in the end."""
+    found: set[str] = set()
+    look_at = [name]
+    while look_at:
+        new = {one for one in needed[look_at.pop()] if one in waiting} - found
+        found |= new
+        look_at += new
+    return found
