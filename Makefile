@@ -45,12 +45,14 @@ bench: .venv/dev.stamp ## measure what the documentation states
 	@for file in $(sort $(wildcard benchmarks/*.py)); do echo "# $$file"; $(BIN)/python "$$file" || exit; done
 
 .PHONY: gallery
-gallery: test-packages demo ## the demo's PDF pages as pictures, in out/gallery/
-	@rm -rf $(OUT)/gallery && mkdir -p $(OUT)/gallery
-	@find $(OUT) -name '*.pdf' | sort | while read -r file; do \
-	  name=$$(echo "$${file#$(OUT)/}" | tr '/ ' '__'); \
-	  pdftoppm -r 80 -png "$$file" "$(OUT)/gallery/$${name%.pdf}" || exit; done
-	@ls $(OUT)/gallery
+gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
+	@mkdir -p docs/gallery
+	@$(BIN)/python -m gripcourse solve 034 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
+	@$(BIN)/python -m gripcourse atlas lever-arms --out $(OUT)/atlas >$(OUT)/atlas.log
+	@while read -r name file; do \
+	  pdftoppm -r 80 -png -f 1 -l 1 -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \
+	done <scripts/gallery
+	@ls docs/gallery
 
 .PHONY: reference
 reference: .venv/run.stamp ## the formula reference in docs/reference/, from the declarations

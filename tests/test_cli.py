@@ -200,7 +200,7 @@ class TestWrongUse:
             ),
             pytest.param(
                 ["solve", "--scheme", SCHEME, "--option", "drive=steam"],
-                ["steam", "hydraulic, pneumatic"],
+                ["steam", "hydraulic", "pneumatic"],
                 id="unknown option",
             ),
             pytest.param(["solve", "001", "--language", "de"], ["de", "uk"], id="language"),

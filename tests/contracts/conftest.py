@@ -1,11 +1,16 @@
-"""Every scheme with every combination of its options, and numbers to try them with.
+"""Every scheme with every choice of its options, and numbers to try them with.
 
 Contracts are generated from the declarations: a scheme that is added to the course is checked
 without a line written here. A failure names the scheme, the options and the quantities.
+
+One scheme may have hundreds of combinations of options. Tried are as few as hold every choice of
+every option; `gripcourse validate` composes and checks all of them.
 """
 
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -55,26 +60,65 @@ class Composition:
         return self.references[0]
 
 
+@cache
+def reference_course() -> Course:
+    """Load the reference course once for the collection and for the tests."""
+    return load_course(REPOSITORY)
+
+
+def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
+    """Choose few combinations of options that hold every choice of every option.
+
+    The first is the worked example's; then always the one with the most choices still missing,
+    and of those the one whose other choices were tried least, so that they come in new company.
+    """
+    tried = Counter(
+        {(option.id, choice.id): 0 for option in scheme.options for choice in option.choices}
+    )
+    chosen = [] if scheme.example is None else [dict(scheme.example.options)]
+    tried.update(pair for options in chosen for pair in options.items())
+    while not chosen or min(tried.values(), default=1) == 0:
+        best = max(
+            option_sets(scheme),
+            key=lambda options: (
+                sum(tried[pair] == 0 for pair in options.items()),
+                -sum(tried[pair] for pair in options.items()),
+            ),
+        )
+        chosen.append(best)
+        tried.update(best.items())
+    return tuple(chosen)
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Give every composition, and every number of a worked example, a test of its own."""
+    schemes = reference_course().schemes
+    if "scheme_id" in metafunc.fixturenames:
+        metafunc.parametrize("scheme_id", list(schemes))
     if "composition_key" in metafunc.fixturenames:
         only_guide = "of_the_guide" in metafunc.fixturenames
         keys = [
             (scheme.id, tuple(sorted(options.items())))
-            for scheme in load_course(REPOSITORY).schemes.values()
-            for options in option_sets(scheme)
+            for scheme in schemes.values()
+            for options in covering_sets(scheme)
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
     if "expected_key" in metafunc.fixturenames:
         expected = [
             (scheme.id, convention, quantity)
-            for scheme in load_course(REPOSITORY).schemes.values()
+            for scheme in schemes.values()
             if scheme.example is not None
             for convention, values in scheme.example.expected.items()
             for quantity in values
         ]
         metafunc.parametrize("expected_key", expected, ids=["-".join(key) for key in expected])
+
+
+@pytest.fixture(scope="session")
+def course() -> Course:
+    """The reference course, the same that the collection has loaded."""
+    return reference_course()
 
 
 def _is_of_the_guide(scheme: Scheme, options: Mapping[str, str]) -> bool:
@@ -87,23 +131,48 @@ def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:
 
 
 @pytest.fixture(scope="session")
-def variants_of(course: Course) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
-    """Find variants of a scheme with options: issued ones, else drawn ones; maybe none."""
+def spaces(course: Course) -> tuple[Space, ...]:
+    """What variants are drawn from."""
+    return load_spaces(course)
+
+
+@pytest.fixture(scope="session")
+def issued(course: Course) -> tuple[Variant, ...]:
+    """The variants of the course's table."""
     table = course.root / "variants" / "tables" / "main.csv"
-    issued = read_table(table, course) if table.exists() else ()
-    spaces = load_spaces(course)
+    return read_table(table, course) if table.exists() else ()
+
+
+@pytest.fixture(scope="session")
+def drawn_of(course: Course, spaces: tuple[Space, ...]) -> Callable[[str, int], tuple[Variant, ...]]:
+    """Draw variants of a scheme, its options mixed; the same count gives the same variants."""
+
+    def find(scheme: str, count: int) -> tuple[Variant, ...]:
+        own = [space for space in spaces if space.scheme == scheme]
+        assert own, f"there is nothing to draw variants of {scheme} from"
+        return draw(course, own, count, SEED).variants
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def variants_of(
+    course: Course, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
+) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
+    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none."""
 
     def find(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
-        tabled = [one for one in issued if one.scheme == scheme and one.options == options]
-        if tabled:
-            return tuple(tabled[:DRAWN])
+        tabled = tuple(one for one in issued if one.scheme == scheme and one.options == options)
+        if len(tabled) >= DRAWN:
+            return tabled[:DRAWN]
         cases = [
             Space(scheme, 1, (case,), space.file)
             for space in spaces
             for case in space.cases
             if space.scheme == scheme and case.options == options
         ]
-        return draw(course, cases, DRAWN, SEED).variants if cases else ()
+        missing = DRAWN - len(tabled)
+        return (*tabled, *(draw(course, cases, missing, SEED).variants if cases else ()))
 
     return find
 

@@ -41,7 +41,12 @@ FLIPPED: Mapping[Operator, Operator] = {
     ">=": "<=",
 }
 # Flips that change no number, and why.
-EQUIVALENT: Mapping[str, str] = {}
+EQUIVALENT: Mapping[str, str] = {
+    f"finger_force_{side}: {sign}": "the load seldom pushes a jaw towards the gripper; its own test"
+    " by vectors has loads that do"
+    for side in ("left", "right")
+    for sign in "+*"
+}
 # Flips that the worked example's own numbers cannot show, and why; variants show them.
 HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
     "rack_parallelogram": {

@@ -39,6 +39,7 @@ _WORDS = {
     "arctg": "atan",
     "tg": "tan",
     "ln": "log",
+    "Hertz": "hertz_crossed",
 }
 _SIGNS = {"·": "*", "−": "-", "^": "**", "≤": "<=", "≥": ">=", "π": "pi", "; ": ", "}
 

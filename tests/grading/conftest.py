@@ -161,7 +161,7 @@ def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
     """Some variants of every scheme, drawn from its own space, with every choice of its options."""
     spaces = load_spaces(course)
     assert {space.scheme for space in spaces} == set(course.schemes)
-    variants = [one for space in spaces for one in draw(course, [space], 8, 20260907).variants]
+    variants = [one for space in spaces for one in draw(course, [space], 3, 20260907).variants]
     return tuple(
         make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
         for one in variants

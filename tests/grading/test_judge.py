@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gripcourse.course.model import Kind
@@ -47,7 +47,7 @@ class TestRightAnswers:
     def test_rounding_every_step_to_three_figures_and_computing_on_costs_nothing(
         self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
     ) -> None:
-        for case in (*table[:16], *drawn):
+        for case in (*table[::4], *drawn[::2]):
             assert case.lost(computed_on(case, 3)) == set(), case.label
 
     def test_typing_three_figures_of_exact_numbers_costs_nothing(
@@ -97,6 +97,7 @@ class TestOneAnswerMoved:
         lost = {name: case.lost(moved(case, name, direction)) for name in computed}
         assert set().union(*lost.values()) == set()
 
+    @settings(max_examples=40)
     @given(near=st.floats(0, 3), far=st.floats(0, 3), data=st.data())
     def test_marks_never_fall_when_an_answer_gets_closer(
         self, hydraulic: "Case", near: float, far: float, data: st.DataObject

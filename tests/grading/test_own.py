@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gripcourse.grading.model import Against, Outcome
@@ -60,6 +60,7 @@ class TestCarriedErrors:
         answers = {**hydraulic.answers, "grip_force": 2 * hydraulic.reference["grip_force"]}
         assert hydraulic.lost(answers) == {"grip_force"}
 
+    @settings(max_examples=40)
     @given(
         factors=st.dictionaries(
             st.sampled_from(["lifting_load", "jaw_travel", "gear_torque", "pin_force", "stroke"]),

@@ -204,6 +204,8 @@ def test_a_jaw_on_parallel_arms_is_balanced_by_virtual_work(
     for angle in (values["arm_angle_at_min"], values["arm_angle_at_max"]):
         path = np.array([X_SIDES[points[0]] * np.cos(angle), -np.sin(angle)])
         forces.append(np.sum(total * path, axis=0) / np.cos(angle))
+    assert np.any(total[1] < 0)
+    assert np.any(total[1] > 0)
     np.testing.assert_allclose(values[f"finger_force_{side}"], np.max(forces, axis=0), rtol=1e-9)
 
 

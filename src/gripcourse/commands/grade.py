@@ -10,6 +10,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from gripcourse.cohort.one import Desk
+from gripcourse.cohort.packed import pack, unpack
 from gripcourse.cohort.run import Graded, grade_files
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
@@ -175,6 +176,11 @@ def student_pdf(report: Report, course: Course, policy: Policy, graded_on: date)
         return f"report of {report.file}:\n{traceback.format_exc()}"
 
 
+def _packed_pdf(report: Report, packed: bytes) -> bytes | str:
+    course, policy, graded_on = unpack(packed)
+    return student_pdf(report, course, policy, graded_on)
+
+
 def _lay_out(
     reports: Sequence[Report],
     desk: Desk,
@@ -184,11 +190,10 @@ def _lay_out(
 ) -> list[tuple[Report, bytes | str | None]]:
     laid_out: list[tuple[Report, bytes | str | None]] = []
     context = get_context("spawn")
+    packed = pack((desk.course, desk.policy, graded_on))
     with ProcessPoolExecutor(min(workers, max(len(reports), 1)), context) as pool:
         jobs = [
-            pool.submit(student_pdf, report, desk.course, desk.policy, graded_on)
-            if report.scheme
-            else None
+            pool.submit(_packed_pdf, report, packed) if report.scheme else None
             for report in reports
         ]
         for report, job in zip(reports, jobs, strict=True):

@@ -13,6 +13,7 @@ from gripcourse.assignment.issue import Desk, Handout, issue_one
 from gripcourse.assignment.register import read_register, register_path, write_register
 from gripcourse.assignment.roster import read_roster
 from gripcourse.assignment.signature import key_path, read_key
+from gripcourse.cohort.packed import pack, unpack
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.solver.plan import make_plan
@@ -81,12 +82,18 @@ def issue_order(
     return Issuing(_write(desk, entries, workers, on_done), extended.notes)
 
 
+def _issue_packed(entry: Issued, packed: bytes) -> Handout:
+    desk: Desk = unpack(packed)
+    return issue_one(desk, entry)
+
+
 def _write(
     desk: Desk, entries: Sequence[Issued], workers: int, on_done: Callable[[str], None]
 ) -> tuple[Handout, ...]:
     # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
     with ProcessPoolExecutor(max(1, min(workers, len(entries))), get_context("spawn")) as pool:
-        jobs = {pool.submit(issue_one, desk, entry): entry.student.id for entry in entries}
+        packed = pack(desk)
+        jobs = {pool.submit(_issue_packed, entry, packed): entry.student.id for entry in entries}
         done = {}
         for job in as_completed(jobs):
             done[jobs[job]] = job.result()
