@@ -24,10 +24,21 @@ def test_declarations_that_exclude_each_other_have_places_of_their_own(course: C
     assert len({one.part for one in bores}) == len(bores)
 
 
-def test_formulas_of_a_part_mean_its_own_declarations(course: Course) -> None:
+def test_a_formula_means_the_declarations_of_its_own_part(course: Course) -> None:
     content = content_of(course, course.schemes[SCHEME])
-    assert content.find("bore", "pneumatic_series").part == "pneumatic_series"
-    assert content.meant("bore", "pin") == content.by_id["bore"]
+    rods = content.by_id["rod"]
+    assert [content.meant("bore", rod) for rod in rods] == [
+        (bore,) for bore in content.by_id["bore"]
+    ]
+
+
+def test_a_formula_of_another_part_means_all_that_may_stand_beside_it(course: Course) -> None:
+    content = content_of(course, course.schemes[SCHEME])
+    [actual] = content.by_id["drive_force_actual"]
+    assert content.meant("bore", actual) == content.by_id["bore"]
+    [pull] = content.by_id["bore_without_rod"]
+    pulling = {one.part for one in content.meant("bore", pull)}
+    assert pulling == {"hydraulic_pull_series", "pneumatic_pull_series"}
 
 
 def test_a_schemes_change_of_a_part_is_shown(course: Course) -> None:

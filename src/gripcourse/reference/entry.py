@@ -314,12 +314,12 @@ def _links(
     ids: tuple[str, ...], one: Occurrence, content: Content, language: str
 ) -> Iterator[Link]:
     for name in ids:
-        yield from (link_to(each, content, language) for each in content.meant(name, one.part))
+        yield from (link_to(each, content, language) for each in content.meant(name, one))
 
 
 def _users(one: Occurrence, content: Content, language: str) -> Iterator[Link]:
     """Yield links to what is computed from this declaration."""
     for other in content.occurrences:
         uses = one.quantity.id in _inputs(other.quantity)
-        if uses and one in content.meant(one.quantity.id, other.part):
+        if uses and one in content.meant(one.quantity.id, other):
             yield link_to(other, content, language)

@@ -112,7 +112,7 @@ def _symbols(motion: Kinematics, content: Content, language: str) -> Mapping[str
     return {
         name: name_box(name)
         if name in own
-        else symbol_of(content.find(name, "").quantity, language)
+        else symbol_of(content.meant(name)[0].quantity, language)
         for name in used
     }
 
@@ -120,14 +120,14 @@ def _symbols(motion: Kinematics, content: Content, language: str) -> Mapping[str
 def _ratios(motion: Kinematics, content: Content, words: Words) -> Iterator[Ratio]:
     for position, name in motion.ratio.items():
         state = (
-            equation((symbol_of(content.find(one, "").quantity, words.language), name_box(where)))
+            equation((symbol_of(content.meant(one)[0].quantity, words.language), name_box(where)))
             for one, where in motion.state.get(position, {}).items()
         )
-        link = link_to(content.find(name, ""), content, words.language)
+        link = link_to(content.meant(name)[0], content, words.language)
         yield Ratio(words.say(_POSITIONS[position]), link, tuple(state))
 
 
 def _lossless(motion: Kinematics, content: Content, words: Words) -> Iterator[tuple[Link, str]]:
     for name, value in motion.lossless.items():
-        one = content.find(name, "")
+        one = content.meant(name)[0]
         yield link_to(one, content, words.language), amount_text(value, one.quantity.unit, words)

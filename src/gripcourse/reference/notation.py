@@ -18,7 +18,7 @@ _ROUNDED: Final = {Rounding.UP: "≥", Rounding.NEAREST: "≈"}
 def symbols_for(one: Occurrence, content: Content, language: str) -> Symbols:
     """Return what stands for every name and every column in the formulas of a declaration."""
     found: dict[str, Box] = {
-        name: symbol_of(content.find(name, one.part).quantity, language)
+        name: symbol_of(content.meant(name, one)[0].quantity, language)
         for name in used_names([one.quantity])
     }
     for formula in formulas(one.quantity):

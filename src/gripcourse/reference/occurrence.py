@@ -57,14 +57,16 @@ class Content:
     occurrences: tuple[Occurrence, ...]
     by_id: Mapping[str, tuple[Occurrence, ...]]
 
-    def meant(self, identifier: str, part: str) -> tuple[Occurrence, ...]:
-        """Return the declarations that formulas of a part may mean: its own, else any."""
-        versions = self.by_id[identifier]
-        return tuple(one for one in versions if one.part == part) or versions
+    def meant(self, identifier: str, user: Occurrence | None = None) -> tuple[Occurrence, ...]:
+        """Return the declarations that an id in a formula of another declaration may mean.
 
-    def find(self, identifier: str, part: str) -> Occurrence:
-        """Return the first declaration that formulas of a part may mean."""
-        return self.meant(identifier, part)[0]
+        Those of the same part count first, else all that some variant has together with the user.
+        """
+        versions = self.by_id[identifier]
+        if user is None:
+            return versions
+        own = tuple(one for one in versions if one.part == user.part)
+        return own or tuple(one for one in versions if _together(one, user)) or versions
 
 
 def content_of(course: Course, scheme: Scheme) -> Content:
@@ -97,6 +99,18 @@ def conditions_of(scheme: Scheme, part: str) -> tuple[Condition, ...]:
         if choices:
             found.append(Condition(option, choices))
     return tuple(found)
+
+
+def _together(one: Occurrence, other: Occurrence) -> bool:
+    """Tell whether a variant may have both: no option brings the one or the other."""
+    if len(one.conditions) != 1 or len(other.conditions) != 1:
+        return True
+    [mine], [theirs] = one.conditions, other.conditions
+    if mine.option.id != theirs.option.id:
+        return True
+    return not {choice.id for choice in mine.choices}.isdisjoint(
+        choice.id for choice in theirs.choices
+    )
 
 
 def _declared(course: Course, scheme: Scheme) -> Iterable[Occurrence]:
