@@ -168,7 +168,9 @@ def issued(course: Course) -> tuple[Variant, ...]:
 
 
 @pytest.fixture(scope="session")
-def drawn_of(course: Course, spaces: tuple[Space, ...]) -> Callable[[str, int], tuple[Variant, ...]]:
+def drawn_of(
+    course: Course, spaces: tuple[Space, ...]
+) -> Callable[[str, int], tuple[Variant, ...]]:
     """Draw variants of a scheme, its options mixed; the same count gives the same variants."""
 
     def find(scheme: str, count: int) -> tuple[Variant, ...]:
