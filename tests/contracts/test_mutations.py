@@ -121,9 +121,7 @@ def value(plan: Plan, one: Quantity, formula: Formula, values: Values) -> Array:
     return result / factor(one.unit)
 
 
-def is_seen(
-    plan: Plan, one: Quantity, formula: Formula, values: Values, policy: Policy
-) -> bool:
+def is_seen(plan: Plan, one: Quantity, formula: Formula, values: Values, policy: Policy) -> bool:
     """Tell whether a mutant changes its quantity by more than the band in any set of numbers."""
     right_formula = plan.reference_formula(one.id)
     assert right_formula is not None

@@ -17,6 +17,7 @@ from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import number_box, typeset
 from gripcourse.number_text import format_number
+from gripcourse.report.angles import in_radians
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values
 from gripcourse.units import factor, read_unit, unit_text
@@ -28,7 +29,8 @@ FULL = 15  # figures
 _DIGITS = {"en": r"\d[\d,]*(?:\.\d+)?", "ru": r"\d[\d\u202f]*(?:,\d+)?"}
 _POWER_OF_TEN = "(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
 _LETTERS = r"[^\W\d_]+[²³⁴]?"
-_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/]{_LETTERS})*|%))?"
+_BELOW = rf"{_LETTERS}|\({_LETTERS}(?:·{_LETTERS})*\)"
+_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/](?:{_BELOW}))*|%))?"
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _WORDS = {
     "√": "sqrt",
@@ -81,11 +83,12 @@ def separated(line: str) -> str:
     return " and ".join(part.strip() for part in parts)
 
 
-def printed(formula: Formula, plan: Plan, values: Values, language: str) -> str:
+def printed(one: Quantity, formula: Formula, plan: Plan, values: Values, language: str) -> str:
     """Print a formula with numbers instead of names, all their figures and their units."""
+    counted = in_radians(one, formula, plan.quantities)
     boxes = {}
     for name in names(formula.tree):
-        unit = formula.units.get(name, plan.quantities[name].unit)
+        unit = formula.units.get(name, "rad" if name in counted else plan.quantities[name].unit)
         shown = "" if formula.units else unit_text(unit, language)
         number = format_number(float(values[name]) / factor(unit), language, FULL)
         boxes[name] = number_box(number, shown)
@@ -108,7 +111,7 @@ def difference(
     one: Quantity, formula: Formula, plan: Plan, reference: "Reference", language: str
 ) -> float:
     """Return by which share the printed line differs from the computed value."""
-    line = printed(formula, plan, reference.values, language)
+    line = printed(one, formula, plan, reference.values, language)
     size = factor(one.unit) if formula.units else 1.0  # of an empirical one, in its own unit
     found = read_back(line, language) * size
     right = float(evaluate(formula, one.unit, reference.values, plan.columns))
@@ -124,7 +127,7 @@ def test_a_printed_line_reads_back_to_its_value(
     composed: Composition = request.getfixturevalue(convention)
     plan = composed.plan
     faults = [
-        f"{reference.name}: {one.id}: {printed(formula, plan, reference.values, language)}"
+        f"{reference.name}: {one.id}: {printed(one, formula, plan, reference.values, language)}"
         for reference in composed.references[:2]
         for one, formula in printable(plan)
         if difference(one, formula, plan, reference, language) > 1e-6
@@ -146,6 +149,8 @@ def test_every_formula_quantity_is_printed_without_a_table(composition: "Composi
         ("√((4 · 22\u202f941,2 Н)/(π · 10 МПа · 0,8091))", "ru", 0.0600844),
         ("arcsin((90 мм)/(150 мм))", "ru", 0.6435011),
         ("51 mm · (36.8699° − 0°)", "en", 0.0328186),
+        ("51 мм · (0,643501 рад − 0 рад)", "ru", 0.0328186),
+        ("3,5 Вт/(11 Вт/(м²·К) · 48,5 см²)", "ru", 65.60450),
         ("60 кг · (10 м/с² + 5 м/с²)", "ru", 900),
         ("0,418² · 2·10⁻⁵ м", "ru", 3.494480e-6),
         ("max(5,2; 5,9)", "ru", 5.9),
@@ -156,6 +161,19 @@ def test_every_formula_quantity_is_printed_without_a_table(composition: "Composi
 )
 def test_the_reader_understands_what_is_printed(line: str, language: str, value: float) -> None:
     assert read_back(line, language) == pytest.approx(value, rel=1e-5)
+
+
+def test_an_angle_that_counts_as_a_number_is_put_in_in_radians(composition: "Composition") -> None:
+    """Else a pocket calculator gives another number for the printed line than stands behind it."""
+    plan, faults = composition.plan, []
+    for one, formula in printable(plan):
+        line = printed(one, formula, plan, composition.example.values, "en")
+        degrees = re.sub(
+            r"(sin|cos|tan)[²³]? ?\((?:[^()]|\([^()]*\))*\)|(sin|cos|tan)[²³]? [\d.]+°", "", line
+        )
+        if "°" in degrees and one.unit not in {"deg", "rad"} and one.kind is not Kind.VERDICT:
+            faults.append(f"{one.id}: {line}")
+    assert faults == []
 
 
 def test_a_printed_line_that_lost_its_brackets_would_be_noticed() -> None:

@@ -37,6 +37,12 @@ def test_an_angle_is_printed_in_degrees(plan: Plan) -> None:
     assert written.endswith("= 36,87°")
 
 
+def test_an_angle_that_counts_as_a_number_is_put_in_in_radians(plan: Plan) -> None:
+    inputs = {"pitch_radius": 51.0, "arm_angle_open": 36.8699, "arm_angle_at_min": 0.0}
+    written = line(plan, "stroke_required", inputs, 32.819)
+    assert "51 мм · (0,6435 рад − 0 рад) = 32,819 мм" in written
+
+
 def test_a_number_that_is_not_known_stays_a_symbol(plan: Plan) -> None:
     written = line(plan, "arm_angle_open", {"arm_length": 150.0})
     _, symbols, numbers = written.split(" = ")

@@ -13,6 +13,7 @@ from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.formula.boxes import Box, Row, Text
 from gripcourse.formula.tree import Call, Formula, Name, Node, Operation, names, walk
 from gripcourse.formula.typeset import equation, number_box, symbol_box, typeset
+from gripcourse.report.angles import in_radians
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor, unit_text
 from gripcourse.words import Words, message
@@ -44,7 +45,7 @@ def worked_line(
     symbols = _symbols(quantity, formula, plan, words)
     # The number of a formula that is a mere name would be the result itself.
     hidden = result is None and isinstance(formula.tree, Name) and quantity.kind is not Kind.CHOICE
-    numbers = symbols if hidden else symbols | _numbers(formula, inputs, plan, words)
+    numbers = symbols if hidden else symbols | _numbers(quantity, formula, inputs, plan, words)
     if quantity.kind is Kind.VERDICT:
         return _verdict(formula.tree, symbols, numbers, result, words)
     sides = _sides(formula.tree, symbols, numbers, words)
@@ -83,21 +84,26 @@ def _symbols(quantity: Quantity, formula: Formula, plan: Plan, words: Words) -> 
 
 
 def _numbers(
-    formula: Formula, inputs: Mapping[str, float], plan: Plan, words: Words
+    quantity: Quantity, formula: Formula, inputs: Mapping[str, float], plan: Plan, words: Words
 ) -> dict[str, Box]:
     """Return a number for every name that has one."""
+    counted = in_radians(quantity, formula, plan.quantities)
     return {
-        name: _number(name, inputs[name], formula, plan, words)
+        name: _number(plan.quantities[name], inputs[name], formula, words, counted=name in counted)
         for name in names(formula.tree)
         if name in inputs and not math.isnan(inputs[name])
     }
 
 
-def _number(name: str, value: float, formula: Formula, plan: Plan, words: Words) -> Box:
-    quantity = plan.quantities[name]
+def _number(
+    quantity: Quantity, value: float, formula: Formula, words: Words, *, counted: bool
+) -> Box:
     if formula.units:
-        entering = value * factor(quantity.unit) / factor(formula.units[name])
+        entering = value * factor(quantity.unit) / factor(formula.units[quantity.id])
         return number_box(words.number(entering), "")
+    if counted:
+        entering = value * factor(quantity.unit)
+        return number_box(words.number(entering), unit_text("rad", words.language))
     given = quantity.kind in {Kind.GIVEN, Kind.CONSTANT}
     return _value(value, quantity.unit, words, _MANY_FIGURES if given else 5)
 

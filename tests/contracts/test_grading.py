@@ -1,0 +1,72 @@
+"""What answers earn in every scheme: all right everything, one wrong all but its own item."""
+
+from dataclasses import replace
+from datetime import date
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.policy import Policy
+from gripcourse.grading.bands import band
+from gripcourse.grading.judge import judge
+from gripcourse.grading.model import Report
+from gripcourse.solver.solve import solve_variant
+from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.variants.model import Issued, Student, Variant
+
+if TYPE_CHECKING:
+    from conftest import Composition
+
+MOVED = 1.1  # bands
+
+
+def judged(composition: "Composition", answers: dict[str, float], policy: Policy) -> Report:
+    """Judge answers to the composition's first set of numbers."""
+    plan, given = composition.plan, composition.example.given
+    variant = Variant("001", plan.scheme.id, plan.options, given)
+    student = Student("s01", "Иванова Ольга", "РТК-41", "", "ru", "")
+    issued = Issued(student, variant, date(2026, 9, 7), None, "a1" * 32)
+    identity = Identity(student.id, variant.id, variant.scheme, plan.options, issued.signature)
+    read = {
+        name: Answer(name, Reading.READ, value, str(value), "", 0.0, "", unit_fits=True, remarks=())
+        for name, value in answers.items()
+    }
+    submission = Submission("s01.xlsx", "0" * 64, identity, "", dict(given), read, ())
+    return judge(submission, issued, plan, policy)
+
+
+def reference_answers(composition: "Composition") -> dict[str, float]:
+    values = solve_variant(composition.plan, composition.example.given)
+    return {one.id: values[one.id] for one in composition.plan.answered}
+
+
+def moved(one: Quantity, value: float, policy: Policy) -> float:
+    """Return an answer just outside the band; a verdict turned round."""
+    if one.kind is Kind.VERDICT:
+        return 1 - value
+    return value + MOVED * band(one, value, policy)
+
+
+def test_reference_answers_earn_everything(composition: "Composition", policy: Policy) -> None:
+    report = judged(composition, reference_answers(composition), policy)
+    assert report.score == pytest.approx(report.max_score)
+    assert report.score + report.open_points == pytest.approx(policy.total)
+
+
+def test_one_answer_outside_its_band_loses_that_item_only(
+    composition: "Composition", policy: Policy
+) -> None:
+    strict = replace(policy, printed_credit=None)  # else near a printed one it would earn all
+    right = reference_answers(composition)
+    faults = []
+    for one in composition.plan.answered:
+        answers = {**right, one.id: moved(one, right[one.id], strict)}
+        report = judged(composition, answers, strict)
+        lost = {
+            found.quantity for found in report.findings if found.points < found.max_points - 1e-9
+        }
+        lost -= {manual.id for manual in composition.plan.manual}
+        if lost != {one.id}:
+            faults.append(f"{one.id}: {sorted(lost)}")
+    assert faults == []
