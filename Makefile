@@ -20,7 +20,7 @@ PIP_INSTALL = $(BIN)/python -m pip install --quiet --constraint constraints.txt
 .PHONY: help
 help: ## print this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' $(MAKEFILE_LIST) \
-	  | while IFS='|' read -r name text; do printf 'make %-8s %s\n' "$$name" "$$text"; done
+	  | while IFS='|' read -r name text; do printf 'make %-9s %s\n' "$$name" "$$text"; done
 
 .PHONY: demo
 demo: .venv/run.stamp ## issue, grade and report a whole small course into out/
@@ -53,6 +53,11 @@ gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
 	  pdftoppm -r 80 -png -f 1 -l 1 -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \
 	done <scripts/gallery
 	@ls docs/gallery
+
+.PHONY: reference
+reference: .venv/run.stamp ## the formula reference in docs/reference/, from the declarations
+	@rm -f docs/reference/*.html
+	$(BIN)/python -m gripcourse reference --out docs/reference
 
 .PHONY: pot
 pot: .venv/dev.stamp ## bring the catalogues of translations up to date with the sources

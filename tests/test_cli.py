@@ -107,6 +107,15 @@ class TestHappyPaths:
         run = gripcourse("solve", "--scheme", SCHEME, "--set", "gravity=10", "--json")
         assert json.loads(run.out)["values"]["grip_force"]["value"] == pytest.approx(3900)
 
+    def test_the_reference_is_written_in_english_unless_told_otherwise(
+        self, gripcourse: Command, tmp_path: Path
+    ) -> None:
+        run = gripcourse("reference", "--out", "pages", system="ru_RU.UTF-8")
+        pages = {path.name: path for path in (tmp_path / "pages").iterdir()}
+        assert run.code == 0
+        assert {"index.html", "errata.html", f"{SCHEME}.html"} <= pages.keys()
+        assert '<html lang="en">' in pages["index.html"].read_text(encoding="utf-8")
+
     @pytest.mark.parametrize(
         ("language", "title"),
         [
@@ -191,7 +200,7 @@ class TestWrongUse:
             ),
             pytest.param(
                 ["solve", "--scheme", SCHEME, "--option", "drive=steam"],
-                ["steam", "hydraulic, pneumatic"],
+                ["steam", "hydraulic", "pneumatic"],
                 id="unknown option",
             ),
             pytest.param(["solve", "001", "--language", "de"], ["de", "uk"], id="language"),

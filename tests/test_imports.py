@@ -34,7 +34,7 @@ LEVELS = (
     ("assignment", "grading"),
     ("gradebook",),
     ("cohort",),
-    ("report", "lms"),
+    ("report", "lms", "reference"),
     ("init",),
     ("commands",),
     ("cli_text",),

@@ -252,6 +252,22 @@ def atlas(
 
 
 @app.command()
+def reference(
+    *,
+    out: OutOption = Path("reference"),
+    course: CourseOption = None,
+    language: Annotated[str, typer.Option("--language", help="en, ru or uk.")] = "en",
+) -> None:
+    """Write the formula reference: a page for each scheme, made from the declarations alone."""
+    from gripcourse.commands.reference import write_reference
+    from gripcourse.course.load import load_course
+
+    words = words_for(language)
+    for path in write_reference(load_course(course_folder(course)), out, words):
+        typer.echo(str(path))
+
+
+@app.command()
 def init(
     folder: Annotated[Path, typer.Argument(help="New folder of the course.")],
     *,

@@ -11,13 +11,15 @@ sheets. It offers to every template
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
     box | formula            a formula
+    box | mathml             a formula for a browser; mathml(large=True) on a line of its own
+    box | plain              a formula as one line of text
+    box | aside              the same, empty where its MathML can be read without being drawn
 
 and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
 style sheets. A value that a template does not get is an error, never an empty place.
 """
 
 import gc
-import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -26,9 +28,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gripcourse.formula.boxes import Box, Row, Text
-from gripcourse.formula.markup import html
-from gripcourse.formula.typeset import symbol_box
+from gripcourse.formula.boxes import Box
+from gripcourse.formula.markup import html, text
+from gripcourse.formula.mathml import mathml, reads_aloud
+from gripcourse.formula.typeset import declared_symbol
 from gripcourse.units import unit_text
 from gripcourse.words import LANGUAGES, Words
 
@@ -44,7 +47,6 @@ NO_BREAK_SPACE = "\u00a0"
 _DAY_PATTERN = "d MMMM y"
 _COLLECTOR_THRESHOLD = 100_000
 _VARIANT = "pdf/ua-1"
-_RELATION = re.compile(r"\s+([≤≥<>=])\s+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,13 +138,11 @@ def _markup(box: Box) -> "Markup":
     return Markup(html(box))  # noqa: S704 - see above
 
 
-def _symbol_box(symbol: str) -> Box:
-    """Lay out a declared symbol; that of a verdict, `σ ≤ [σ]`, is several joined by relations."""
-    first, *rest = _RELATION.split(symbol)
-    items = [symbol_box(first)]
-    for relation, part in zip(rest[::2], rest[1::2], strict=True):
-        items += [Text("relation", relation), symbol_box(part)]
-    return Row(tuple(items)) if rest else items[0]
+def _mathml(box: Box, *, large: bool = False) -> "Markup":
+    """Return the MathML of a formula; its text was escaped when it was made."""
+    from markupsafe import Markup
+
+    return Markup(mathml(box, large=large))  # noqa: S704 - see above
 
 
 # One environment for each folder and language of a run.
@@ -163,8 +163,11 @@ def _environment(templates: Path, language: str) -> "Environment":
         "points": lambda value: points_text(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
-        "symbol": lambda symbol: _markup(_symbol_box(symbol)) if symbol else "",
+        "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
+        "mathml": _mathml,
+        "plain": text,
+        "aside": lambda box: "" if reads_aloud(box) else text(box),
     }
     environment.filters.update(filters)
     return environment

@@ -18,7 +18,8 @@ from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.init import init_course
 from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
+from gripcourse.variants.table import write_table
 from gripcourse.words import Words
 
 KEY = bytes(range(32))
@@ -67,19 +68,33 @@ class Classroom:
         return target
 
 
+def table(course: Course) -> list[Variant]:
+    """Seven variants of the worked example of the guide, one lighter than the other."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    plan = make_plan(course, scheme.id, scheme.example.options)
+    given = {one.id: float(scheme.example.given[one.id]) for one in plan.givens}
+    return [
+        Variant(f"00{number}", scheme.id, dict(plan.options), {**given, "mass": 65.0 - 5 * number})
+        for number in range(1, 8)
+    ]
+
+
 def open_classroom(folder: Path, policy: Policy, roster: str = ROSTER) -> Classroom:
     """Make a course with a known key and this roster; nothing is issued yet."""
     root = folder / "course"
     init_course(root, KEY, Words("en"))
+    course = load_course(root)
     (root / "variants" / "roster.csv").write_text(roster, encoding="utf-8")
+    write_table(root / "variants" / "tables" / "rack.csv", table(course), course)
     order = Order(
         roster=root / "variants" / "roster.csv",
-        table=root / "variants" / "tables" / "main.csv",
+        table=root / "variants" / "tables" / "rack.csv",
         out=folder / "assignments",
         today=date(2026, 9, 7),
         deadline=date(2026, 12, 1),
     )
-    return Classroom(load_course(root), policy, order)
+    return Classroom(course, policy, order)
 
 
 @pytest.fixture(scope="session")

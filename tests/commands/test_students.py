@@ -117,6 +117,6 @@ def test_the_first_students_play_a_story_each_and_one_copies(
     )
     workbooks = {name: issued.workbook(name) for name in issued.register}
     stories = fill_workbooks(issued.course, issued.register, workbooks, tmp_path)
-    assert stories == {"s01": "correct", "s02": "blank", "s03": "another student's workbook"}
+    assert stories == {"s01": "correct", "s02": "blank", "s03": "copied"}
     assert {path.name for path in tmp_path.iterdir()} == {"s01.xlsx", "s02.xlsx", "s03.xlsx"}
     assert read(issued, tmp_path / "s03.xlsx").identity.student == "s01"

@@ -1,11 +1,16 @@
-"""Every scheme with every combination of its options, and numbers to try them with.
+"""Every scheme with every choice of its options, and numbers to try them with.
 
 Contracts are generated from the declarations: a scheme that is added to the course is checked
 without a line written here. A failure names the scheme, the options and the quantities.
+
+One scheme may have hundreds of combinations of options. Tried are as few as hold every choice of
+every option; `gripcourse validate` composes and checks all of them.
 """
 
+from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -55,21 +60,78 @@ class Composition:
         return self.references[0]
 
 
+@cache
+def reference_course() -> Course:
+    """Load the reference course once for the collection and for the tests."""
+    return load_course(REPOSITORY)
+
+
+@cache
+def drawable() -> dict[str, list[Mapping[str, str]]]:
+    """Return the combinations of options that variants are drawn with, by scheme."""
+    return {
+        scheme: [
+            case.options for space in all_spaces() if space.scheme == scheme for case in space.cases
+        ]
+        for scheme in reference_course().schemes
+    }
+
+
+@cache
+def all_spaces() -> tuple[Space, ...]:
+    """Load what variants of the reference course are drawn from, once."""
+    return tuple(load_spaces(reference_course()))
+
+
+def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
+    """Choose few combinations of options that hold every choice of every option.
+
+    The first is the worked example's; then always the one with the most choices still missing,
+    and of those the one whose other choices were tried least, so that they come in new company.
+    There are numbers only for what variants are drawn from, and near the worked example.
+    """
+    usual = {} if scheme.example is None else scheme.example.options
+    candidates = [
+        options
+        for options in option_sets(scheme)
+        if options in drawable()[scheme.id] or len(options.items() - usual.items()) <= 1
+    ]
+    tried = Counter(
+        {(option.id, choice.id): 0 for option in scheme.options for choice in option.choices}
+    )
+    chosen = [] if scheme.example is None else [dict(scheme.example.options)]
+    tried.update(pair for options in chosen for pair in options.items())
+    while not chosen or min(tried.values(), default=1) == 0:
+        best = max(
+            candidates,
+            key=lambda options: (
+                sum(tried[pair] == 0 for pair in options.items()),
+                -sum(tried[pair] for pair in options.items()),
+            ),
+        )
+        chosen.append(best)
+        tried.update(best.items())
+    return tuple(chosen)
+
+
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """Give every composition, and every number of a worked example, a test of its own."""
+    schemes = reference_course().schemes
+    if "scheme_id" in metafunc.fixturenames:
+        metafunc.parametrize("scheme_id", list(schemes))
     if "composition_key" in metafunc.fixturenames:
         only_guide = "of_the_guide" in metafunc.fixturenames
         keys = [
             (scheme.id, tuple(sorted(options.items())))
-            for scheme in load_course(REPOSITORY).schemes.values()
-            for options in covering(scheme)
+            for scheme in schemes.values()
+            for options in covering_sets(scheme)
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
     if "expected_key" in metafunc.fixturenames:
         expected = [
             (scheme.id, convention, quantity)
-            for scheme in load_course(REPOSITORY).schemes.values()
+            for scheme in schemes.values()
             if scheme.example is not None
             for convention, values in scheme.example.expected.items()
             for quantity in values
@@ -77,29 +139,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("expected_key", expected, ids=["-".join(key) for key in expected])
 
 
-def covering(scheme: Scheme) -> list[Mapping[str, str]]:
-    """Choose combinations of options in which every two choices of two options meet.
-
-    The parts of one option know those of another at most by their names: two at a time show what
-    goes wrong, and a scheme with five options has hundreds of combinations. The worked example's
-    combination comes first.
-    """
-    left = [dict(options) for options in option_sets(scheme)]
-    if scheme.example is not None:
-        left.sort(key=lambda options: options != scheme.example.options)
-    chosen = [left[0]]
-    met = _pairs(left[0])
-    while best := max(left, key=lambda options: len(_pairs(options) - met), default=None):
-        if _pairs(best) <= met:
-            break
-        chosen.append(best)
-        met |= _pairs(best)
-    return chosen
-
-
-def _pairs(options: Mapping[str, str]) -> set[frozenset[tuple[str, str]]]:
-    """Return the choices two by two; a lone option with itself."""
-    return {frozenset((one, other)) for one in options.items() for other in options.items()}
+@pytest.fixture(scope="session")
+def course() -> Course:
+    """The reference course, the same that the collection has loaded."""
+    return reference_course()
 
 
 def _is_of_the_guide(scheme: Scheme, options: Mapping[str, str]) -> bool:
@@ -112,22 +155,50 @@ def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:
 
 
 @pytest.fixture(scope="session")
-def variants_of(course: Course) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
-    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none."""
+def spaces() -> tuple[Space, ...]:
+    """What variants are drawn from."""
+    return all_spaces()
+
+
+@pytest.fixture(scope="session")
+def issued(course: Course) -> tuple[Variant, ...]:
+    """The variants of the course's table."""
     table = course.root / "variants" / "tables" / "main.csv"
-    issued = read_table(table, course) if table.exists() else ()
-    spaces = load_spaces(course)
+    return read_table(table, course) if table.exists() else ()
+
+
+@pytest.fixture(scope="session")
+def drawn_of(
+    course: Course, spaces: tuple[Space, ...]
+) -> Callable[[str, int], tuple[Variant, ...]]:
+    """Draw variants of a scheme, its options mixed; the same count gives the same variants."""
+
+    def find(scheme: str, count: int) -> tuple[Variant, ...]:
+        own = [space for space in spaces if space.scheme == scheme]
+        assert own, f"there is nothing to draw variants of {scheme} from"
+        return draw(course, own, count, SEED).variants
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def variants_of(
+    course: Course, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
+) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
+    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none."""
 
     def find(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
-        tabled = [one for one in issued if one.scheme == scheme and one.options == options]
+        tabled = tuple(one for one in issued if one.scheme == scheme and one.options == options)
+        if len(tabled) >= DRAWN:
+            return tabled[:DRAWN]
         cases = [
             Space(scheme, 1, (case,), space.file)
             for space in spaces
             for case in space.cases
             if space.scheme == scheme and case.options == options
         ]
-        drawn = draw(course, cases, DRAWN, SEED).variants if cases else ()
-        return (*tabled, *drawn)[:DRAWN]
+        missing = DRAWN - len(tabled)
+        return (*tabled, *(draw(course, cases, missing, SEED).variants if cases else ()))
 
     return find
 

@@ -35,7 +35,9 @@ def three_figures(plan: Plan, issued: Issued) -> Typed:
 def early_slip(plan: Plan, issued: Issued) -> Typed:
     """Forget that friction acts at both jaws, and compute on faultlessly."""
     right = solve_variant(plan, issued.variant.given)
-    wrong = {"grip_force": 2 * right["grip_force"]}
+    # Not every scheme has jaws: where there is no grip force, the load is doubled.
+    name = "grip_force" if "grip_force" in right else "lifting_load"
+    wrong = {name: 2 * right[name]}
     return _typed(plan, solve_variant(plan, {**issued.variant.given, **wrong}))
 
 
@@ -52,18 +54,19 @@ def text_and_units(plan: Plan, issued: Issued) -> Typed:
         if quantity.kind is Kind.FORMULA and quantity.unit:
             unit = unit_text(quantity.unit, "ru")
             typed[quantity.id] = f"{format_number(values[quantity.id], 'ru', 5)} {unit}"
-    kilonewtons = values["drive_force"] * factor("N") / factor("kN")
-    typed["drive_force"] = f"{format_number(kilonewtons, 'ru', 5)} кН"
-    typed["lifting_load"] = "около 900"
-    typed["stroke_required"] = "30-35 мм"
-    return typed
+    texts = {"lifting_load": "около 900", "stroke_required": "30-35 мм"}
+    if "drive_force" in values:
+        kilonewtons = values["drive_force"] * factor("N") / factor("kN")
+        texts["drive_force"] = f"{format_number(kilonewtons, 'ru', 5)} кН"
+    return typed | {name: text for name, text in texts.items() if name in typed}
 
 
 def rounded_down(plan: Plan, issued: Issued) -> Typed:
     """Take the next smaller bore and pin, and compute on with them."""
     given = issued.variant.given
     values = solve_variant(plan, given)
-    smaller = {name: _next_smaller(plan, name, values[name]) for name in ("bore", "pin_diameter")}
+    sizes: list[str] = [name for name in ("bore", "pin_diameter") if name in values]
+    smaller = {name: _next_smaller(plan, name, values[name]) for name in sizes}
     return _typed(plan, solve_variant(plan, {**given, **smaller}))
 
 

@@ -11,13 +11,22 @@ from gripcourse.words import Texts
 
 @dataclass(frozen=True, slots=True)
 class Erratum:
-    """A fault of a source: where, what it prints, and what is right."""
+    """A fault of a source.
+
+    Attributes:
+        id: its number in the list, for example `E4`.
+        work, equation: where it stands.
+        printed, right: what is there, and what should be.
+        no_version: why no quantity declares a version as printed; None where one does, or where
+            nothing more is to be said than that the course does not compute it.
+    """
 
     id: str
     work: str
     equation: str
     printed: Texts
     right: Texts
+    no_version: Texts | None
 
 
 def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str, Erratum] | None:
@@ -32,11 +41,12 @@ def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str,
 
 
 def _erratum(name: str, table: Table) -> Erratum:
-    table.known_keys({"work", "equation", "printed", "right"})
+    table.known_keys({"work", "equation", "printed", "right", "no_version"})
     return Erratum(
         name,
         table.text("work"),
         table.text("equation", ""),
         table.texts("printed"),
         table.texts("right"),
+        table.texts("no_version") if table.has("no_version") else None,
     )

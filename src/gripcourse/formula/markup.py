@@ -19,7 +19,7 @@ from gripcourse.formula.boxes import (
 )
 from gripcourse.formula.plain import text, value_text
 
-__all__ = ["html", "text"]
+__all__ = ["argument", "html", "text"]
 
 _NO_BREAK: Final = "\u00a0"
 _NARROW: Final = "\u202f"
@@ -56,12 +56,12 @@ def _flat(box: Box) -> Iterator[Box]:
         case Applied(word, arguments, power):
             name = Text("upright", word)
             yield name if power is None else Script(name, None, power)
-            yield from _flat(_argument(word, arguments))
+            yield from _flat(argument(word, arguments))
         case _:
             yield box
 
 
-def _argument(word: str, arguments: tuple[Box, ...]) -> Box:
+def argument(word: str, arguments: tuple[Box, ...]) -> Box:
     """Return what follows a function's name: a lone sign after a space, or brackets."""
     first = arguments[0]
     match first:

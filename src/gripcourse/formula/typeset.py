@@ -26,7 +26,7 @@ from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
 from gripcourse.number_text import format_number
 
-__all__ = ["Box", "equation", "number_box", "symbol_box", "typeset"]
+__all__ = ["Box", "declared_symbol", "equation", "number_box", "symbol_box", "typeset"]
 
 
 class _Level(IntEnum):
@@ -62,6 +62,7 @@ _PI: Final = Text("upright", "π")
 _SIGNS: Final = {"<=": "≤", ">=": "≥", "==": "=", "<": "<", ">": ">", "+": "+", "-": "−"}
 _RAISED_WORDS: Final = frozenset({"sin", "cos", "tan", "log"})
 _ALL_DIGITS: Final = 15
+_RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+")
 _RUN: Final = re.compile(r"[A-Za-z]+|[α-ωϑϕϰϱϵ]|[^A-Za-zα-ωϑϕϰϱϵ]+")
 
 
@@ -87,6 +88,15 @@ def symbol_box(symbol: str) -> Box:
     runs = [_run(found[0]) for found in _RUN.finditer(base)]
     body: Box = runs[0] if len(runs) == 1 else Row(tuple(runs))
     return Script(body, Text("upright", sub), None) if sub else body
+
+
+def declared_symbol(symbol: str) -> Box:
+    """Lay out a declared symbol; that of a verdict, `σ ≤ [σ]`, is several joined by relations."""
+    first, *rest = _RELATION.split(symbol)
+    items = [symbol_box(first)]
+    for relation, part in zip(rest[::2], rest[1::2], strict=True):
+        items += [Text("relation", relation), symbol_box(part)]
+    return Row(tuple(items)) if rest else items[0]
 
 
 def number_box(value: str, unit: str) -> Box:
