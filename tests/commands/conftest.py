@@ -73,9 +73,9 @@ def table(course: Course) -> list[Variant]:
     scheme = course.schemes["rack_parallelogram"]
     assert scheme.example is not None
     plan = make_plan(course, scheme.id, scheme.example.options)
-    given = {one.id: scheme.example.given[one.id] for one in plan.givens}
+    given = {one.id: float(scheme.example.given[one.id]) for one in plan.givens}
     return [
-        Variant(f"00{number}", scheme.id, dict(plan.options), {**given, "mass": 65 - 5 * number})
+        Variant(f"00{number}", scheme.id, dict(plan.options), {**given, "mass": 65.0 - 5 * number})
         for number in range(1, 8)
     ]
 

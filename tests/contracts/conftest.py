@@ -66,12 +66,36 @@ def reference_course() -> Course:
     return load_course(REPOSITORY)
 
 
+@cache
+def drawable() -> dict[str, list[Mapping[str, str]]]:
+    """Return the combinations of options that variants are drawn with, by scheme."""
+    return {
+        scheme: [
+            case.options for space in all_spaces() if space.scheme == scheme for case in space.cases
+        ]
+        for scheme in reference_course().schemes
+    }
+
+
+@cache
+def all_spaces() -> tuple[Space, ...]:
+    """Load what variants of the reference course are drawn from, once."""
+    return tuple(load_spaces(reference_course()))
+
+
 def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
     """Choose few combinations of options that hold every choice of every option.
 
     The first is the worked example's; then always the one with the most choices still missing,
     and of those the one whose other choices were tried least, so that they come in new company.
+    There are numbers only for what variants are drawn from, and near the worked example.
     """
+    usual = {} if scheme.example is None else scheme.example.options
+    candidates = [
+        options
+        for options in option_sets(scheme)
+        if options in drawable()[scheme.id] or len(options.items() - usual.items()) <= 1
+    ]
     tried = Counter(
         {(option.id, choice.id): 0 for option in scheme.options for choice in option.choices}
     )
@@ -79,7 +103,7 @@ def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
     tried.update(pair for options in chosen for pair in options.items())
     while not chosen or min(tried.values(), default=1) == 0:
         best = max(
-            option_sets(scheme),
+            candidates,
             key=lambda options: (
                 sum(tried[pair] == 0 for pair in options.items()),
                 -sum(tried[pair] for pair in options.items()),
@@ -131,9 +155,9 @@ def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:
 
 
 @pytest.fixture(scope="session")
-def spaces(course: Course) -> tuple[Space, ...]:
+def spaces() -> tuple[Space, ...]:
     """What variants are drawn from."""
-    return load_spaces(course)
+    return all_spaces()
 
 
 @pytest.fixture(scope="session")

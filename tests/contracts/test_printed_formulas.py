@@ -28,7 +28,7 @@ FULL = 15  # figures
 _DIGITS = {"en": r"\d[\d,]*(?:\.\d+)?", "ru": r"\d[\d\u202f]*(?:,\d+)?"}
 _POWER_OF_TEN = "(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
 _LETTERS = r"[^\W\d_]+[²³⁴]?"
-_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/]{_LETTERS})*))?"
+_UNIT = rf"(?:(°)| ({_LETTERS}(?:[·/]{_LETTERS})*|%))?"
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _WORDS = {
     "√": "sqrt",
@@ -41,7 +41,7 @@ _WORDS = {
     "ln": "log",
     "Hertz": "hertz_crossed",
 }
-_SIGNS = {"·": "*", "−": "-", "^": "**", "≤": "<=", "≥": ">=", "π": "pi", "; ": ", "}
+_SIGNS = {"·": "*", "−": "-", "^": "**", "≤": "<=", "≥": ">=", "π": "pi"}
 
 
 def read_back(printed: str, language: str) -> float:
@@ -62,10 +62,23 @@ def read_back(printed: str, language: str) -> float:
         "[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"**({found[0].translate(_RAISED)})", rewritten
     )
     for word, name in _WORDS.items():
-        rewritten = re.sub(rf"(?<![a-z]){word}(?=\()", name, rewritten)
+        rewritten = re.sub(rf"(?<![A-Za-z]){word}(?=\()", name, rewritten)
     for sign, plain in _SIGNS.items():
         rewritten = rewritten.replace(sign, plain)
+    rewritten = separated(rewritten)
     return float(evaluate(Formula(rewritten, parse(rewritten), {}), "", {}, {}))
+
+
+def separated(line: str) -> str:
+    """Write `and` between conditions, and a comma between the arguments of a function."""
+    parts, depth = [""], 0
+    for sign in line:
+        depth += (sign == "(") - (sign == ")")
+        if sign == ";" and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += "," if sign == ";" else sign
+    return " and ".join(part.strip() for part in parts)
 
 
 def printed(formula: Formula, plan: Plan, values: Values, language: str) -> str:
@@ -137,6 +150,7 @@ def test_every_formula_quantity_is_printed_without_a_table(composition: "Composi
         ("0,418² · 2·10⁻⁵ м", "ru", 3.494480e-6),
         ("max(5,2; 5,9)", "ru", 5.9),
         ("20,3 МПа ≤ 80 МПа", "ru", 1),
+        ("2 ≤ max(1; 3); 7 ≤ 5", "ru", 0),
         ("585 N·m", "en", 585),
     ],
 )

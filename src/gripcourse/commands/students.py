@@ -65,7 +65,7 @@ def rounded_down(plan: Plan, issued: Issued) -> Typed:
     """Take the next smaller bore and pin, and compute on with them."""
     given = issued.variant.given
     values = solve_variant(plan, given)
-    sizes = [name for name in ("bore", "pin_diameter") if name in values]
+    sizes: list[str] = [name for name in ("bore", "pin_diameter") if name in values]
     smaller = {name: _next_smaller(plan, name, values[name]) for name in sizes}
     return _typed(plan, solve_variant(plan, {**given, **smaller}))
 
