@@ -36,9 +36,10 @@ def test_a_formula_of_another_part_means_all_that_may_stand_beside_it(course: Co
     content = content_of(course, course.schemes[SCHEME])
     [actual] = content.by_id["drive_force_actual"]
     assert content.meant("bore", actual) == content.by_id["bore"]
-    [pull] = content.by_id["bore_without_rod"]
-    pulling = {one.part for one in content.meant("bore", pull)}
-    assert pulling == {"hydraulic_pull_series", "pneumatic_pull_series"}
+    between = next(one for one in content.by_id["pair_force_near"] if "between" in one.part)
+    # A wide pair excludes that the centre of gravity lies between two pairs.
+    assert {one.part for one in content.by_id["pair_spacing"]} > {"object_pairs"}
+    assert [one.part for one in content.meant("pair_spacing", between)] == ["object_pairs"]
 
 
 def test_a_schemes_change_of_a_part_is_shown(course: Course) -> None:
