@@ -163,7 +163,7 @@ def change_mass(path: Path, mass: float) -> None:
 
 
 def recalculate(folder: Path, stems: list[str]) -> None:
-    """Let LibreOffice compute workbooks anew, into `out`; it gives up after some 250 in a call."""
+    """Let LibreOffice compute workbooks anew, into `out`; it stops after some 250 in one call."""
     calls = [office(folder, stems[start::CALLS], start) for start in range(CALLS)]
     for call in calls:
         _, said = call.communicate(timeout=580)

@@ -167,7 +167,7 @@ def test_flags_are_for_the_instructor(perfect: Report, text: Callable[..., str])
     assert "another variant" not in text(replace(perfect, flags=(flag,)))
 
 
-def test_blank_and_unreadable_cells_are_listed_with_their_places(
+def test_unreadable_cells_are_listed_with_their_places_and_blank_ones_by_symbol(
     perfect: Report, blank: Change, with_finding: Change, text: Callable[..., str]
 ) -> None:
     report = with_finding(
@@ -188,8 +188,7 @@ def test_blank_and_unreadable_cells_are_listed_with_their_places(
     assert "There is no number in the cell." in unreadable
     assert written.count("There is no number in the cell.") == 1
     empty = written[written.index("Cells without an answer") : written.index("Your answer")]
-    cell = next(one.cell for one in report.findings if one.quantity == "bore_required")
-    assert f"D req ({cell})." in empty
+    assert "D req" in empty
 
 
 def test_an_accepted_erratum_comes_with_its_remark(
@@ -271,7 +270,9 @@ def test_headers_are_repeated_on_every_page(
     perfect: Report, printed: Printer, pages_of: Callable[[bytes], list[str]]
 ) -> None:
     pages = pages_of(printed(perfect, words=Words("en")))
-    assert all("Your answer" in page for page in pages[1:])
+    tables = pages[1:-1]  # the last may hold no more than the closing lines
+    assert tables
+    assert all("Your answer" in page for page in tables)
     assert all(perfect.name in page for page in pages)
 
 

@@ -66,6 +66,7 @@ def test_every_quantity_has_its_formula_source_and_tolerance_in_words(
     book = load_workbook(io.BytesIO(key_workbook(plan, variant, Words(language))))
     for quantity in plan.answered:
         [(sheet, address)] = book.defined_names[f"answer.{quantity.id}"].destinations
+        sheet = sheet.replace("''", "'")
         row = book[sheet][address.replace("$", "")].row
         texts = [book[sheet].cell(row, column).value for column in (3, 6, 7, 8)]
         assert all(texts), quantity.id
