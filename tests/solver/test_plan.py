@@ -8,6 +8,13 @@ from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, default_options, make_plan
 
 SCHEME = "rack_parallelogram"
+DEFAULT = {
+    "drive": "hydraulic",
+    "grip_model": "friction",
+    "object_position": "friction_pair",
+    "jaw_shape": "flat",
+    "mounting": "flange",
+}
 
 
 @pytest.mark.parametrize("convention", Convention)
@@ -69,7 +76,7 @@ def test_without_a_convention_the_course_decides(course: Course, plan: Plan) -> 
 
 
 def test_the_worked_example_tells_the_default_options(course: Course) -> None:
-    assert default_options(course.schemes[SCHEME]) == {"drive": "hydraulic"}
+    assert default_options(course.schemes[SCHEME]) == DEFAULT
 
 
 @pytest.mark.parametrize(
@@ -83,19 +90,19 @@ def test_the_worked_example_tells_the_default_options(course: Course) -> None:
         ),
         (
             SCHEME,
-            {"drive": "hydralic"},
+            DEFAULT | {"drive": "hydralic"},
             "The option 'drive' of the scheme rack_parallelogram cannot be 'hydralic'.",
             "Did you mean 'hydraulic'?",
         ),
         (
             SCHEME,
-            {},
+            {name: choice for name, choice in DEFAULT.items() if name != "drive"},
             "The option 'drive' of the scheme rack_parallelogram cannot be ''.",
             "Known here: hydraulic",
         ),
         (
             SCHEME,
-            {"drive": "hydraulic", "drives": "hydraulic"},
+            DEFAULT | {"drives": "hydraulic"},
             "The scheme rack_parallelogram has no option 'drives'.",
             "Did you mean 'drive'?",
         ),
@@ -113,5 +120,5 @@ def test_what_does_not_exist_is_refused_with_a_suggestion(
 
 def test_all_wrong_options_are_told_at_once(course: Course) -> None:
     with pytest.raises(UsageError) as refused:
-        make_plan(course, SCHEME, {"drive": "steam", "colour": "red"})
+        make_plan(course, SCHEME, DEFAULT | {"drive": "steam", "colour": "red"})
     assert len(refused.value.problems) == 2
