@@ -32,8 +32,8 @@ def main() -> None:
             seconds = min(_timed(plan, known) for _ in range(RUNS))
             each = seconds / count / computed * 1e9
             print(
-                f"{scheme.id}: {count:>7} variants, {computed} quantities: {seconds * 1e3:7.1f} ms, "
-                f"{each:6.0f} ns per value"
+                f"{scheme.id:<20} {count:>7} variants, {computed} quantities: "
+                f"{seconds * 1e3:7.1f} ms, {each:6.0f} ns per value"
             )
 
 
