@@ -60,7 +60,8 @@ def test_a_value_can_be_assumed_instead_of_computed(course: Course) -> None:
 def test_options_and_conventions_can_be_chosen(course: Course) -> None:
     settings = ["mass=8", "supply_pressure=0.5"]
     solved = solve_scheme(course, SCHEME, settings, ["drive=pneumatic"], Convention.GUIDE)
-    assert solved.plan.options == {"drive": "pneumatic"}
+    assert solved.plan.options["drive"] == "pneumatic"
+    assert solved.plan.options["jaw_shape"] == "flat"  # as in the worked example
     assert solved.plan.convention is Convention.GUIDE
     assert (solved.values["bore"], solved.values["rod"]) == (125, 32)  # ISO 15552 pairs them
 
@@ -68,7 +69,7 @@ def test_options_and_conventions_can_be_chosen(course: Course) -> None:
 def test_a_variant_of_a_table_is_solved_with_its_options(course: Course) -> None:
     example = course.schemes[SCHEME].example
     assert example is not None
-    variant = Variant("007", SCHEME, {"drive": "hydraulic"}, example.given)
+    variant = Variant("007", SCHEME, example.options, example.given)
     solved = solve_from_table(course, [variant], "007", None)
     assert solved.variant == variant
     assert solved.values["bore"] == 63

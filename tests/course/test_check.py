@@ -64,7 +64,7 @@ def test_an_unknown_name_is_underlined(draft: "Draft") -> None:
 
 def test_a_given_that_nobody_uses_is_named(draft: "Draft", said: Callable[[Problem], str]) -> None:
     text = (
-        '[quantity.colour]\nsection = "grip"\nkind = "given"\nsymbol = "c"\nunit = ""\n'
+        '[quantity.colour]\nsection = "grip"\nkind = "given"\nsymbol = "c_c"\nunit = ""\n'
         'bounds = [0, 1]\nsource = { work = "guide" }\ntitle = "colour"'
     )
     draft.append(f"{SECTIONS}pin.toml", text).edit(EXAMPLE, "mass = 60", "mass = 60\ncolour = 1")
@@ -76,14 +76,13 @@ def test_a_given_that_nobody_uses_is_named(draft: "Draft", said: Callable[[Probl
 
 def test_a_quantity_in_two_parts_is_named_at_the_later_one(draft: "Draft") -> None:
     text = (
-        '[quantity.grip_force]\nsection = "grip"\nkind = "formula"\nsymbol = "F"\nunit = "N"\n'
-        'formula = "dynamic_factor*lifting_load/(2*friction)"\nbounds = [0, 1e6]\n'
-        'source = { work = "guide" }\ntitle = "grip force"'
+        '[quantity.lever_width]\nsection = "elements"\nkind = "given"\nsymbol = "h_В"\n'
+        'unit = "mm"\nbounds = [1, 1000]\nsource = { work = "guide" }\ntitle = "lever"'
     )
     problem = draft.append(f"{SECTIONS}pin.toml", text).problem()
-    assert (problem.file, problem.key) == (f"{SECTIONS}pin.toml", "quantity.grip_force")
-    assert str(problem.what) == "'grip_force' is declared more than once."
-    assert "[override.grip_force]" in str(problem.remedy)
+    assert (problem.file, problem.key) == (f"{SECTIONS}pin.toml", "quantity.lever_width")
+    assert str(problem.what) == "'lever_width' is declared more than once."
+    assert "[override.lever_width]" in str(problem.remedy)
 
 
 def test_a_missing_rubric_is_named_with_its_file(draft: "Draft") -> None:
@@ -121,7 +120,7 @@ def test_a_slip_of_an_empirical_formula_may_leave_a_name_out(draft: "Draft") -> 
     assert draft.problems() == ()
 
 
-def test_five_faults_in_four_files_are_five_problems(draft: "Draft") -> None:
+def test_five_faults_in_five_files_are_five_problems(draft: "Draft") -> None:
     broken = [
         FAULTS[name]
         for name in (
@@ -132,7 +131,7 @@ def test_five_faults_in_four_files_are_five_problems(draft: "Draft") -> None:
             "missing given in the worked example",
         )
     ]
-    assert len({fault.file for fault in broken}) == 4
+    assert len({fault.file for fault in broken}) == 5
     for fault in broken:
         draft.edit(fault.file, fault.old, fault.new)
     found = {(problem.file, problem.key) for problem in draft.problems()}

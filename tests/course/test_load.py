@@ -31,18 +31,18 @@ def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
 
 
 def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
-    file = "variants/options/cylinder_drive.toml"
+    file = "variants/options/grip_model.toml"
     found = [(one.file, one.key) for one in draft.append(file, "[quantity").problems()]
     assert found == [(file, ""), (SCHEME, "options")]
 
 
 def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") -> None:
     draft.edit(SECTION, "[quantity.pin_length]", "[quantity.pin_length")
-    draft.edit("variants/sections/friction_grip.toml", 'unit = "kg"', 'unit = "kgg"')
+    draft.edit("variants/sections/grip_object.toml", 'unit = "kg"', 'unit = "kgg"')
     draft.edit(SCHEME, "integer = true", "intger = true")
     assert {problem.file for problem in draft.problems()} == {
         SECTION,
-        "variants/sections/friction_grip.toml",
+        "variants/sections/grip_object.toml",
         SCHEME,
     }
 
@@ -99,8 +99,9 @@ def test_a_scheme_changes_single_keys_of_a_shared_declaration(course: Course) ->
 
 def test_every_combination_of_options_is_known(course: Course) -> None:
     found = list(option_sets(course.schemes["rack_parallelogram"]))
-    assert {"drive": "hydraulic"} in found
-    assert {"drive": "pneumatic"} in found
+    assert len(found) == 2 * 2 * 6 * 5 * 2
+    assert len({tuple(options.items()) for options in found}) == len(found)
+    assert {options["drive"] for options in found} == {"hydraulic", "pneumatic"}
 
 
 def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course) -> None:

@@ -38,11 +38,11 @@ def test_an_untouched_workbook_is_blank_everywhere(returned: "Returned", plan: P
     assert {answer.remarks for answer in submission.answers.values()} == {()}
 
 
-def test_the_workbook_says_whose_it_is(returned: "Returned") -> None:
+def test_the_workbook_says_whose_it_is(returned: "Returned", plan: Plan) -> None:
     identity = returned.filled({}).identity
     assert (identity.student, identity.variant) == ("s001", "07")
     assert (identity.scheme, identity.signature) == ("rack_parallelogram", "ab" * 32)
-    assert identity.options == {"drive": "hydraulic"}
+    assert identity.options == plan.options
 
 
 def test_given_values_are_read_as_they_stand_now(returned: "Returned", plan: Plan) -> None:
@@ -321,12 +321,14 @@ def test_the_value_of_a_merged_answer_cell_stands_in_its_first_cell(returned: "R
     assert (answers[BORE].value, answers[FORCE].value) == (60.08, 22941.0)
 
 
-def test_without_the_hidden_sheet_the_properties_tell_whose_it_is(returned: "Returned") -> None:
+def test_without_the_hidden_sheet_the_properties_tell_whose_it_is(
+    returned: "Returned", plan: Plan
+) -> None:
     book = returned.book()
     del book["_gripcourse"]
     submission = returned.read(returned.saved(book))
     assert submission.identity.student == "s001"
-    assert submission.identity.options == {"drive": "hydraulic"}
+    assert submission.identity.options == plan.options
     assert "has been removed" in str(submission.remarks[0])
 
 

@@ -53,7 +53,7 @@ def read_scheme(
         quantities={
             name: declare(name, one) for name, one in table.named_tables("quantity").items()
         },
-        overrides=_overrides(table, part_ids, raw_parts),
+        overrides=_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=None if motion is None else read_kinematics(motion),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
@@ -62,9 +62,16 @@ def read_scheme(
 
 
 def _overrides(
-    table: Table, part_ids: Sequence[str], raw_parts: Mapping[str, Mapping[str, Table]]
+    table: Table,
+    part_ids: Sequence[str],
+    raw_parts: Mapping[str, Mapping[str, Table]],
+    *,
+    complete: bool,
 ) -> dict[str, Quantity]:
-    """Declare again what the scheme changes: its keys over the keys of the shared declaration."""
+    """Declare again what the scheme changes: its keys over the keys of the shared declaration.
+
+    Unless the parts are complete, because an option could not be read, nothing is called unknown.
+    """
     declared: dict[str, Quantity] = {}
     for name, changes in table.named_tables("override").items():
         shared = [raw_parts[part][name] for part in part_ids if name in raw_parts.get(part, {})]
@@ -76,7 +83,7 @@ def _overrides(
                 message("More than one part declares '{name}'.", name=name),
                 message("Change it in the parts: a scheme changes what one part declares."),
             )
-        elif all(part in raw_parts for part in part_ids):  # else a missing part is reported
+        elif complete and all(part in raw_parts for part in part_ids):  # else that is reported
             table.add(
                 f"override.{name}",
                 message("No part of the scheme declares '{name}'.", name=name),
