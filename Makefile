@@ -33,7 +33,7 @@ LINT = $(BIN)/ruff check || status=$$?; $(BIN)/ruff format --check || status=$$?
 .PHONY: test
 test: test-packages .venv/dev.stamp ## lint, types and all tests
 	@status=0; $(LINT); \
-	$(BIN)/python -m pytest -n auto --dist loadgroup $(PYTEST_OPTIONS) || status=$$?; \
+	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST_OPTIONS) || status=$$?; \
 	exit $$status
 
 .PHONY: lint
