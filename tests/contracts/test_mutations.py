@@ -64,6 +64,11 @@ HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
         "drive_arm_angle_at_min: -": "the arms lie along the axis: that angle is 0",
         "force_ratio_at_min: *": "the arms lie along the axis: the cosine is 1",
     },
+    "screw": {"pin_diameter_required: *": "one shear plane"},
+    "slot_lever": {
+        "pin_diameter_required: *": "one shear plane",
+        "slot_reach: /": "the other end of the stroke gives the larger distance",
+    },
     "pinion_racks": {"stroke_required: /": "the ratio of the jaw's speed to the rack's is 1"},
 }
 
