@@ -154,8 +154,11 @@ def test_only_the_spellings_of_the_table_are_known(unit: str) -> None:
 
 
 def test_a_scale_with_its_own_zero_is_refused_even_if_the_table_lists_it(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
+    # What is remembered of the real table, and of this one, must not meet.
+    known.cache_clear()
+    request.addfinalizer(known.cache_clear)
     monkeypatch.setattr(units, "_table", lambda: {"degC": None})
     with pytest.raises(UnitError, match="degC"):
         factor("degC")
