@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Tolerance
+from gripcourse.course.slip_policy import SlipPolicy
 
 
 class Reveal(StrEnum):
@@ -33,6 +34,7 @@ class Policy:
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
         reveal: what a report shows.
+        slips: how slips are named.
     """
 
     total: float
@@ -46,3 +48,4 @@ class Policy:
     printed_credit: float | None
     wrong_unit_credit: float
     reveal: Reveal
+    slips: SlipPolicy

@@ -7,6 +7,7 @@ from pathlib import Path
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.units import known as known_unit
@@ -31,7 +32,8 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
     table = read_toml(policy_path(course.root), course.root, problems)
-    if table is None:
+    slips = read_slip_policy(course.root, problems)
+    if table is None or slips is None:
         return None, problems
     table.known_keys({"points", "weight", "tolerance", "quantity_tolerance", "credit", "report"})
     points = table.required_table("points")
@@ -47,10 +49,11 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         tolerance=_default_tolerance(bands),
         floors=_floors(bands),
         tolerances=_tolerances(table, course),
-        carried_credit=_share(credit, "carried"),
-        printed_credit=None if credit.values.get("printed") is False else _share(credit, "printed"),
-        wrong_unit_credit=_share(credit, "wrong_unit"),
+        carried_credit=credit.share("carried"),
+        printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
+        wrong_unit_credit=credit.share("wrong_unit"),
         reveal=_reveal(table.required_table("report")),
+        slips=slips,
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     return policy, problems
@@ -165,17 +168,6 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     for inner in named.values():
         inner.known_keys({"relative", "absolute"})
     return {name: tolerance(inner) for name, inner in named.items()}
-
-
-def _share(table: Table, name: str) -> float:
-    value = table.number(name)
-    if value < 0 or value > 1:
-        table.add(
-            name,
-            message("The share is {value}.", value=value),
-            message("Write a number from 0 to 1."),
-        )
-    return value
 
 
 def _reveal(table: Table) -> Reveal:
