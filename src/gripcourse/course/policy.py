@@ -33,6 +33,10 @@ class Policy:
         carried_credit: share of the points for what follows from the student's own numbers.
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
+        last_digit: how far a number in a calculator may be from the typed one, in units of the last
+            typed digit: 0.5 where people round, 1 where they cut off as well.
+        figures: significant figures that a typed number counts as written with, at least.
+        widest: how far what follows from rounded numbers may spread to either side, in bands.
         reveal: what a report shows.
         slips: how slips are named.
     """
@@ -47,5 +51,8 @@ class Policy:
     carried_credit: float
     printed_credit: float | None
     wrong_unit_credit: float
+    last_digit: float
+    figures: int
+    widest: float
     reveal: Reveal
     slips: SlipPolicy

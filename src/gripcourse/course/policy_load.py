@@ -35,11 +35,14 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     slips = read_slip_policy(course.root, problems)
     if table is None or slips is None:
         return None, problems
-    table.known_keys({"points", "weight", "tolerance", "quantity_tolerance", "credit", "report"})
+    table.known_keys(
+        {"points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report"}
+    )
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
     credit = table.required_table("credit")
+    rounding = table.required_table("rounding")
     total = points.number("total")
     policy = Policy(
         total=total,
@@ -52,10 +55,14 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         carried_credit=credit.share("carried"),
         printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
         wrong_unit_credit=credit.share("wrong_unit"),
+        last_digit=_at_least(rounding, "last_digit", 0.0),
+        figures=int(_at_least(rounding, "figures", 1.0)),
+        widest=_at_least(rounding, "widest", 0.0),
         reveal=_reveal(table.required_table("report")),
         slips=slips,
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
+    rounding.known_keys({"last_digit", "figures", "widest"})
     return policy, problems
 
 
@@ -168,6 +175,19 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     for inner in named.values():
         inner.known_keys({"relative", "absolute"})
     return {name: tolerance(inner) for name, inner in named.items()}
+
+
+def _at_least(table: Table, name: str, least: float) -> float:
+    value = table.number(name)
+    if value >= least:
+        return value
+    if not math.isnan(value):
+        table.add(
+            name,
+            message("The number is {value}.", value=value),
+            message("Write {least} or more.", least=least),
+        )
+    return least
 
 
 def _reveal(table: Table) -> Reveal:

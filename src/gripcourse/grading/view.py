@@ -11,8 +11,9 @@ from gripcourse.course.model import Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
+from gripcourse.grading.bands import computed_band
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.own import Own
+from gripcourse.grading.own import Own, range_of
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.units import factor
@@ -29,6 +30,8 @@ class Judgement:
         band: how far from it the answer may be.
         credit: share of the points, 0…1.
         slip: id of a recognised slip.
+        tied: ids of other slips that explain the answer as well.
+        roots: ids of the quantities whose wrong answers this one follows from.
         message, remarks: for the student.
     """
 
@@ -38,8 +41,26 @@ class Judgement:
     band: float
     credit: float
     slip: str
+    tied: tuple[str, ...]
+    roots: tuple[str, ...]
     message: Message
     remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """A value and how far rounded inputs may move it; all NaN where there is none."""
+
+    value: float
+    low: float
+    high: float
+
+    def nearest(self, value: float) -> float:
+        """Return the point of the range that is nearest to a value."""
+        return min(max(value, self.low), self.high)
+
+
+NOWHERE = Range(math.nan, math.nan, math.nan)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,18 +94,35 @@ class View:
     @property
     def expected(self) -> float:
         """The value at the student's own inputs, in the declared unit; NaN where there is none."""
+        return self.follows.value
+
+    @property
+    def follows(self) -> Range:
+        """What follows from the student's own inputs, in the declared unit."""
         if self.quantity.id in self.own.bridged:
-            return math.nan
+            return NOWHERE
         computed = self.own.evaluation.computed[self.quantity.id]
-        return float(computed) / factor(self.quantity.unit)
+        return self._range(float(computed), self.own.moved.computed[self.quantity.id])
 
-    def both(self, formula: Formula) -> tuple[float, float]:
-        """Evaluate a formula at the reference's and the student's inputs, in the declared unit."""
-        return (
-            self._evaluate(formula, {k: np.asarray(v) for k, v in self.reference_values.items()}),
-            self._evaluate(formula, self.own.evaluation.values),
-        )
+    def at_reference(self, formula: Formula) -> float:
+        """Evaluate a formula at the reference's inputs, in the declared unit."""
+        values = {name: np.asarray(value) for name, value in self.reference_values.items()}
+        return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
 
-    def _evaluate(self, formula: Formula, values: Mapping[str, NDArray[np.float64]]) -> float:
-        unit = self.quantity.unit
-        return float(evaluate_formula(formula, unit, values, self.plan.columns)) / factor(unit)
+    def at_own(self, formula: Formula) -> Range:
+        """Evaluate a formula at the student's inputs, in the declared unit."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def _range(self, value: float, moved: NDArray[np.float64]) -> Range:
+        """Convert SI to the declared unit; a range wider than the policy allows is cut."""
+        size = factor(self.quantity.unit)
+        low, high = range_of(moved)
+        value, low, high = value / size, low / size, high / size
+        most = self.policy.widest * computed_band(self.quantity, value, self.policy)
+        return Range(value, max(low, value - most), min(high, value + most))
+
+    def _evaluate(
+        self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
+    ) -> NDArray[np.float64]:
+        return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)

@@ -1,0 +1,154 @@
+"""Naming a slip: which wrong method explains an answer, and how certain that is.
+
+A wrong number is near some wrong method's result by chance more often than one thinks. So each
+method is weighed: how common it is, how well it meets the number as typed (half a unit of the last
+digit, widened only by what the rounding of the inputs can move), against all others and against a
+wrong number that nothing explains, which may be anywhere.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from gripcourse.course.slip_policy import SlipPolicy
+from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.grading.view import Range, View
+from gripcourse.slips.model import Candidate
+
+# The last digits of a number differ by the route: 3.14159 for pi.
+_FINEST: Final = 5e-6
+# Methods whose results agree so far cannot be told apart by any number.
+_ALIKE: Final = 1e-6
+# Shares of the people who round, and of those who cut digits off where the policy thinks of them.
+_ROUNDED, _CUT_OFF = 0.9, 0.1
+# A short number in a cell may have lost zeros, or may have been typed so coarsely.
+_ZEROS_LOST, _COARSE = 0.8, 0.2
+# People compute from their own numbers; few take one of somebody else's that is right.
+_FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Weighed:
+    """A wrong method, of which quantity it is, its result here in the declared unit, its weight."""
+
+    of: str
+    candidate: Candidate
+    value: float
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What explains a wrong answer.
+
+    Attributes:
+        likeliest: the wrong method.
+        tied: others that explain the answer as well, likeliest first.
+        probability: of the methods that are named, 0…1.
+    """
+
+    likeliest: Weighed
+    tied: tuple[Weighed, ...]
+    probability: float
+
+
+def weigh(view: View, candidate: Candidate) -> Weighed:
+    """Weigh a wrong method of the answer's own formula against what was typed."""
+    own = view.at_own(candidate.formula)
+    met = _FROM_OWN * density(view, own) if math.isfinite(own.value) else 0.0
+    reference = view.at_reference(candidate.formula)
+    if math.isfinite(reference):
+        met += _FROM_REFERENCE * density(view, Range(reference, reference, reference))
+    return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)
+
+
+def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
+    """Name the wrong method behind an answer.
+
+    Args:
+        view: of the answer, which is wrong.
+        weighed: all the methods that were thought of.
+
+    Returns:
+        The method, or two that explain the answer equally well; None where it is not explained.
+    """
+    policy = view.policy.slips
+    met = [one for one in weighed if one.weight > 0]
+    if not met:
+        return None
+    total = sum(one.weight for one in met) + unexplained(view) * policy.unexplained
+    groups = sorted(_alike(met), key=_weight_of, reverse=True)
+    best = groups[0]
+    if _weight_of(best) / total >= policy.certain:
+        return _named(best, total, policy)
+    if len(groups) == 1 or not _tie(groups[0], groups[1], policy):
+        return None
+    both = _weight_of(groups[0]) + _weight_of(groups[1])
+    if both / total < policy.certain:
+        return None
+    return Explanation(groups[0][0], (groups[1][0],), both / total)
+
+
+def density(view: View, result: Range) -> float:
+    """Return how densely typed numbers lie at an answer, for people who compute this result."""
+    value = view.value
+    finest = _FINEST * abs(value)
+    fine = max(typed_half_unit(view.answer, view.policy), finest)
+    coarse = max(view.answer.half_unit, finest)
+    if coarse <= fine:
+        return _density(view, result, fine)
+    return _ZEROS_LOST * _density(view, result, fine) + _COARSE * _density(view, result, coarse)
+
+
+def _density(view: View, result: Range, half_unit: float) -> float:
+    distance = abs(view.value - result.nearest(view.value))
+    width = result.high - result.low
+    cut = 2 * half_unit * view.policy.last_digit
+    slack = 1e-9 * abs(view.value)
+    if distance <= half_unit + slack:
+        return _ROUNDED / (width + 2 * half_unit)
+    if distance <= cut + slack:
+        return _CUT_OFF / (width + 2 * cut)
+    return 0.0
+
+
+def unexplained(view: View) -> float:
+    """Return how densely wrong numbers that nothing explains lie at an answer.
+
+    They scatter log-normally about the right one; either sign may be wrong too.
+    """
+    size = abs(view.value)
+    right = abs(view.reference if math.isfinite(view.reference) else view.expected)
+    if size == 0 or right == 0 or not math.isfinite(right):
+        return 1.0 / (size or 1.0)
+    spread = view.policy.slips.spread
+    away = math.log(size / right) / spread
+    return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
+
+
+def _alike(weighed: Sequence[Weighed]) -> list[list[Weighed]]:
+    """Group methods whose results no number can tell apart, the likeliest first in each."""
+    groups: list[list[Weighed]] = []
+    for one in sorted(weighed, key=lambda found: found.weight, reverse=True):
+        for group in groups:
+            if math.isclose(one.value, group[0].value, rel_tol=_ALIKE):
+                group.append(one)
+                break
+        else:
+            groups.append([one])
+    return groups
+
+
+def _weight_of(group: Sequence[Weighed]) -> float:
+    return sum(one.weight for one in group)
+
+
+def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -> bool:
+    return _weight_of(one) < policy.tie * _weight_of(other)
+
+
+def _named(group: Sequence[Weighed], total: float, policy: SlipPolicy) -> Explanation:
+    first = group[0]
+    tied = [one for one in group[1:] if first.weight < policy.tie * one.weight]
+    return Explanation(first, tuple(tied[:1]), _weight_of(group) / total)
