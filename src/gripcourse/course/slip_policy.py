@@ -15,8 +15,8 @@ class SlipKind(StrEnum):
 
     UNIT = "unit"  # the result in another unit
     POWER_OF_TEN = "power_of_ten"
-    INPUT_UNIT = "input_unit"  # an input that was not converted
     ANGLE_UNIT = "angle_unit"  # degrees taken for radians
+    INPUT_UNIT = "input_unit"  # an input that was not converted
     RADIUS_FOR_DIAMETER = "radius_for_diameter"
     GRAVITY_LEFT_OUT = "gravity_left_out"
     SAFETY_LEFT_OUT = "safety_left_out"

@@ -55,9 +55,10 @@ class Explanation:
 
 def weigh(view: View, candidate: Candidate) -> Weighed:
     """Weigh a wrong method of the answer's own formula against what was typed."""
-    own = view.at_own(candidate.formula)
+    own = view.near_own(candidate.formula)
     met = _FROM_OWN * density(view, own) if math.isfinite(own.value) else 0.0
-    reference = view.at_reference(candidate.formula)
+    differs = view.has_own_inputs(candidate.formula)
+    reference = view.at_reference(candidate.formula) if differs else own.value
     if math.isfinite(reference):
         met += _FROM_REFERENCE * density(view, Range(reference, reference, reference))
     return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)

@@ -22,8 +22,8 @@ from gripcourse.units import factor
 
 # A wrong number is looked for between a tenth and ten times the right one.
 _SPAN: Final = np.geomspace(0.1, 10.0, 1601)
-# One common wrong input is as likely as this, against each of its answers being wrong by itself.
-_PRIOR: Final = 0.1
+# Some common wrong input is as likely as this, against each of its answers being wrong by itself.
+_PRIOR: Final = 0.2
 _LEAST_ANSWERS: Final = 2
 _FINEST: Final = 5e-6
 
@@ -65,7 +65,8 @@ def substitutions(wrong: Sequence[View]) -> tuple[Substitution, ...]:
     Returns:
         Substitutions that share no answer.
     """
-    open_views = [view for view in wrong if view.quantity.kind is Kind.FORMULA]
+    # A zero has no last digit: it would leave an input no range, and fit any by chance.
+    open_views = [view for view in wrong if view.quantity.kind is Kind.FORMULA and view.value]
     if len(open_views) < _LEAST_ANSWERS:
         return ()
     found = sorted(_all(open_views), key=lambda one: (-len(one.explains), -one.odds))
@@ -90,7 +91,7 @@ def _all(views: Sequence[View]) -> Iterator[Substitution]:
     names = dict.fromkeys(name for view in views for name in view.plan.inputs[view.quantity.id])
     for name in names:
         spans = [span for view in views for span in _spans(view, name)]
-        found = _common(name, spans)
+        found = _common(name, spans, _PRIOR / len(names))
         if found is not None:
             yield found
 
@@ -127,7 +128,7 @@ def _between(
     return _Span(view, root - reach, root + reach)
 
 
-def _common(name: str, spans: Sequence[_Span]) -> Substitution | None:
+def _common(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
     """Return the value at which most answers' ranges overlap, if chance is unlikely enough."""
     best: Substitution | None = None
     for start in spans:
@@ -136,13 +137,13 @@ def _common(name: str, spans: Sequence[_Span]) -> Substitution | None:
         }
         if len(inside) < _LEAST_ANSWERS or (best and len(inside) < len(best.explains)):
             continue
-        found = _substitution(name, list(inside.values()))
+        found = _substitution(name, list(inside.values()), prior)
         if found is not None and (best is None or found.odds > best.odds):
             best = found
     return best
 
 
-def _substitution(name: str, spans: Sequence[_Span]) -> Substitution | None:
+def _substitution(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
     view = spans[0].view
     low = max(span.low for span in spans)
     high = min(span.high for span in spans)
@@ -150,7 +151,7 @@ def _substitution(name: str, spans: Sequence[_Span]) -> Substitution | None:
     value = (low + high) / 2
     if value * right <= 0:
         return None
-    odds = _PRIOR * _scatter(value, right, view.policy.slips.spread) * (high - low)
+    odds = prior * _scatter(value, right, view.policy.slips.spread) * (high - low)
     for span in spans:
         half = max(typed_half_unit(span.view.answer, view.policy), _FINEST * abs(span.view.value))
         odds *= 1 / (2 * half) / (unexplained(span.view) or math.inf)

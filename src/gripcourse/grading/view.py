@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,8 @@ from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.units import factor
 from gripcourse.words import Message
+
+_SAME: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +109,7 @@ class View:
 
     def at_reference(self, formula: Formula) -> float:
         """Evaluate a formula at the reference's inputs, in the declared unit."""
-        values = {name: np.asarray(value) for name, value in self.reference_values.items()}
+        values = {name: np.asarray(self.reference_values[name]) for name in formula.names}
         return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
 
     def at_own(self, formula: Formula) -> Range:
@@ -114,13 +117,33 @@ class View:
         value = float(self._evaluate(formula, self.own.evaluation.values))
         return self._range(value, self._evaluate(formula, self.own.moved.values))
 
+    def near_own(self, formula: Formula) -> Range:
+        """Do the same; the range is only looked at where the answer may lie in it."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        declared = value / factor(self.quantity.unit)
+        most = 2 * self._widest(declared) + 2 * self.answer.half_unit
+        if not abs(self.value - declared) <= most:
+            return Range(declared, declared, declared)
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def has_own_inputs(self, formula: Formula) -> bool:
+        """Tell whether the student's numbers differ from the reference where a formula looks."""
+        values = self.own.evaluation.values
+        return any(
+            not math.isclose(float(values[name]), self.reference_values[name], rel_tol=_SAME)
+            for name in formula.names
+        )
+
     def _range(self, value: float, moved: NDArray[np.float64]) -> Range:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""
         size = factor(self.quantity.unit)
         low, high = range_of(moved)
         value, low, high = value / size, low / size, high / size
-        most = self.policy.widest * computed_band(self.quantity, value, self.policy)
+        most = self._widest(value)
         return Range(value, max(low, value - most), min(high, value + most))
+
+    def _widest(self, value: float) -> float:
+        return self.policy.widest * computed_band(self.quantity, value, self.policy)
 
     def _evaluate(
         self, formula: Formula, values: Mapping[str, NDArray[np.float64]]

@@ -37,42 +37,35 @@ def candidates_of(plan: Plan, identifier: str, policy: SlipPolicy) -> tuple[Cand
         Candidate(slip.id, DECLARED, slip.formula, policy.declared, slip.credit, slip.hint)
         for slip in quantity.slips
     ]
+    found = [one for one in found if one.formula.tree != formula.tree]
     if quantity.kind in _GENERIC:
         order = list(plan.quantities)
         earlier = frozenset(order[: order.index(identifier)])
-        for kind, slip in policy.kinds.items():
-            around = Surroundings(plan, quantity, formula, slip, earlier)
-            found += _of_kind(around, tuple(GENERATORS[kind](around)))
-    return tuple(_without_repetitions(formula, found))
+        for slip in policy.kinds.values():
+            taken = {formula.tree, *(one.formula.tree for one in found)}
+            found += _of_kind(Surroundings(plan, quantity, formula, slip, earlier), taken)
+    return tuple(found)
 
 
-def _of_kind(around: Surroundings, rewritten: tuple[Rewritten, ...]) -> Iterator[Candidate]:
+def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
     """Share a kind's prior among its candidates: the more ways, the rarer each."""
     slip = around.slip
-    for one in rewritten:
+    made = {one.tree: one for one in reversed(tuple(GENERATORS[slip.kind](around)))}
+    new = [one for one in made.values() if one.tree not in taken and _is_known(one, around.formula)]
+    for one in reversed(new):
         yield Candidate(
             id=f"{slip.kind}:{one.detail}",
             kind=slip.kind,
             formula=Formula("", one.tree, around.formula.units),
-            prior=slip.prior / len(rewritten),
+            prior=slip.prior / len(new),
             credit=slip.credit,
             hint=_hint(around.plan, slip, one.places),
         )
 
 
-def _without_repetitions(formula: Formula, found: list[Candidate]) -> Iterator[Candidate]:
-    trees: set[Node] = {formula.tree}
-    for one in found:
-        if one.formula.tree not in trees and _is_known(one, formula):
-            trees.add(one.formula.tree)
-            yield one
-
-
-def _is_known(candidate: Candidate, formula: Formula) -> bool:
+def _is_known(one: Rewritten, formula: Formula) -> bool:
     """An empirical formula computes only with names whose unit it states."""
-    if not formula.units or candidate.kind == DECLARED:
-        return True
-    return set(names(candidate.formula.tree)) <= formula.units.keys()
+    return not formula.units or set(names(one.tree)) <= formula.units.keys()
 
 
 def _hint(plan: Plan, slip: GenericSlip, places: Mapping[str, Place]) -> Texts:
