@@ -36,6 +36,7 @@ class Policy:
         last_digit: how far a number in a calculator may be from the typed one, in units of the last
             typed digit: 0.5 where people round, 1 where they cut off as well.
         figures: significant figures that a typed number counts as written with, at least.
+        habits: values in SI that people shorten constants to, by the constant's id, or `pi`.
         widest: how far what follows from rounded numbers may spread to either side, in bands.
         reveal: what a report shows.
         slips: how slips are named.
@@ -53,6 +54,7 @@ class Policy:
     wrong_unit_credit: float
     last_digit: float
     figures: int
+    habits: Mapping[str, tuple[float, ...]]
     widest: float
     reveal: Reveal
     slips: SlipPolicy

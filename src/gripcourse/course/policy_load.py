@@ -10,6 +10,7 @@ from gripcourse.course.policy import Policy, Reveal
 from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
+from gripcourse.units import factor
 from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
@@ -57,12 +58,13 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         wrong_unit_credit=credit.share("wrong_unit"),
         last_digit=_at_least(rounding, "last_digit", 0.0),
         figures=int(_at_least(rounding, "figures", 1.0)),
+        habits=_habits(rounding, course),
         widest=_at_least(rounding, "widest", 0.0),
         reveal=_reveal(table.required_table("report")),
         slips=slips,
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
-    rounding.known_keys({"last_digit", "figures", "widest"})
+    rounding.known_keys({"last_digit", "figures", "habits", "widest"})
     return policy, problems
 
 
@@ -175,6 +177,19 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     for inner in named.values():
         inner.known_keys({"relative", "absolute"})
     return {name: tolerance(inner) for name, inner in named.items()}
+
+
+def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
+    """Read shortened constants, written in the unit that the constant is declared in."""
+    table = rounding.table("habits")
+    if table is None:
+        return {}
+    units = {name: one.unit for name, one in course.constants.items()} | {"pi": ""}
+    table.known_keys(units)
+    return {
+        name: tuple(value * factor(units[name]) for value in table.number_list(name))
+        for name in table.values.keys() & units.keys()
+    }
 
 
 def _at_least(table: Table, name: str, least: float) -> float:

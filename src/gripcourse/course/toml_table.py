@@ -135,6 +135,17 @@ class Table:
         self._wrong_type(name, message("a list of texts in quotes"))
         return ()
 
+    def number_list(self, name: str) -> tuple[float, ...]:
+        """Read a list of finite numbers; absent is empty."""
+        value = self.values.get(name, [])
+        if isinstance(value, list) and all(
+            isinstance(one, int | float) and not isinstance(one, bool) and math.isfinite(one)
+            for one in value
+        ):
+            return tuple(float(one) for one in value)
+        self._wrong_type(name, message("a list of numbers"))
+        return ()
+
     def pair(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
         """Read two numbers, the lower first."""
         value = self.values.get(name)

@@ -7,25 +7,32 @@ wrong number that nothing explains, which may be anywhere.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.slip_policy import SlipPolicy
+from gripcourse.formula.tree import Formula, Name, walk
 from gripcourse.grading.rounding import typed_half_unit
 from gripcourse.grading.view import Range, View
 from gripcourse.slips.model import Candidate
+from gripcourse.slips.rewrite import number, renamed
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
+# Zeros that a cell has lost go on for three more digits at least.
+_SHORTEST: Final = 1e-3
 # Methods whose results agree so far cannot be told apart by any number.
 _ALIKE: Final = 1e-6
 # Shares of the people who round, and of those who cut digits off where the policy thinks of them.
 _ROUNDED, _CUT_OFF = 0.9, 0.1
-# A short number in a cell may have lost zeros, or may have been typed so coarsely.
-_ZEROS_LOST, _COARSE = 0.8, 0.2
+# A short number in a cell may have lost zeros of three figures, or of as many as the calculator
+# has, or may have been typed so coarsely.
+_ZEROS_LOST, _EXACT, _COARSE = 0.6, 0.25, 0.15
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
+# Few shorten a constant so much that the result shows it.
+_FROM_HABIT = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +63,31 @@ class Explanation:
 def weigh(view: View, candidate: Candidate) -> Weighed:
     """Weigh a wrong method of the answer's own formula against what was typed."""
     own = view.near_own(candidate.formula)
-    met = _FROM_OWN * density(view, own) if math.isfinite(own.value) else 0.0
-    differs = view.has_own_inputs(candidate.formula)
-    reference = view.at_reference(candidate.formula) if differs else own.value
-    if math.isfinite(reference):
-        met += _FROM_REFERENCE * density(view, Range(reference, reference, reference))
+    met = _FROM_OWN * _met(view, own)
+    if view.has_own_inputs(candidate.formula):
+        reference = view.at_reference(candidate.formula)
+        met += _FROM_REFERENCE * _met(view, Range(reference, reference, reference))
+    else:
+        met += _FROM_REFERENCE / _FROM_OWN * met
+    if met == 0:
+        met = _FROM_HABIT * max(
+            (_met(view, view.near_own(one)) for one in _with_habits(view, candidate.formula)),
+            default=0.0,
+        )
     return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)
+
+
+def _met(view: View, result: Range) -> float:
+    return density(view, result) if math.isfinite(result.value) else 0.0
+
+
+def _with_habits(view: View, formula: Formula) -> Iterator[Formula]:
+    """Yield a formula with the constants that it uses as people shorten them, one at a time."""
+    for name, values in view.policy.habits.items():
+        if name in formula.names or any(part == Name(name) for part in walk(formula.tree)):
+            for value in values:
+                tree = renamed(formula.tree, {name: number(value)})
+                yield Formula("", tree, formula.units)
 
 
 def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
@@ -99,7 +125,11 @@ def density(view: View, result: Range) -> float:
     coarse = max(view.answer.half_unit, finest)
     if coarse <= fine:
         return _density(view, result, fine)
-    return _ZEROS_LOST * _density(view, result, fine) + _COARSE * _density(view, result, coarse)
+    return (
+        _ZEROS_LOST * _density(view, result, fine)
+        + _EXACT * _density(view, result, max(finest, _SHORTEST * coarse))
+        + _COARSE * _density(view, result, coarse)
+    )
 
 
 def _density(view: View, result: Range, half_unit: float) -> float:

@@ -44,7 +44,9 @@ def _judge_size(view: View) -> Judgement:
         for end in (own_required.value, own_required.low, own_required.high)
     ]
     own = verdicts[0]
-    if any(verdict.sound for verdict in verdicts):
+    # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
+    picked = same_size(chosen, view.expected * scale)
+    if picked or any(verdict.sound for verdict in verdicts):
         said = message("A sound decision for your own earlier numbers.")
         credit = view.policy.carried_credit
         return _conclude(view, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
