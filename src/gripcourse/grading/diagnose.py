@@ -4,7 +4,7 @@ A slip may have been made in a step that the student did not write down; then it
 in the next answer that was.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.grading.explain import Explanation, Weighed, conclude, density, weigh
+from gripcourse.grading.choices import sound_sizes
+from gripcourse.grading.explain import (
+    Explanation,
+    Weighed,
+    conclude,
+    density,
+    weigh,
+    with_later_answers,
+)
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.view import Judgement, Range, View
 from gripcourse.slips.model import Candidate
@@ -27,21 +35,31 @@ CandidatesOf = Callable[[str], tuple[Candidate, ...]]
 """The wrong methods of a quantity, by its id."""
 
 
-def diagnose(view: View, judgement: Judgement, candidates_of: CandidatesOf) -> Judgement:
+def diagnose(
+    view: View, judgement: Judgement, candidates_of: CandidatesOf, later: Sequence[View]
+) -> Judgement:
     """Name the slip behind a wrong answer.
 
     Args:
         view: of the answer.
         judgement: that it is wrong.
         candidates_of: the wrong methods of each quantity.
+        later: the answers whose formulas use this one.
 
     Returns:
         The judgement with the slip that explains the answer, itself where none does.
     """
     if view.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
         return judgement
-    weighed = [weigh(view, candidate) for candidate in candidates_of(view.quantity.id)]
-    for earlier in _unwritten(view):
+    other_size = _with_other_size(view, judgement)
+    if other_size is not None:
+        return other_size
+    weighed = [
+        with_later_answers(one, later)
+        for one in (weigh(view, candidate) for candidate in candidates_of(view.quantity.id))
+        if one.weight > 0
+    ]
+    for earlier in _unwritten(view, Kind.FORMULA):
         weighed += _weigh_earlier(view, earlier, candidates_of(earlier))
     explanation = conclude(view, weighed)
     if explanation is None:
@@ -92,8 +110,33 @@ def _with_earlier_slip(view: View, judgement: Judgement, explanation: Explanatio
     )
 
 
-def _unwritten(view: View) -> Iterator[str]:
-    """Yield the computed quantities that lead to this one through no number of the student's."""
+def _with_other_size(view: View, judgement: Judgement) -> Judgement | None:
+    """Accept what follows from another sound size that the student did not write down."""
+    for name in _unwritten(view, Kind.CHOICE):
+        sizes = sound_sizes(view, name)
+        if not sizes:
+            continue
+        here = _carried_here(view, name, np.asarray(sizes)) / factor(view.quantity.unit)
+        for size, value in zip(sizes, here.tolist(), strict=True):
+            if view.fits(_spread_as(view.follows, value).nearest(view.value)):
+                title = view.plan.quantities[name].title
+                declared = size / factor(view.plan.quantities[name].unit)
+                return replace(
+                    judgement,
+                    outcome=Outcome.CARRIED,
+                    against=Against.OWN_INPUTS,
+                    credit=view.policy.carried_credit,
+                    message=message(
+                        "Follows if {title} was chosen as {value}, which you did not write down.",
+                        title=title,
+                        value=declared,
+                    ),
+                )
+    return None
+
+
+def _unwritten(view: View, kind: Kind) -> Iterator[str]:
+    """Yield the quantities of a kind that lead to this one through no number of the student's."""
     waiting = list(view.plan.inputs[view.quantity.id])
     seen: set[str] = set()
     while waiting:
@@ -101,7 +144,7 @@ def _unwritten(view: View) -> Iterator[str]:
         if name in seen or name in view.own.known:
             continue
         seen.add(name)
-        if view.plan.quantities[name].kind is Kind.FORMULA:
+        if view.plan.quantities[name].kind is kind:
             yield name
         waiting += view.plan.inputs[name]
 

@@ -8,7 +8,7 @@ wrong number that nothing explains, which may be anywhere.
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from gripcourse.course.slip_policy import SlipPolicy
@@ -31,6 +31,9 @@ _ROUNDED, _CUT_OFF = 0.9, 0.1
 _ZEROS_LOST, _EXACT, _COARSE = 0.6, 0.25, 0.15
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
+# Some carry on the typed number, some the one in the calculator.
+_CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
+_LATER: Final = 4  # answers that are asked
 # Few shorten a constant so much that the result shows it.
 _FROM_HABIT = 0.2
 
@@ -77,6 +80,21 @@ def weigh(view: View, candidate: Candidate) -> Weighed:
     return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)
 
 
+def with_later_answers(found: Weighed, later: Sequence[View]) -> Weighed:
+    """Let what was computed on from an answer speak for a method or against it.
+
+    Who carries on the number in the calculator shows its digits in the next answers, and they tell
+    methods apart that the typed number cannot.
+    """
+    weight = found.weight
+    for view in later[:_LATER]:
+        typed = density(view, view.follows) if math.isfinite(view.expected) else 0.0
+        if typed > 0:
+            exact = density(view, view.following(found.of, found.value))
+            weight *= _CARRIED_TYPED + _CARRIED_EXACT * exact / typed
+    return replace(found, weight=weight)
+
+
 def _met(view: View, result: Range) -> float:
     return density(view, result) if math.isfinite(result.value) else 0.0
 
@@ -120,6 +138,8 @@ def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
 def density(view: View, result: Range) -> float:
     """Return how densely typed numbers lie at an answer, for people who compute this result."""
     value = view.value
+    if value == 0:
+        return 0.0  # it has no last digit, and says nothing about where it comes from
     finest = _FINEST * abs(value)
     fine = max(typed_half_unit(view.answer, view.policy), finest)
     coarse = max(view.answer.half_unit, finest)

@@ -71,10 +71,9 @@ def judge(
     """
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
     case = _case(submission, issued, plan, policy, methods)
-    judged = [
-        _explained(case, _judged(case, quantity, submission.answers.get(quantity.id)))
-        for quantity in _in_order(plan)
-    ]
+    first = [_judged(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    views = {one.quantity.id: one.view for one in first if one.view is not None}
+    judged = [_explained(case, one, views) for one in first]
     substituted = substitutions(_still_wrong(case, judged))
     judged = [_substituted(case, one, by_answer(substituted)) for one in judged]
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
@@ -163,12 +162,19 @@ def _viewed(case: _Case, quantity: Quantity, answer: Answer, value: float) -> _J
     return _Judged(quantity, answer, view, judgement)
 
 
-def _explained(case: _Case, judged: _Judged) -> _Judged:
+def _explained(case: _Case, judged: _Judged, views: Mapping[str, View]) -> _Judged:
     """Name the slip behind a wrong answer; a unit that does not fit explains itself."""
     wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
     if judged.view is None or not wrong or not judged.view.answer.unit_fits:
         return judged
-    return replace(judged, judgement=diagnose(judged.view, judged.judgement, case.candidates_of))
+    name = judged.quantity.id
+    later = [
+        view
+        for other, view in views.items()
+        if name in case.plan.inputs[other] and view.quantity.kind is Kind.FORMULA
+    ]
+    judgement = diagnose(judged.view, judged.judgement, case.candidates_of, later)
+    return replace(judged, judgement=judgement)
 
 
 def _still_wrong(case: _Case, judged: Sequence[_Judged]) -> list[View]:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.bands import band, within
+from gripcourse.grading.bands import band
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.view import Judgement, Range, View
 from gripcourse.words import Message, message
@@ -27,7 +27,7 @@ def judge_value(view: View) -> Judgement:
 
 
 def _matches(view: View) -> Iterator[Judgement]:
-    if _fits(view, view.reference):
+    if view.fits(view.reference):
         yield _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, message("Correct."))
     if _follows(view, view.follows):
         yield _conclude(
@@ -40,16 +40,12 @@ def _matches(view: View) -> Iterator[Judgement]:
     yield from _printed(view)
 
 
-def _fits(view: View, expected: float) -> bool:
-    return within(view.value, expected, band(view.quantity, expected, view.policy))
-
-
 def _follows(view: View, expected: Range) -> bool:
-    return _fits(view, expected.nearest(view.value))
+    return view.fits(expected.nearest(view.value))
 
 
 def _fits_printed(view: View, formula: Formula) -> bool:
-    return _fits(view, view.at_reference(formula)) or _follows(view, view.at_own(formula))
+    return view.fits(view.at_reference(formula)) or _follows(view, view.at_own(formula))
 
 
 def _printed(view: View) -> Iterator[Judgement]:
@@ -74,7 +70,7 @@ def _printed(view: View) -> Iterator[Judgement]:
 
 def _judge_wrong_unit(view: View) -> Judgement:
     """The right number with a unit that measures something else earns what the policy says."""
-    if _fits(view, view.reference) or _follows(view, view.follows):
+    if view.fits(view.reference) or _follows(view, view.follows):
         said = message("The number is right, the unit is not.")
         return _conclude(view, Outcome.WRONG, Against.NOTHING, view.policy.wrong_unit_credit, said)
     return _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))

@@ -12,7 +12,7 @@ from gripcourse.course.model import Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.bands import computed_band
+from gripcourse.grading.bands import band, computed_band, within
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.own import Own, range_of
 from gripcourse.solver.plan import Plan
@@ -125,6 +125,21 @@ class View:
         if not abs(self.value - declared) <= most:
             return Range(declared, declared, declared)
         return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def following(self, name: str, value: float) -> Range:
+        """Return what follows here if another quantity is exactly a value (declared units)."""
+        formula = self.plan.reference_formula(self.quantity.id)
+        if formula is None:
+            return NOWHERE
+        exact = np.asarray(value * factor(self.plan.quantities[name].unit))
+        result = self._evaluate(formula, {**self.own.evaluation.values, name: exact})
+        return self._range(
+            float(result), self._evaluate(formula, {**self.own.moved.values, name: exact})
+        )
+
+    def fits(self, expected: float) -> bool:
+        """Tell whether the answer lies in the band round an expected value."""
+        return within(self.value, expected, band(self.quantity, expected, self.policy))
 
     def has_own_inputs(self, formula: Formula) -> bool:
         """Tell whether the student's numbers differ from the reference where a formula looks."""
