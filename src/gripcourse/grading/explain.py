@@ -28,7 +28,7 @@ _ALIKE: Final = 1e-6
 _ROUNDED, _CUT_OFF = 0.9, 0.1
 # A short number in a cell may have lost zeros of three figures, or of as many as the calculator
 # has, or may have been typed so coarsely.
-_ZEROS_LOST, _EXACT, _COARSE = 0.6, 0.25, 0.15
+_ZEROS_LOST, _EXACT, _COARSE = 0.67, 0.3, 0.03
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 # Some carry on the typed number, some the one in the calculator.
