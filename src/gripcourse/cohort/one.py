@@ -19,7 +19,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.read import read_workbook
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
 
 # Compositions of a scheme and options that are remembered: about a megabyte each.
 _COMPOSITIONS: Final = 64
@@ -45,16 +45,20 @@ def grade_file(file: Path, desk: Desk) -> Report:
     issued = submitter(str(file), raw.identity.student, desk.register)
     if issued is None:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
-    plan, methods = _methods(desk, issued.variant.scheme, tuple(issued.variant.options.items()))
+    plan, methods = methods_of(desk, issued.variant)
     submission = interpret(raw, plan.quantities.values())
     return judge(submission, issued, plan, desk.policy, methods)
+
+
+def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:
+    """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
+    return _methods(desk, variant.scheme, tuple(variant.options.items()))
 
 
 @lru_cache(maxsize=_COMPOSITIONS)
 def _methods(
     desk: Desk, scheme: str, options: tuple[tuple[str, str], ...]
 ) -> tuple[Plan, CandidatesOf]:
-    """Return the plan of a composition and the wrong methods of its quantities."""
     plan = make_plan(desk.course, scheme, dict(options))
 
     @cache

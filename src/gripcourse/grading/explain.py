@@ -36,6 +36,7 @@ _CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
 # Few shorten a constant so much that the result shows it.
 _FROM_HABIT = 0.2
+_HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +73,7 @@ def weigh(view: View, candidate: Candidate) -> Weighed:
         met += _FROM_REFERENCE * _met(view, Range(reference, reference, reference))
     else:
         met += _FROM_REFERENCE / _FROM_OWN * met
-    if met == 0:
+    if met == 0 and abs(view.value - own.value) <= _HABITS_MOVE * abs(own.value):
         met = _FROM_HABIT * max(
             (_met(view, view.near_own(one)) for one in _with_habits(view, candidate.formula)),
             default=0.0,

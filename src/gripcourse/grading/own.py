@@ -79,7 +79,7 @@ def follow(
     first = evaluate(plan, inputs | carried)
     refused = {name for name in carried if not _guard_holds(plan, name, first)}
     kept = {name: value for name, value in carried.items() if name not in refused}
-    evaluation, stand_in = _bridge(plan, inputs | kept, reference)
+    evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
     reaches = {
         name: reach_of(answers[name], policy) * factor(plan.quantities[name].unit)
@@ -152,15 +152,22 @@ def _guard_holds(plan: Plan, name: str, evaluation: Evaluation) -> bool:
 
 
 def _bridge(
-    plan: Plan, known: Mapping[str, float], reference: Mapping[str, float]
+    plan: Plan,
+    known: Mapping[str, float],
+    reference: Mapping[str, float],
+    evaluation: Evaluation | None,
 ) -> tuple[Evaluation, dict[str, float]]:
     """Let the reference stand in for what the student's numbers leave without a value.
 
     A bore that no catalogue holds has no rod; what follows must not be lost for that.
+
+    Args:
+        plan, known, reference: as in `follow`, known in SI.
+        evaluation: of the known values, where there is one already.
     """
     stand_in: dict[str, float] = {}
     while True:
-        evaluation = evaluate(plan, {**known, **stand_in})
+        evaluation = evaluation or evaluate(plan, {**known, **stand_in})
         lost = [
             name
             for name, value in evaluation.values.items()
@@ -170,3 +177,4 @@ def _bridge(
             return evaluation, stand_in
         # Only the first is at the root: what follows it may be computed once it has a value.
         stand_in[lost[0]] = reference[lost[0]]
+        evaluation = None
