@@ -27,6 +27,8 @@ LEVELS = (
     ("pdf",),
     ("course",),
     ("solver",),
+    # Points and bands are counted before anything is judged: the audit of variants needs them too.
+    ("marking",),
     ("slips",),
     ("variants",),
     ("drawing", "workbook"),

@@ -17,9 +17,9 @@ from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.own import Own, follow
-from gripcourse.grading.points import points_of
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
 from gripcourse.grading.view import Judgement, View
+from gripcourse.marking.points import points_of
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, from_si, to_si
