@@ -9,11 +9,15 @@ from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.policy import Policy, Reveal
 from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.variant_rules import read_variant_rules
 from gripcourse.errors import CourseError, Problem
 from gripcourse.units import factor
 from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
+_TABLES = {
+    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report", "variants",
+}  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
 
@@ -36,9 +40,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     slips = read_slip_policy(course.root, problems)
     if table is None or slips is None:
         return None, problems
-    table.known_keys(
-        {"points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report"}
-    )
+    table.known_keys(_TABLES)
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
@@ -62,6 +64,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         widest=_at_least(rounding, "widest", 0.0),
         reveal=_reveal(table.required_table("report")),
         slips=slips,
+        variants=read_variant_rules(table.required_table("variants")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     rounding.known_keys({"last_digit", "figures", "habits", "widest"})

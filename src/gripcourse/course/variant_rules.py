@@ -1,0 +1,29 @@
+"""Reading what a policy demands of variants: the table `[variants]` of `grader/policy.toml`."""
+
+from gripcourse.course.policy import VariantRules
+from gripcourse.course.toml_table import Table
+from gripcourse.words import Message, message
+
+_SHARES = ("shared_points", "shared_section_points", "step_margin", "weak_item")
+
+
+def read_variant_rules(table: Table) -> VariantRules:
+    """Read the rules for variants; every fault goes to the table's list of problems."""
+    table.known_keys((*_SHARES, "slip_bands", "keep_apart", "steps_ratio"))
+    shared, section, margin, weak = (table.share(name) for name in _SHARES)
+    return VariantRules(
+        shared_points=shared,
+        shared_section_points=section,
+        slip_bands=_at_least(table, "slip_bands", 0, message("Write 0 or a positive number.")),
+        keep_apart=table.strings("keep_apart"),
+        step_margin=margin,
+        steps_ratio=_at_least(table, "steps_ratio", 1, message("Write 1 or a larger number.")),
+        weak_item=weak,
+    )
+
+
+def _at_least(table: Table, name: str, lowest: float, remedy: Message) -> float:
+    value = table.number(name)
+    if value < lowest:
+        table.add(name, message("The number {value} is too small.", value=value), remedy)
+    return value
