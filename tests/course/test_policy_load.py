@@ -136,6 +136,13 @@ POLICY = "grader/policy.toml"
         ("steps_ratio = 2.5", "steps_ratio = 0.5", "variants.steps_ratio", "0.5", "1 or a larger"),
         ("weak_item = 0.25", "weak_item = 2", "variants.weak_item", "The share is 2.", "from 0"),
         (
+            'keep_apart = ["declared"]',
+            'keep_apart = ["declared", "gravity_left_off"]',
+            "variants.keep_apart",
+            "There is no kind of slip 'gravity_left_off'.",
+            "Did you mean 'gravity_left_out'?",
+        ),
+        (
             "step_margin = 0.01",
             "step_margins = 0.01",
             "variants.step_margins",

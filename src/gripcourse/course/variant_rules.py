@@ -1,7 +1,8 @@
 """Reading what a policy demands of variants: the table `[variants]` of `grader/policy.toml`."""
 
 from gripcourse.course.policy import VariantRules
-from gripcourse.course.toml_table import Table
+from gripcourse.course.slip_policy import DECLARED, SlipKind
+from gripcourse.course.toml_table import Table, did_you_mean
 from gripcourse.words import Message, message
 
 _SHARES = ("shared_points", "shared_section_points", "step_margin", "weak_item")
@@ -15,7 +16,7 @@ def read_variant_rules(table: Table) -> VariantRules:
         shared_points=shared,
         shared_section_points=section,
         slip_bands=_at_least(table, "slip_bands", 0, message("Write 0 or a positive number.")),
-        keep_apart=table.strings("keep_apart"),
+        keep_apart=_kinds(table),
         step_margin=margin,
         steps_ratio=_at_least(table, "steps_ratio", 1, message("Write 1 or a larger number.")),
         weak_item=weak,
@@ -27,3 +28,16 @@ def _at_least(table: Table, name: str, lowest: float, remedy: Message) -> float:
     if value < lowest:
         table.add(name, message("The number {value} is too small.", value=value), remedy)
     return value
+
+
+def _kinds(table: Table) -> tuple[str, ...]:
+    known = {DECLARED, *SlipKind}
+    kinds = table.strings("keep_apart")
+    for kind in kinds:
+        if kind not in known:
+            table.add(
+                "keep_apart",
+                message("There is no kind of slip '{name}'.", name=kind),
+                did_you_mean(kind, known),
+            )
+    return kinds

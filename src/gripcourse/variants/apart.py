@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gripcourse.course.policy import Policy
 from gripcourse.marking.bands import SLACK
 from gripcourse.variants.answers import Item, Rows
 from gripcourse.variants.feasible import Array
@@ -32,6 +33,11 @@ class Limits:
 
     whole: float
     section: float
+
+
+def limits_of(policy: Policy) -> Limits:
+    """Return the limits of a policy."""
+    return Limits(policy.variants.shared_points, policy.variants.shared_section_points)
 
 
 @dataclass(frozen=True, slots=True)
