@@ -109,21 +109,25 @@ def solve(  # noqa: PLR0913 (one parameter per option)
 
 
 @variants_app.command("draw")
-def variants_draw(
+def variants_draw(  # noqa: PLR0913 (one parameter per option)
     *,
     count: Annotated[int, typer.Option(min=1, max=100_000, help="How many variants.")],
     seed: Annotated[int, typer.Option(min=0, help="The same seed gives the same table.")],
     scheme: Annotated[str | None, typer.Option(help="Only this scheme.")] = None,
+    freely: Annotated[
+        bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
+    ] = False,
     out: Annotated[Path, typer.Option("--out", help="CSV file to write.")] = Path("variants.csv"),
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Draw feasible variants from the course's spaces into a table."""
+    """Draw variants that can be solved and are far enough apart from the course's spaces."""
     from gripcourse.commands.variants import draw_table
     from gripcourse.course.load import load_course
 
     words = words_for(language)
-    drawn = draw_table(load_course(course_folder(course)), count, seed, scheme, out)
+    loaded = load_course(course_folder(course))
+    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely)
     typer.echo(cli_text.drawn_text(drawn, out, words))
 
 

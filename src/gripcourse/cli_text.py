@@ -110,7 +110,8 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
                 )
             )
         )
-        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]]
+        refusals = (*tally.refusals[:5], *tally.set_aside)
+        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in refusals]
     return "\n".join(lines)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.course.policy import Policy
-from gripcourse.marking.bands import bands
+from gripcourse.marking.bands import SLACK, bands
 from gripcourse.marking.points import points_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
@@ -19,6 +19,8 @@ from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
 
 Rows = NDArray[np.intp]
+
+_SAME = 1e-9  # relative; given numbers differ only by how floating point writes them
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +61,36 @@ class Item:
     points: Array
     sections: Rows
     schemes: Rows
+
+
+@dataclass(frozen=True, slots=True)
+class Windows:
+    """Which neighbours in sorted order fit the band of each variant of an item.
+
+    Attributes:
+        order: rows of the table in the order of the values.
+        first, last: of the fitting ones in `order`, per entry of the item; `last` is excluded.
+    """
+
+    order: Rows
+    first: Rows
+    last: Rows
+
+
+def windows_of(item: Item) -> Windows:
+    """Sort the values of an item; what fits a band is then a stretch of neighbours."""
+    order = np.argsort(item.values, kind="stable")
+    ascending = item.values[order]
+    reach = item.half_widths * SLACK
+    first = np.searchsorted(ascending, item.values - reach, side="left")
+    last = np.searchsorted(ascending, item.values + reach, side="right")
+    return Windows(item.rows[order], first, last)
+
+
+def count_fitting(item: Item) -> Rows:
+    """Count for each entry of an item the other variants whose answer fits its band."""
+    window = windows_of(item)
+    return window.last - window.first - 1
 
 
 def solve_groups(
@@ -126,6 +158,31 @@ def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[Ite
     return tuple(_joined(found) for found in parts.values())
 
 
+def given_items(groups: Sequence[Group]) -> tuple[Item, ...]:
+    """Gather the given numbers over all groups: one point each, equal only where the same."""
+    parts: dict[str, list[Item]] = {}
+    schemes = {id_: number for number, id_ in enumerate(scheme_ids(groups))}
+    for group in groups:
+        scheme = schemes[group.plan.scheme.id]
+        for quantity in group.plan.givens:
+            values = group.values[quantity.id]
+            part = _item(group, quantity, 1.0, np.abs(values) * _SAME, scheme)
+            parts.setdefault(quantity.id, []).append(part)
+    return tuple(_joined(found) for found in parts.values())
+
+
+def mean_share(items: Sequence[Item], size: int) -> float:
+    """Return which share of its points one variant gets with another's answers, on average."""
+    if size < 2:  # noqa: PLR2004 (a single variant has no other)
+        return 0.0
+    shared, total = np.zeros(size), np.zeros(size)
+    for item in items:
+        shared[item.rows] += item.points * count_fitting(item)
+        total[item.rows] += item.points
+    some = total > 0
+    return float((shared[some] / total[some]).sum() / (size - 1) / size)
+
+
 def scheme_ids(groups: Sequence[Group]) -> tuple[str, ...]:
     """Return the schemes of a table, each once; `Item.schemes` counts in this order."""
     return tuple(dict.fromkeys(group.plan.scheme.id for group in groups))
@@ -151,16 +208,21 @@ def section_totals(items: Sequence[Item], size: int, sections: int) -> Array:
 def _part(
     group: Group, quantity: Quantity, points: Mapping[str, float], policy: Policy, scheme: int
 ) -> Item:
+    half_widths = bands(quantity, group.values[quantity.id], policy)
+    return _item(group, quantity, points[quantity.id], half_widths, scheme)
+
+
+def _item(group: Group, quantity: Quantity, points: float, half_widths: Array, scheme: int) -> Item:
     values = group.values[quantity.id]
     there = np.isfinite(values)
-    values, rows = values[there], group.rows[there]
+    rows = group.rows[there]
     sections = [section.id for section in group.plan.course.sections]
     return Item(
         quantity.id,
         rows,
-        values,
-        bands(quantity, values, policy),
-        np.full(rows.shape, points[quantity.id]),
+        values[there],
+        half_widths[there],
+        np.full(rows.shape, points),
         np.full(rows.shape, sections.index(quantity.section), dtype=np.intp),
         np.full(rows.shape, scheme, dtype=np.intp),
     )

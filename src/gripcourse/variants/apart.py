@@ -13,7 +13,7 @@ import numpy as np
 
 from gripcourse.course.policy import Policy
 from gripcourse.marking.bands import SLACK
-from gripcourse.variants.answers import Item, Rows
+from gripcourse.variants.answers import Item, Rows, Windows, windows_of
 from gripcourse.variants.feasible import Array
 
 # scipy.sparse costs 100 ms to import: only an audit pays.
@@ -139,41 +139,12 @@ def shared_points(
         sections: how many sections the course has.
         budget: coincidences to hold at once; a single variant may have more.
     """
-    windows = [_windows(item) for item in items]
+    windows = [windows_of(item) for item in items]
     work = np.zeros(size, dtype=np.intp)
     for item, window in zip(items, windows, strict=True):
         work[item.rows] += window.last - window.first
     for start, stop in _stretches(work, budget):
         yield _chunk(items, windows, start, stop, (size, sections))
-
-
-@dataclass(frozen=True, slots=True)
-class _Windows:
-    """Which neighbours in sorted order fit the band of each variant.
-
-    Attributes:
-        order: rows of the table in the order of the values.
-        first, last: of the fitting ones in `order`, per entry of the item; `last` is excluded.
-    """
-
-    order: Rows
-    first: Rows
-    last: Rows
-
-
-def _windows(item: Item) -> _Windows:
-    order = np.argsort(item.values, kind="stable")
-    ascending = item.values[order]
-    reach = item.half_widths * SLACK
-    first = np.searchsorted(ascending, item.values - reach, side="left")
-    last = np.searchsorted(ascending, item.values + reach, side="right")
-    return _Windows(item.rows[order], first, last)
-
-
-def count_fitting(item: Item) -> Rows:
-    """Count for each entry of an item the other variants whose answer fits its band."""
-    window = _windows(item)
-    return window.last - window.first - 1
 
 
 def _stretches(work: Rows, budget: int) -> Iterator[tuple[int, int]]:
@@ -189,7 +160,7 @@ def _stretches(work: Rows, budget: int) -> Iterator[tuple[int, int]]:
 
 def _chunk(
     items: Sequence[Item],
-    windows: Sequence[_Windows],
+    windows: Sequence[Windows],
     start: int,
     stop: int,
     shape: tuple[int, int],
@@ -208,7 +179,7 @@ def _chunk(
 
 
 def _coincidences(
-    item: Item, window: _Windows, start: int, stop: int, sections: int
+    item: Item, window: Windows, start: int, stop: int, sections: int
 ) -> tuple[Rows, Rows, Array]:
     """List who gets whose answer right, and its points, for some of those who get answers."""
     low, high = np.searchsorted(item.rows, [start, stop])

@@ -5,7 +5,7 @@ spaces, count and seed give the same variants.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -19,12 +19,12 @@ from gripcourse.variants.explain import in_short, listed
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Case, Space
-from gripcourse.words import Message, message
+from gripcourse.variants.tally import Refusal, Tally, by_count, summed
+from gripcourse.words import message
 
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
 _CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
 _MOST_TRIED = 1 << 18  # candidates of one case before giving up
-_MOST_SET_ASIDE = 1 << 17  # of one case by a further condition, before giving up
 _REASONS_TOLD = 3
 
 
@@ -46,14 +46,6 @@ class Batch:
 
 
 @dataclass(frozen=True, slots=True)
-class Refusal:
-    """How often candidates were refused for a reason; one candidate may have several."""
-
-    what: Message
-    count: int
-
-
-@dataclass(frozen=True, slots=True)
 class Sifted:
     """What a further condition let through.
 
@@ -72,30 +64,6 @@ Filter: TypeAlias = Callable[[Batch, int], Sifted]
 It is asked batch by batch and in order, with the number that is still wanted, so that it may stop
 there and remember exactly what it let through.
 """
-
-
-@dataclass(frozen=True, slots=True)
-class Tally:
-    """How drawing went for one scheme.
-
-    Attributes:
-        scheme: its id.
-        tried: candidates judged.
-        sound: candidates that can be solved and are no doubles.
-        refusals: the reasons for the others, the most frequent first.
-        set_aside: why the further condition refused candidates that can be solved.
-    """
-
-    scheme: str
-    tried: int
-    sound: int
-    refusals: tuple[Refusal, ...]
-    set_aside: tuple[Refusal, ...]
-
-    @property
-    def acceptance(self) -> float:
-        """Share of the candidates that can be solved, 0 to 1."""
-        return self.sound / self.tried
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +173,7 @@ class _Search:
         set_aside: tuple[Refusal, ...] = ()
         doubles = feasible = tried = 0
         for drawn in self._candidates(wanted, np.random.default_rng(seed)):
-            if len(rows) >= wanted or sum(one.count for one in set_aside) > _MOST_SET_ASIDE:
+            if len(rows) >= wanted:
                 break
             given = {quantity.id: drawn[quantity.id] for quantity in plan.givens}
             feasibility = reasons_infeasible(plan, given, self.case.constraints)
@@ -217,7 +185,7 @@ class _Search:
             if self.further is not None:
                 sifted = self.further(batch, wanted - len(rows))
                 keep = sifted.keep
-                set_aside = _summed((*set_aside, *sifted.refusals))
+                set_aside = summed((*set_aside, *sifted.refusals))
             for values in zip(*(values[keep] for values in batch.given.values()), strict=True):
                 key = tuple(float(value) for value in values)
                 doubles += key in rows
@@ -227,7 +195,7 @@ class _Search:
             Refusal(message("the same numbers as another variant"), doubles),
         )
         found = tuple(rows.values())[:wanted]
-        result = _Found(found, tried, feasible - doubles, _by_count(refusals), set_aside)
+        result = _Found(found, tried, feasible - doubles, by_count(refusals), set_aside)
         if len(rows) < wanted:
             raise _too_few(self.space, wanted, result)
         return result
@@ -267,7 +235,7 @@ def _batch(plan: Plan, given: Mapping[str, Array], feasibility: Feasibility) -> 
 def _too_few(space: Space, wanted: int, found: _Found) -> TableError:
     common = [
         message("{what}: {count}", what=one.what, count=one.count)
-        for one in _by_count((*found.refusals, *found.set_aside))[:_REASONS_TOLD]
+        for one in by_count((*found.refusals, *found.set_aside))[:_REASONS_TOLD]
     ]
     return TableError([Problem(
         space.file,
@@ -296,21 +264,6 @@ def _tally(scheme: str, results: Sequence[_Found]) -> Tally:
         scheme,
         sum(result.tried for result in results),
         sum(result.sound for result in results),
-        _by_count(_summed(refusal for result in results for refusal in result.refusals)),
-        _by_count(_summed(refusal for result in results for refusal in result.set_aside)),
+        by_count(summed(refusal for result in results for refusal in result.refusals)),
+        by_count(summed(refusal for result in results for refusal in result.set_aside)),
     )
-
-
-def _summed(refusals: Iterable[Refusal]) -> tuple[Refusal, ...]:
-    """Add up what was refused for the same reason."""
-    counts: dict[str, Refusal] = {}
-    for one in refusals:
-        earlier = counts.get(str(one.what))
-        total = one.count + (earlier.count if earlier else 0)
-        counts[str(one.what)] = Refusal(one.what, total)
-    return tuple(counts.values())
-
-
-def _by_count(refusals: Iterable[Refusal]) -> tuple[Refusal, ...]:
-    """Sort by count, the most frequent first; what never happened is left out."""
-    return tuple(sorted((one for one in refusals if one.count), key=lambda one: -one.count))

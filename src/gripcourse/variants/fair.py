@@ -9,8 +9,8 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, reference_rounding
-from gripcourse.variants.answers import Group, Item, scheme_ids
-from gripcourse.variants.apart import count_fitting
+from gripcourse.units import factor
+from gripcourse.variants.answers import Group, Item, count_fitting, scheme_ids
 from gripcourse.variants.feasible import Array, Mask
 
 
@@ -57,7 +57,8 @@ class Spread:
         quantity, scheme: which they are.
         variants: how many have the quantity.
         points: that it is worth, the mean over the variants.
-        lowest, median, highest: of the answers, SI.
+        unit: declared.
+        lowest, median, highest: of the answers, in `unit`.
         equal: share of the ordered pairs of these variants in which one's answer fits the other's
             band, 0 to 1.
     """
@@ -66,6 +67,7 @@ class Spread:
     scheme: str
     variants: int
     points: float
+    unit: str
     lowest: float
     median: float
     highest: float
@@ -104,8 +106,13 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
 def spreads_of(groups: Sequence[Group], items: Sequence[Item]) -> tuple[Spread, ...]:
     """Describe the answers to each quantity, scheme by scheme."""
     ids = scheme_ids(groups)
+    units = {
+        (group.plan.scheme.id, quantity.id): quantity.unit
+        for group in groups
+        for quantity in group.plan.answered
+    }
     return tuple(
-        _spread(_only(item, scheme), ids[scheme])
+        _spread(_only(item, scheme), ids[scheme], units[ids[scheme], item.quantity])
         for item in items
         for scheme in np.unique(item.schemes)
     )
@@ -174,16 +181,18 @@ def _only(item: Item, scheme: int) -> Item:
     )
 
 
-def _spread(item: Item, scheme: str) -> Spread:
+def _spread(item: Item, scheme: str, unit: str) -> Spread:
     size = len(item.rows)
     pairs = size * (size - 1)
+    values = item.values / factor(unit)
     return Spread(
         item.quantity,
         scheme,
         size,
         float(item.points.mean()),
-        float(item.values.min()),
-        float(np.median(item.values)),
-        float(item.values.max()),
+        unit,
+        float(values.min()),
+        float(np.median(values)),
+        float(values.max()),
         float(count_fitting(item).sum() / pairs) if pairs else 0.0,
     )

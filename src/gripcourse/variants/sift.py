@@ -9,10 +9,11 @@ from gripcourse.course.policy import Policy
 from gripcourse.variants.accepted import Accepted
 from gripcourse.variants.answers import group_of, items_of
 from gripcourse.variants.apart import limits_of
-from gripcourse.variants.draw import Batch, Filter, Refusal, Sifted
+from gripcourse.variants.draw import Batch, Filter, Sifted
 from gripcourse.variants.fair import near_steps
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.slip_distance import too_near
+from gripcourse.variants.tally import Refusal
 from gripcourse.words import message
 
 
