@@ -42,7 +42,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     help="Course assignments for robot gripper design: issue variants, check, grade, report.",
 )
-variants_app = typer.Typer(no_args_is_help=True, help="Variant tables: draw or import.")
+variants_app = typer.Typer(no_args_is_help=True, help="Variant tables: draw, import or audit.")
 app.add_typer(variants_app, name="variants")
 
 
@@ -147,6 +147,26 @@ def variants_import(
     count = import_table(load_course(course_folder(course)), source, out)
     said = message("{count} variants were written to {file}.", count=count, file=str(out))
     typer.echo(words.say(said))
+
+
+@variants_app.command("audit")
+def variants_audit(
+    *,
+    table: TableOption = None,
+    out: OutOption = Path("audit"),
+    on: DateOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Check that a table's variants are far from slips, fair and apart; write a certificate."""
+    from gripcourse.commands.audit import audit_table
+    from gripcourse.course.load import load_course
+
+    loaded = load_course(course_folder(course))
+    document = Words(document_language(language, loaded.language))
+    audited = audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+    typer.echo(cli_text.audit_text(audited, words_for(language)))
+    raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)
 
 
 @app.command()
