@@ -117,7 +117,7 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
 
 
 def audit_text(audited: "Audited", words: Words) -> str:
-    """Return how many variants keep each rule, how near the nearest are, and where it is written."""
+    """Return how many variants break which rule, and where the certificate is."""
     found = audited.audit
     share = float(found.apart.whole.share.max(initial=0.0))
     said = [

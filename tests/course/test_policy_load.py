@@ -130,10 +130,10 @@ POLICY = "grader/policy.toml"
             "slip_bands = 2",
             "slip_bands = -1",
             "variants.slip_bands",
-            "The number −1 is too small.",
-            "0 or a positive number",
+            "The number is −1.",
+            "0 or more",
         ),
-        ("steps_ratio = 2.5", "steps_ratio = 0.5", "variants.steps_ratio", "0.5", "1 or a larger"),
+        ("steps_ratio = 2.5", "steps_ratio = 0.5", "variants.steps_ratio", "is 0.5", "1 or more"),
         ("weak_item = 0.25", "weak_item = 2", "variants.weak_item", "The share is 2.", "from 0"),
         (
             'keep_apart = ["declared"]',

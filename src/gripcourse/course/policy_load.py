@@ -16,7 +16,8 @@ from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
 _TABLES = {
-    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report", "variants",
+    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
+    "variants",
 }  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
@@ -58,10 +59,10 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         carried_credit=credit.share("carried"),
         printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
         wrong_unit_credit=credit.share("wrong_unit"),
-        last_digit=_at_least(rounding, "last_digit", 0.0),
-        figures=int(_at_least(rounding, "figures", 1.0)),
+        last_digit=rounding.at_least("last_digit", 0.0),
+        figures=int(rounding.at_least("figures", 1.0)),
         habits=_habits(rounding, course),
-        widest=_at_least(rounding, "widest", 0.0),
+        widest=rounding.at_least("widest", 0.0),
         reveal=_reveal(table.required_table("report")),
         slips=slips,
         variants=read_variant_rules(table.required_table("variants")),
@@ -193,19 +194,6 @@ def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
         name: tuple(value * factor(units[name]) for value in table.number_list(name))
         for name in table.values.keys() & units.keys()
     }
-
-
-def _at_least(table: Table, name: str, least: float) -> float:
-    value = table.number(name)
-    if value >= least:
-        return value
-    if not math.isnan(value):
-        table.add(
-            name,
-            message("The number is {value}.", value=value),
-            message("Write {least} or more.", least=least),
-        )
-    return least
 
 
 def _reveal(table: Table) -> Reveal:

@@ -3,7 +3,7 @@
 from gripcourse.course.policy import VariantRules
 from gripcourse.course.slip_policy import DECLARED, SlipKind
 from gripcourse.course.toml_table import Table, did_you_mean
-from gripcourse.words import Message, message
+from gripcourse.words import message
 
 _SHARES = ("shared_points", "shared_section_points", "step_margin", "weak_item")
 
@@ -15,19 +15,12 @@ def read_variant_rules(table: Table) -> VariantRules:
     return VariantRules(
         shared_points=shared,
         shared_section_points=section,
-        slip_bands=_at_least(table, "slip_bands", 0, message("Write 0 or a positive number.")),
+        slip_bands=table.at_least("slip_bands", 0.0),
         keep_apart=_kinds(table),
         step_margin=margin,
-        steps_ratio=_at_least(table, "steps_ratio", 1, message("Write 1 or a larger number.")),
+        steps_ratio=table.at_least("steps_ratio", 1.0),
         weak_item=weak,
     )
-
-
-def _at_least(table: Table, name: str, lowest: float, remedy: Message) -> float:
-    value = table.number(name)
-    if value < lowest:
-        table.add(name, message("The number {value} is too small.", value=value), remedy)
-    return value
 
 
 def _kinds(table: Table) -> tuple[str, ...]:

@@ -29,7 +29,7 @@ def audit_tables(audit: Audit, sections: Sequence[str], words: Words) -> dict[st
 def _variants(audit: Audit, sections: Sequence[str], words: Words) -> str:
     header = (
         *("variant", "scheme", "options", "passed", "broken", "slips", "edges", "above_a_limit"),
-        *("nearest", "share", *sections, *_BESIDE),
+        *("nearest", "share", *_headings(sections), *_BESIDE),
     )
     return table_text(header, (_variant(one, audit, len(sections), words)
                                for one in audit.variants))  # fmt: skip
@@ -60,7 +60,7 @@ def _variant(checked: Checked, audit: Audit, sections: int, words: Words) -> tup
 
 
 def _pairs(audit: Audit, sections: Sequence[str]) -> str:
-    header = ("variant", "answers_of", "share", *sections, *_BESIDE, "equal")
+    header = ("variant", "answers_of", "share", *_headings(sections), *_BESIDE, "equal")
     return table_text(header, (
         (
             text_cell(audit.variants[pair.own].variant.id),
@@ -70,6 +70,10 @@ def _pairs(audit: Audit, sections: Sequence[str]) -> str:
         )
         for pair in audit.pairs
     ))  # fmt: skip
+
+
+def _headings(sections: Sequence[str]) -> Iterator[str]:
+    yield from (f"share_{section}" for section in sections)
 
 
 def _shares(pair: Pair) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """The certificate of a table of variants, for the instructor: what was demanded and what was found.
 
-It is a page to keep with the table: which file it was, by its digest, and every number of the rules.
+It is kept with the table: it names the file by its digest, and every number of the rules.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -97,7 +97,7 @@ def certificate_values(
         "flagged_rest": len(flagged[_MOST:]),
         "steps": [_steps(titles[scheme], tuple(found)) for scheme, found in _by_scheme(audit)],
         "margins": [(_title(declared, one.quantity), one.near, one.variants)
-                    for one in audit.margins],
+                    for one in audit.margins if one.near],
         "weak": [_weak(one, titles, declared, words) for one in weak[:_MOST]],
         "weak_rest": len(weak[_MOST:]),
         "weak_limit": audit.rules.weak_item,

@@ -123,7 +123,7 @@ def share_plot(pairs: Sequence[int], limit: float, words: Words) -> str:
         axes.bar(places, pairs[:shown], width=1, color=_FILL, edgecolor=_EDGE, linewidth=0.6)
         axes.axvline(100 * limit, color=_EDGE, linewidth=1.1, linestyle="--")
         axes.set_yscale("symlog", linthresh=1)
-        axes.set_ylim(bottom=0)
+        axes.set_ylim(0, 2 * max(*pairs, 1))
         axes.set_xlim(0, shown)
         axes.xaxis.set_major_formatter(_whole(words))
         axes.yaxis.set_major_formatter(_whole(words))
