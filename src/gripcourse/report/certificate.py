@@ -208,12 +208,12 @@ def _range(counts: Sequence[int]) -> str:
 def _weak(
     spread: Spread, titles: Mapping[str, str], declared: Mapping[str, str], words: Words
 ) -> tuple[str, ...]:
-    values = (amount_text(one, spread.unit, words, 4) for one in (spread.lowest, spread.highest))
+    ends = (amount_text(one, spread.unit, words, 4) for one in (spread.lowest, spread.highest))
     return (
         titles[spread.scheme],
         _title(declared, spread.quantity),
         points_text(spread.points, words),
-        " … ".join(values),
+        " … ".join(dict.fromkeys(ends)),
         percent_text(spread.equal, words),
     )
 

@@ -8,8 +8,7 @@ import numpy as np
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose, reference_rounding
-from gripcourse.units import factor
+from gripcourse.solver.solve import choose, from_si, reference_rounding
 from gripcourse.variants.answers import Group, Item, count_fitting, scheme_ids
 from gripcourse.variants.feasible import Array, Mask
 
@@ -106,13 +105,13 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
 def spreads_of(groups: Sequence[Group], items: Sequence[Item]) -> tuple[Spread, ...]:
     """Describe the answers to each quantity, scheme by scheme."""
     ids = scheme_ids(groups)
-    units = {
-        (group.plan.scheme.id, quantity.id): quantity.unit
+    plans = {
+        (group.plan.scheme.id, quantity.id): group.plan
         for group in groups
         for quantity in group.plan.answered
     }
     return tuple(
-        _spread(_only(item, scheme), ids[scheme], units[ids[scheme], item.quantity])
+        _spread(_only(item, scheme), plans[ids[scheme], item.quantity])
         for item in items
         for scheme in np.unique(item.schemes)
     )
@@ -181,18 +180,21 @@ def _only(item: Item, scheme: int) -> Item:
     )
 
 
-def _spread(item: Item, scheme: str, unit: str) -> Spread:
+def _spread(item: Item, plan: Plan) -> Spread:
     size = len(item.rows)
     pairs = size * (size - 1)
-    values = item.values / factor(unit)
+
+    def declared(value: float) -> float:
+        return from_si(plan, {item.quantity: value})[item.quantity]
+
     return Spread(
         item.quantity,
-        scheme,
+        plan.scheme.id,
         size,
         float(item.points.mean()),
-        unit,
-        float(values.min()),
-        float(np.median(values)),
-        float(values.max()),
+        plan.quantities[item.quantity].unit,
+        declared(item.values.min()),
+        declared(float(np.median(item.values))),
+        declared(item.values.max()),
         float(count_fitting(item).sum() / pairs) if pairs else 0.0,
     )
