@@ -165,10 +165,14 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
 
 def check_text(checked: "Checked", words: Words) -> str:
     """Return what a student learns about a workbook."""
+    from gripcourse.submission.model import Reading
+
     rows = []
     for check in checked.checks:
         quantity = checked.plan.quantities[check.quantity]
         said = " ".join(words.say(one) for one in (check.message, *check.remarks))
+        if check.answer.reading is Reading.UNREADABLE:
+            said = f"{check.answer.cell}: {said}"
         typed = check.answer.typed
         rows.append(
             (

@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy import FigureRule, Policy, Reveal
+from gripcourse.course.policy_load import load_policy
 
 if TYPE_CHECKING:
     from conftest import Draft
 
 POLICY = "grader/policy.toml"
+LEAST = "least = 0                 # told only where it is certain: a cell keeps 5,00 as 5\n"
 
 
 @pytest.mark.parametrize(
@@ -111,6 +113,17 @@ POLICY = "grader/policy.toml"
             "There is no level 'noting'.",
             "Did you mean 'nothing'?",
         ),
+        ("most = 0", "most = -1", "figures.most", "figures is −1.", "0 is no bound"),
+        ("least = 0 ", "least = 2.5 ", "figures.least", "figures is 2.5.", "a whole number"),
+        (
+            LEAST + "most = 0\n",
+            "least = 3\nmost = 2\n",
+            "figures.most",
+            "At most 2 figures are fewer than at least 3.",
+            "Write a larger number",
+        ),
+        ("credit = 1.0 ", "credit = 2 ", "figures.credit", "The share is 2.", "from 0 to 1"),
+        ("least = 0 ", "leest = 0 ", "figures.leest", "means nothing here", "'least'"),
         ("[report]", "[reports]", "reports", "This key means nothing here.", "'report'"),
     ],
 )
@@ -145,3 +158,10 @@ def test_points_of_the_sections_add_up(policy: Policy, course: Course) -> None:
 
 def test_the_reference_is_kept_from_students_unless_the_policy_reveals_it(policy: Policy) -> None:
     assert policy.reveal is Reveal.NOTHING
+
+
+def test_a_policy_that_is_silent_about_figures_asks_for_none(draft: "Draft") -> None:
+    text = (draft.root / POLICY).read_text(encoding="utf-8")
+    start, end = text.index("[figures]"), text.index("[report]")
+    draft.put(POLICY, (text[:start] + text[end:]).encode())
+    assert load_policy(draft.load()).figures == FigureRule(0, 0, 1.0)

@@ -18,6 +18,20 @@ class Reveal(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class FigureRule:
+    """How many significant figures a computed answer should have; judged apart from its value.
+
+    Attributes:
+        least, most: figures; 0 for no bound.
+        credit: share of the points that an answer outside the bounds keeps.
+    """
+
+    least: int
+    most: int
+    credit: float
+
+
+@dataclass(frozen=True, slots=True)
 class Policy:
     """How answers become points.
 
@@ -33,6 +47,7 @@ class Policy:
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
         reveal: what a report shows.
+        figures: how many figures answers should have.
     """
 
     total: float
@@ -46,3 +61,4 @@ class Policy:
     printed_credit: float | None
     wrong_unit_credit: float
     reveal: Reveal
+    figures: FigureRule

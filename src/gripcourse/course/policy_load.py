@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
-from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy import FigureRule, Policy, Reveal
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.units import known as known_unit
@@ -33,7 +33,9 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     table = read_toml(policy_path(course.root), course.root, problems)
     if table is None:
         return None, problems
-    table.known_keys({"points", "weight", "tolerance", "quantity_tolerance", "credit", "report"})
+    table.known_keys(
+        {"points", "weight", "tolerance", "quantity_tolerance", "credit", "figures", "report"}
+    )
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
@@ -51,6 +53,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         printed_credit=None if credit.values.get("printed") is False else _share(credit, "printed"),
         wrong_unit_credit=_share(credit, "wrong_unit"),
         reveal=_reveal(table.required_table("report")),
+        figures=_figures(table.table("figures")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     return policy, problems
@@ -165,6 +168,35 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     for inner in named.values():
         inner.known_keys({"relative", "absolute"})
     return {name: tolerance(inner) for name, inner in named.items()}
+
+
+def _figures(table: Table | None) -> FigureRule:
+    """Read how many figures answers should have; a policy that says nothing asks for nothing."""
+    if table is None:
+        return FigureRule(0, 0, 1.0)
+    table.known_keys({"least", "most", "credit"})
+    least, most = (_whole(table, name) for name in ("least", "most"))
+    if 0 < most < least:
+        table.add(
+            "most",
+            message(
+                "At most {most} figures are fewer than at least {least}.", most=most, least=least
+            ),
+            message("Write a larger number, or 0 for no bound."),
+        )
+    return FigureRule(least, most, _share(table, "credit") if table.has("credit") else 1.0)
+
+
+def _whole(table: Table, name: str) -> int:
+    value = table.number(name, 0.0)
+    if value < 0 or value != int(value):
+        table.add(
+            name,
+            message("The number of figures is {value}.", value=value),
+            message("Write a whole number from 0 on; 0 is no bound."),
+        )
+        return 0
+    return int(value)
 
 
 def _share(table: Table, name: str) -> float:
