@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_text
+from gripcourse import cli_text, cli_trace
 from gripcourse.cli_options import (
     PROCESSORS,
     CourseOption,
@@ -44,6 +44,7 @@ app = typer.Typer(
 )
 variants_app = typer.Typer(no_args_is_help=True, help="Variant tables: draw or import.")
 app.add_typer(variants_app, name="variants")
+app.command()(cli_trace.trace)
 
 
 @app.command()

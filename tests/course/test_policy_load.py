@@ -113,8 +113,8 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
             "There is no level 'noting'.",
             "Did you mean 'nothing'?",
         ),
-        ("most = 0", "most = -1", "figures.most", "figures is −1.", "0 is no bound"),
-        ("least = 0 ", "least = 2.5 ", "figures.least", "figures is 2.5.", "a whole number"),
+        ("most = 0", "most = -1", "figures.most", "The number is −1.", "from 0 on"),
+        ("least = 0 ", "least = 2.5 ", "figures.least", "number is 2.5.", "a whole number"),
         (
             LEAST + "most = 0\n",
             "least = 3\nmost = 2\n",

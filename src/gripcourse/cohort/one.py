@@ -1,7 +1,7 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.model import Course
@@ -35,4 +35,6 @@ def grade_file(file: Path, desk: Desk) -> Report:
     if issued is None:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
     plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
-    return judge(interpret(raw, plan.quantities.values()), issued, plan, desk.policy)
+    submission = interpret(raw, plan.quantities.values())
+    report = judge(submission, issued, plan, desk.policy)
+    return replace(report, givens=submission.givens, creator=submission.creator)

@@ -32,6 +32,21 @@ class FigureRule:
 
 
 @dataclass(frozen=True, slots=True)
+class LikenessRule:
+    """When it is told that a submission holds another student's numbers; never a verdict.
+
+    Attributes:
+        odds: of copying against chance, all comparisons counted, from which on; 0 for never.
+        answers: telling numbers that it must rest on, at least.
+        same_creator: students who share an author's name, at most; of more, nothing is told.
+    """
+
+    odds: float
+    answers: int
+    same_creator: int
+
+
+@dataclass(frozen=True, slots=True)
 class Policy:
     """How answers become points.
 
@@ -48,6 +63,7 @@ class Policy:
         wrong_unit_credit: share for the right number with a unit that does not fit it.
         reveal: what a report shows.
         figures: how many figures answers should have.
+        likeness: when copying is suspected.
     """
 
     total: float
@@ -62,3 +78,4 @@ class Policy:
     wrong_unit_credit: float
     reveal: Reveal
     figures: FigureRule
+    likeness: LikenessRule

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
-from gripcourse.course.policy import FigureRule, Policy, Reveal
+from gripcourse.course.policy import FigureRule, LikenessRule, Policy, Reveal
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.units import known as known_unit
@@ -34,7 +34,10 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     if table is None:
         return None, problems
     table.known_keys(
-        {"points", "weight", "tolerance", "quantity_tolerance", "credit", "figures", "report"}
+        {
+            *("points", "weight", "tolerance", "quantity_tolerance", "credit", "report"),
+            *("figures", "likeness"),
+        }
     )
     points = table.required_table("points")
     weight = table.required_table("weight")
@@ -54,6 +57,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         wrong_unit_credit=_share(credit, "wrong_unit"),
         reveal=_reveal(table.required_table("report")),
         figures=_figures(table.table("figures")),
+        likeness=_likeness(table.table("likeness")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     return policy, problems
@@ -187,13 +191,29 @@ def _figures(table: Table | None) -> FigureRule:
     return FigureRule(least, most, _share(table, "credit") if table.has("credit") else 1.0)
 
 
+def _likeness(table: Table | None) -> LikenessRule:
+    """Read when copying is suspected; a policy that says nothing has our defaults."""
+    if table is None:
+        return LikenessRule(1e3, 3, 3)
+    table.known_keys({"odds", "answers", "same_creator"})
+    odds = table.number("odds")
+    if odds != 0 and odds < 1:
+        table.add(
+            "odds",
+            message("Odds of {odds} to one speak against copying.", odds=odds),
+            message("Write a large number, for example 1e3, or 0 to look for nothing."),
+        )
+    answers, same_creator = _whole(table, "answers"), _whole(table, "same_creator")
+    return LikenessRule(odds, answers, same_creator)
+
+
 def _whole(table: Table, name: str) -> int:
     value = table.number(name, 0.0)
     if value < 0 or value != int(value):
         table.add(
             name,
-            message("The number of figures is {value}.", value=value),
-            message("Write a whole number from 0 on; 0 is no bound."),
+            message("The number is {value}.", value=value),
+            message("Write a whole number from 0 on."),
         )
         return 0
     return int(value)

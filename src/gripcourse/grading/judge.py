@@ -116,6 +116,7 @@ def _finding(case: _Case, quantity: Quantity, answer: Answer | None) -> Finding:
         slip=judgement.slip,
         message=judgement.message,
         remarks=(*judgement.remarks, *_reading_remarks(case, quantity, answer)),
+        half_unit=answer.half_unit if answer is not None else 0.0,
     )
 
 

@@ -1,7 +1,7 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from gripcourse.words import Message
@@ -53,6 +53,8 @@ class Finding:
         slip: id of the recognised slip, empty for none.
         message: the verdict in a sentence.
         remarks: hints and notes that go with it.
+        half_unit: half a unit of the last typed digit, in the declared unit; 0 where that cannot
+            be told.
     """
 
     quantity: str
@@ -71,6 +73,7 @@ class Finding:
     slip: str
     message: Message
     remarks: tuple[Message, ...]
+    half_unit: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +102,8 @@ class Report:
         remarks: about the workbook as a whole.
         judged: False where the file could not be judged at all; the flags say why.
         digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
+        givens: given values as they stand in the workbook, in declared units.
+        creator: the author that the workbook names; empty for none.
     """
 
     file: str
@@ -116,3 +121,5 @@ class Report:
     remarks: tuple[Message, ...]
     judged: bool
     digest: str = ""
+    givens: Mapping[str, float] = field(default_factory=dict)
+    creator: str = ""
