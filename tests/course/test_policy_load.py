@@ -124,6 +124,16 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
         ),
         ("credit = 1.0 ", "credit = 2 ", "figures.credit", "The share is 2.", "from 0 to 1"),
         ("least = 0 ", "leest = 0 ", "figures.leest", "means nothing here", "'least'"),
+        (
+            "odds = 1e3",
+            "odds = 0.5",
+            "likeness.odds",
+            "Odds of 0.5 to one speak against copying.",
+            "0 to look for nothing",
+        ),
+        ("odds = 1e3", "", "likeness.odds", "This key is missing.", "Write it."),
+        ("answers = 3", "answers = 2.5", "likeness.answers", "number is 2.5", "a whole number"),
+        ("answers = 3", "answer = 3", "likeness.answer", "means nothing here", "'answers'"),
         ("[report]", "[reports]", "reports", "This key means nothing here.", "'report'"),
     ],
 )
@@ -160,8 +170,10 @@ def test_the_reference_is_kept_from_students_unless_the_policy_reveals_it(policy
     assert policy.reveal is Reveal.NOTHING
 
 
-def test_a_policy_that_is_silent_about_figures_asks_for_none(draft: "Draft") -> None:
+def test_a_policy_may_be_silent_about_figures_and_likeness(draft: "Draft", policy: Policy) -> None:
     text = (draft.root / POLICY).read_text(encoding="utf-8")
     start, end = text.index("[figures]"), text.index("[report]")
     draft.put(POLICY, (text[:start] + text[end:]).encode())
-    assert load_policy(draft.load()).figures == FigureRule(0, 0, 1.0)
+    silent = load_policy(draft.load())
+    assert silent.figures == FigureRule(0, 0, 1.0)
+    assert silent.likeness == policy.likeness

@@ -56,18 +56,18 @@ def other_variants(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterat
     found = compare(pooled, hits, chance, np.isfinite(pooled.issued.values), rule.answers)
     logs = found.logs.copy()
     logs[np.arange(len(logs)), pooled.own] = -np.inf
-    for row, other in enumerate(np.argmax(logs, axis=1)):
-        odds = _odds(pooled, float(logs[row, other]))
-        if odds >= rule.odds:
-            students = (pooled.students[row], pooled.issued.owners[other])
-            names = rests_on(pooled, found, row, int(other))
-            yield Evidence(Kind.OTHER_VARIANT, students, odds, names)
+    best = np.argmax(logs, axis=1)
+    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
+        students = (pooled.students[row], pooled.issued.owners[best[row]])
+        names = rests_on(pooled, found, int(row), int(best[row]))
+        odds = _odds(pooled, float(logs[row, best[row]]))
+        yield Evidence(Kind.OTHER_VARIANT, students, odds, names)
 
 
 def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
-    numbers, rows = pooled.numbers, len(pooled.students)
-    present = np.zeros((rows, len(pooled.issued.quantities)), dtype=np.bool_)
+    numbers = pooled.numbers
+    present = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
     present[numbers.row, numbers.column] = True
     hits = same_as_typed(numbers, *present.shape)
     alone = chance_of(pooled, hits, chances)
@@ -76,14 +76,13 @@ def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator
     found = compare(pooled, hits, chance, present, rule.answers)
     students = np.array(pooled.students)
     logs = np.where(students[:, None] == students[None, :], -np.inf, found.logs)
-    for row in range(rows):
-        order = np.argsort(-logs[row], kind="stable")
-        told = [one for one in order if _odds(pooled, float(logs[row, one])) >= rule.odds]
-        if told:
-            others = dict.fromkeys(pooled.students[one] for one in told)
-            odds = _odds(pooled, float(logs[row, told[0]]))
-            names = rests_on(pooled, found, row, int(told[0]))
-            yield Evidence(Kind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
+    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
+        told = np.flatnonzero(logs[row] >= _least(pooled, rule))
+        strongest = told[np.argsort(-logs[row, told], kind="stable")]
+        others = dict.fromkeys(pooled.students[one] for one in strongest)
+        names = rests_on(pooled, found, int(row), int(strongest[0]))
+        odds = _odds(pooled, float(logs[row, strongest[0]]))
+        yield Evidence(Kind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
 
 
 def same_creators(works: Sequence[Work], rule: LikenessRule) -> Iterator[Evidence]:
@@ -103,7 +102,15 @@ def same_creators(works: Sequence[Work], rule: LikenessRule) -> Iterator[Evidenc
 
 
 def _odds(pooled: Pool, log: float) -> float:
-    """Divide odds by the number of comparisons that chance had: variants and submissions."""
+    return math.exp(min(log - _comparisons(pooled), _LARGEST))
+
+
+def _least(pooled: Pool, rule: LikenessRule) -> float:
+    """Return the logarithm of the odds that are told, before they are divided."""
+    return math.log(rule.odds) + _comparisons(pooled)
+
+
+def _comparisons(pooled: Pool) -> float:
+    """Return the logarithm of how many variants and submissions were compared with submissions."""
     submissions = len(pooled.students)
-    comparisons = max(1, submissions * (len(pooled.issued.owners) + submissions - 2))
-    return math.exp(min(log - math.log(comparisons), _LARGEST))
+    return math.log(max(1, submissions * (len(pooled.issued.owners) + submissions - 2)))

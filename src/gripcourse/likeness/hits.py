@@ -42,7 +42,7 @@ class Hits:
     Attributes:
         number: index of the number.
         owner: row of the owner.
-        share: part of all owners of the quantity, but for this one, that have the same.
+        share: part of all owners of the quantity that have the same, but for those it is about.
         window: relative width in which a number counts as the same.
     """
 
@@ -61,7 +61,7 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
 def same_as_issued(numbers: Numbers, values: Floats) -> Hits:
     """Find the variants whose right values the numbers are, within one unit of the last digit."""
     reach = np.maximum(numbers.unit, _OWN_ROUNDING * np.abs(numbers.value))
-    return _hits(numbers, values, reach)
+    return _hits(numbers, values, reach * (1 + _SAME), 1)
 
 
 def same_as_typed(numbers: Numbers, rows: int, columns: int) -> Hits:
@@ -69,7 +69,7 @@ def same_as_typed(numbers: Numbers, rows: int, columns: int) -> Hits:
     values = np.full((rows, columns), math.nan)
     values[numbers.row, numbers.column] = numbers.value
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    found = _hits(numbers, values, reach * (1 + _SAME))
+    found = _hits(numbers, values, reach * (1 + _SAME), 2)  # the pair itself
     other = numbers.row[found.number] != found.owner
     return Hits(*(part[other] for part in (found.number, found.owner, found.share, found.window)))
 
@@ -92,8 +92,15 @@ def density(numbers: Numbers, values: Floats) -> Floats:
     return result
 
 
-def _hits(numbers: Numbers, values: Floats, reach: Floats) -> Hits:
-    """Find for each number the rows of `values` within reach, by binary search."""
+def _hits(numbers: Numbers, values: Floats, reach: Floats, apart: int) -> Hits:
+    """Find for each number the rows of `values` within reach, by binary search.
+
+    Args:
+        numbers: to find.
+        values: (owners, quantities).
+        reach: (numbers,); how far a value may be.
+        apart: how many of those found do not count as others.
+    """
     found: list[tuple[Ints, Ints, Floats]] = []
     for column in np.unique(numbers.column):
         mine = np.flatnonzero(numbers.column == column)
@@ -105,7 +112,7 @@ def _hits(numbers: Numbers, values: Floats, reach: Floats) -> Hits:
         count = high - low
         first = np.repeat(low - np.concatenate(([0], np.cumsum(count)[:-1])), count)
         owner = order[first + np.arange(count.sum())]
-        share = np.repeat((count - 1) / max(known, 1), count)
+        share = np.repeat(np.maximum(count - apart, 0) / max(known, 1), count)
         found.append((np.repeat(mine, count), owner, share))
     if not found:
         nothing = np.zeros(0, dtype=np.intp)

@@ -17,8 +17,8 @@ from gripcourse.units import factor
 from gripcourse.variants.model import Variant
 
 _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities count as one
-_ENOUGH = 8  # variants from which a correlation says something
-_VARIES = 1e-6  # of the logarithm: below, a quantity is the same in all variants
+_ENOUGH = 8  # different values from which a correlation says something
+_DIFFERENT = 1e-6  # of the logarithm
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,10 +117,11 @@ def _families(values: Floats) -> NDArray[np.intp]:
     sizes = np.abs(values)
     usable = np.isfinite(sizes).all(axis=0) & (sizes > 0).all(axis=0)
     logs = np.log(np.where(usable, sizes, 1.0))
-    usable &= logs.std(axis=0) > _VARIES
-    if len(values) < _ENOUGH or usable.sum() < 2:  # noqa: PLR2004 (a correlation needs two)
+    different = (np.diff(np.sort(logs, axis=0), axis=0) > _DIFFERENT).sum(axis=0) + 1
+    usable &= different >= _ENOUGH
+    if not usable.any():
         return first
     places = np.flatnonzero(usable)
-    alike = np.abs(np.corrcoef(logs[:, places], rowvar=False)) >= _PROPORTIONAL
+    alike = np.abs(np.atleast_2d(np.corrcoef(logs[:, places], rowvar=False))) >= _PROPORTIONAL
     first[places] = places[np.argmax(alike, axis=1)]
     return first

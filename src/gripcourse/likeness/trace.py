@@ -63,13 +63,15 @@ def rank(clues: Sequence[Clue], issued: IssuedValues) -> tuple[Origin, ...]:
     Returns:
         The variants in which any number occurs, the likeliest first.
     """
+    if not clues:
+        return ()
     found = [_nearest(clue, issued) for clue in clues]
     logs = np.zeros(len(issued.owners))
     for column, chance in found:
         logs += np.log((1 - _TRUE) + _TRUE * (column >= 0) / chance)
     prior = logs - math.log(max(len(logs), 1))
     everything = float(np.logaddexp.reduce(np.append(prior, 0.0)))  # 0: of no variant at all
-    occurs = np.any([column >= 0 for column, _ in found], axis=0) if found else np.zeros(0)
+    occurs = np.any([column >= 0 for column, _ in found], axis=0)
     order = [row for row in np.argsort(-logs, kind="stable") if occurs[row]]
     return tuple(
         Origin(
