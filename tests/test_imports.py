@@ -27,6 +27,7 @@ LEVELS = (
     ("pdf",),
     ("course",),
     ("solver",),
+    ("slips",),
     ("variants",),
     ("drawing", "workbook"),
     ("submission",),

@@ -85,7 +85,7 @@ def test_nobody_typed_the_figures_of_a_formula_s_result(plan: Plan) -> None:
 
 
 def rule(policy: Policy, least: int = 0, most: int = 0, credit: float = 0.5) -> Policy:
-    return replace(policy, figures=FigureRule(least, most, credit))
+    return replace(policy, figure_rule=FigureRule(least, most, credit))
 
 
 def said(
@@ -96,7 +96,7 @@ def said(
 
 
 def test_figures_are_not_judged_unless_a_policy_asks(plan: Plan, policy: Policy) -> None:
-    assert policy.figures == FigureRule(0, 0, 1.0)
+    assert policy.figure_rule == FigureRule(0, 0, 1.0)
     for value in ("5", "5,123456789", 5, 5.123456789):
         assert said(plan, policy, typed(plan, value), 5.1234) is None
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Tolerance
+from gripcourse.course.slip_policy import SlipPolicy
 
 
 class Reveal(StrEnum):
@@ -61,8 +62,14 @@ class Policy:
         carried_credit: share of the points for what follows from the student's own numbers.
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
+        last_digit: how far a number in a calculator may be from the typed one, in units of the last
+            typed digit: 0.5 where people round, 1 where they cut off as well.
+        figures: significant figures that a typed number counts as written with, at least.
+        habits: values in SI that people shorten constants to, by the constant's id, or `pi`.
+        widest: how far what follows from rounded numbers may spread to either side, in bands.
         reveal: what a report shows.
-        figures: how many figures answers should have.
+        slips: how slips are named.
+        figure_rule: how many figures answers should be typed with.
         likeness: when copying is suspected.
     """
 
@@ -76,6 +83,11 @@ class Policy:
     carried_credit: float
     printed_credit: float | None
     wrong_unit_credit: float
+    last_digit: float
+    figures: int
+    habits: Mapping[str, tuple[float, ...]]
+    widest: float
     reveal: Reveal
-    figures: FigureRule
+    slips: SlipPolicy
+    figure_rule: FigureRule
     likeness: LikenessRule

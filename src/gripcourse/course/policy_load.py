@@ -6,9 +6,12 @@ from pathlib import Path
 
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
-from gripcourse.course.policy import FigureRule, LikenessRule, Policy, Reveal
+from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy_rules import read_figure_rule, read_likeness_rule
+from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
+from gripcourse.units import factor
 from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
@@ -31,18 +34,20 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
     table = read_toml(policy_path(course.root), course.root, problems)
-    if table is None:
+    slips = read_slip_policy(course.root, problems)
+    if table is None or slips is None:
         return None, problems
     table.known_keys(
         {
             *("points", "weight", "tolerance", "quantity_tolerance", "credit", "report"),
-            *("figures", "likeness"),
+            *("rounding", "figures", "likeness"),
         }
     )
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
     credit = table.required_table("credit")
+    rounding = table.required_table("rounding")
     total = points.number("total")
     policy = Policy(
         total=total,
@@ -52,14 +57,20 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         tolerance=_default_tolerance(bands),
         floors=_floors(bands),
         tolerances=_tolerances(table, course),
-        carried_credit=_share(credit, "carried"),
-        printed_credit=None if credit.values.get("printed") is False else _share(credit, "printed"),
-        wrong_unit_credit=_share(credit, "wrong_unit"),
+        carried_credit=credit.share("carried"),
+        printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
+        wrong_unit_credit=credit.share("wrong_unit"),
+        last_digit=_at_least(rounding, "last_digit", 0.0),
+        figures=int(_at_least(rounding, "figures", 1.0)),
+        habits=_habits(rounding, course),
+        widest=_at_least(rounding, "widest", 0.0),
         reveal=_reveal(table.required_table("report")),
-        figures=_figures(table.table("figures")),
-        likeness=_likeness(table.table("likeness")),
+        slips=slips,
+        figure_rule=read_figure_rule(table.table("figures")),
+        likeness=read_likeness_rule(table.table("likeness")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
+    rounding.known_keys({"last_digit", "figures", "habits", "widest"})
     return policy, problems
 
 
@@ -174,60 +185,30 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     return {name: tolerance(inner) for name, inner in named.items()}
 
 
-def _figures(table: Table | None) -> FigureRule:
-    """Read how many figures answers should have; a policy that says nothing asks for nothing."""
+def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
+    """Read shortened constants, written in the unit that the constant is declared in."""
+    table = rounding.table("habits")
     if table is None:
-        return FigureRule(0, 0, 1.0)
-    table.known_keys({"least", "most", "credit"})
-    least, most = (_whole(table, name) for name in ("least", "most"))
-    if 0 < most < least:
-        table.add(
-            "most",
-            message(
-                "At most {most} figures are fewer than at least {least}.", most=most, least=least
-            ),
-            message("Write a larger number, or 0 for no bound."),
-        )
-    return FigureRule(least, most, _share(table, "credit") if table.has("credit") else 1.0)
+        return {}
+    units = {name: one.unit for name, one in course.constants.items()} | {"pi": ""}
+    table.known_keys(units)
+    return {
+        name: tuple(value * factor(units[name]) for value in table.number_list(name))
+        for name in table.values.keys() & units.keys()
+    }
 
 
-def _likeness(table: Table | None) -> LikenessRule:
-    """Read when copying is suspected; a policy that says nothing has our defaults."""
-    if table is None:
-        return LikenessRule(1e3, 3, 3)
-    table.known_keys({"odds", "answers", "same_creator"})
-    odds = table.number("odds")
-    if odds != 0 and odds < 1:
-        table.add(
-            "odds",
-            message("Odds of {odds} to one speak against copying.", odds=odds),
-            message("Write a large number, for example 1e3, or 0 to look for nothing."),
-        )
-    answers, same_creator = _whole(table, "answers"), _whole(table, "same_creator")
-    return LikenessRule(odds, answers, same_creator)
-
-
-def _whole(table: Table, name: str) -> int:
-    value = table.number(name, 0.0)
-    if value < 0 or value != int(value):
+def _at_least(table: Table, name: str, least: float) -> float:
+    value = table.number(name)
+    if value >= least:
+        return value
+    if not math.isnan(value):
         table.add(
             name,
             message("The number is {value}.", value=value),
-            message("Write a whole number from 0 on."),
+            message("Write {least} or more.", least=least),
         )
-        return 0
-    return int(value)
-
-
-def _share(table: Table, name: str) -> float:
-    value = table.number(name)
-    if value < 0 or value > 1:
-        table.add(
-            name,
-            message("The share is {value}.", value=value),
-            message("Write a number from 0 to 1."),
-        )
-    return value
+    return least
 
 
 def _reveal(table: Table) -> Reveal:

@@ -17,6 +17,14 @@ def band(quantity: Quantity, expected: float, policy: Policy) -> float:
     """
     if quantity.kind in {Kind.CHOICE, Kind.PICK}:
         return abs(expected) * _EXACT
+    return computed_band(quantity, expected, policy)
+
+
+def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round a computed value, in the declared unit.
+
+    For a decision it is that of the value which the decision must not be below.
+    """
     tolerance = tolerance_of(quantity, policy)
     return max(abs(expected) * tolerance.relative, tolerance.absolute)
 

@@ -29,7 +29,7 @@ def figures_remark(
         The share of the points that the answer keeps, with the sentence for the student; None
         where nothing is wrong or nothing is certain.
     """
-    rule, count = policy.figures, answer.figures
+    rule, count = policy.figure_rule, answer.figures
     if quantity.kind is not Kind.FORMULA or count is None or answer.value is None:
         return None
     if rule.most and count > rule.most:

@@ -45,17 +45,18 @@ def _is_explained(finding: Finding) -> bool:
     The outcome alone does not say so: an answer that was accepted because it follows from a wrong
     given value follows from another's where that value was copied.
     """
+    if finding.outcome is Outcome.CORRECT or _is_between(finding, finding.low, finding.high):
+        return True
     near = (finding.reference, finding.expected)
-    return finding.outcome is Outcome.CORRECT or any(
-        value is not None and _is_near(finding, value) for value in near
-    )
+    return any(_is_between(finding, value, value) for value in near)
 
 
-def _is_near(finding: Finding, value: float) -> bool:
-    if finding.given is None:
+def _is_between(finding: Finding, low: float | None, high: float | None) -> bool:
+    """Tell whether an answer lies within its band of a range."""
+    if finding.given is None or low is None or high is None:
         return False
-    reach = max(finding.band, 2 * finding.half_unit, _SAME * abs(value))
-    return abs(finding.given - value) <= reach * (1 + _SAME)
+    reach = max(finding.band, 2 * finding.half_unit, _SAME * abs(high)) * (1 + _SAME)
+    return low - reach <= finding.given <= high + reach
 
 
 def _slip(finding: Finding) -> str:
