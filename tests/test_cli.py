@@ -381,3 +381,19 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_pa
     assert looked_at.code == cli.NEEDS_PERSON
     assert "issued_to_other" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
+
+
+def test_numbers_are_traced_to_a_variant_of_the_table(gripcourse: Command) -> None:
+    run = gripcourse("trace", "280", "24,9", "228", "7,87")
+    assert run.code == 0
+    assert "006" in run.out.splitlines()[3]
+    assert "drive_force" in run.out
+
+
+def test_what_is_no_number_cannot_be_traced(gripcourse: Command) -> None:
+    run = gripcourse("trace", "12-13", "--quantity", "drive_forc=5")
+    assert run.code == 2
+    assert len(run.problems) == 2
+    both = gripcourse("trace", "12", "--table", "a.csv", "--issued", ".")
+    assert both.code == 2
+    assert "exclude each other" in both.err

@@ -36,13 +36,14 @@ LEVELS = (
     # What was issued and what is judged meet only in the values of `variants.model`.
     ("assignment", "grading"),
     ("gradebook",),
+    ("likeness",),
     ("cohort",),
     ("report", "lms", "reference"),
     ("init",),
     ("commands",),
     ("cli_text",),
     ("cli_options",),
-    ("cli_variants",),
+    ("cli_variants", "cli_trace"),
     ("cli",),
     ("__main__",),
 )

@@ -88,7 +88,7 @@ def solution_table(solved: "Solved", words: Words) -> str:
         )
         for quantity in (*plan.constants, *plan.givens, *plan.answered)
     ]
-    return _table(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
+    return table_text(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
 
 
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
@@ -178,7 +178,7 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
         message("points"),
         message("flags"),
     )
-    lines = [_table([words.say(head) for head in heads], rows, right={3})]
+    lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
         f"{Path(one.file).name}: {words.say(flag.message)}"
         for one in outcome.reports
@@ -195,10 +195,14 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
 
 def check_text(checked: "Checked", words: Words) -> str:
     """Return what a student learns about a workbook."""
+    from gripcourse.submission.model import Reading
+
     rows = []
     for check in checked.checks:
         quantity = checked.plan.quantities[check.quantity]
         said = " ".join(words.say(one) for one in (check.message, *check.remarks))
+        if check.answer.reading is Reading.UNREADABLE:
+            said = f"{check.answer.cell}: {said}"
         typed = check.answer.typed
         rows.append(
             (
@@ -212,7 +216,7 @@ def check_text(checked: "Checked", words: Words) -> str:
     heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return "\n".join([*lines, _table(named, rows, right={2})])
+    return "\n".join([*lines, table_text(named, rows, right={2})])
 
 
 def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
@@ -237,7 +241,7 @@ def demo_text(demo: "Demo", words: Words) -> str:
         told = words.say(TOLD[story])
         rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
-    lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
+    lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
     for said, place in (
         (message("Course with its key and register"), demo.course),
         (message("Assignments, a folder per student"), demo.assignments),
@@ -268,7 +272,8 @@ def _unit(unit: str, words: Words) -> str:
     return unit_text(unit, words.language)
 
 
-def _table(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+    """Lay out a table; `right` are the columns that stand at the right."""
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table

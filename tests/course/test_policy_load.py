@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy import FigureRule, Policy, Reveal
+from gripcourse.course.policy_load import load_policy
 
 if TYPE_CHECKING:
     from conftest import Draft
 
 POLICY = "grader/policy.toml"
+LEAST = "least = 0                 # told only where it is certain: a cell keeps 5,00 as 5\n"
 
 
 @pytest.mark.parametrize(
@@ -149,6 +151,27 @@ POLICY = "grader/policy.toml"
             "This key means nothing here.",
             "Did you mean 'step_margin'?",
         ),
+        ("most = 0", "most = -1", "figures.most", "The number is −1.", "from 0 on"),
+        ("least = 0 ", "least = 2.5 ", "figures.least", "number is 2.5.", "a whole number"),
+        (
+            LEAST + "most = 0\n",
+            "least = 3\nmost = 2\n",
+            "figures.most",
+            "At most 2 figures are fewer than at least 3.",
+            "Write a larger number",
+        ),
+        ("credit = 1.0 ", "credit = 2 ", "figures.credit", "The share is 2.", "from 0 to 1"),
+        ("least = 0 ", "leest = 0 ", "figures.leest", "means nothing here", "'least'"),
+        (
+            "odds = 1e3",
+            "odds = 0.5",
+            "likeness.odds",
+            "Odds of 0.5 to one speak against copying.",
+            "0 to look for nothing",
+        ),
+        ("odds = 1e3", "", "likeness.odds", "This key is missing.", "Write it."),
+        ("answers = 3", "answers = 2.5", "likeness.answers", "number is 2.5", "a whole number"),
+        ("answers = 3", "answer = 3", "likeness.answer", "means nothing here", "'answers'"),
         ("[report]", "[reports]", "reports", "This key means nothing here.", "'report'"),
     ],
 )
@@ -184,3 +207,12 @@ def test_points_of_the_sections_add_up(policy: Policy, course: Course) -> None:
 
 def test_the_reference_is_kept_from_students_unless_the_policy_reveals_it(policy: Policy) -> None:
     assert policy.reveal is Reveal.NOTHING
+
+
+def test_a_policy_may_be_silent_about_figures_and_likeness(draft: "Draft", policy: Policy) -> None:
+    text = (draft.root / POLICY).read_text(encoding="utf-8")
+    start, end = text.index("[figures]"), text.index("[report]")
+    draft.put(POLICY, (text[:start] + text[end:]).encode())
+    silent = load_policy(draft.load())
+    assert silent.figure_rule == FigureRule(0, 0, 1.0)
+    assert silent.likeness == policy.likeness

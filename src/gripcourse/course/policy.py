@@ -46,6 +46,35 @@ class VariantRules:
 
 
 @dataclass(frozen=True, slots=True)
+class FigureRule:
+    """How many significant figures a computed answer should have; judged apart from its value.
+
+    Attributes:
+        least, most: figures; 0 for no bound.
+        credit: share of the points that an answer outside the bounds keeps.
+    """
+
+    least: int
+    most: int
+    credit: float
+
+
+@dataclass(frozen=True, slots=True)
+class LikenessRule:
+    """When it is told that a submission holds another student's numbers; never a verdict.
+
+    Attributes:
+        odds: of copying against chance, all comparisons counted, from which on; 0 for never.
+        answers: telling numbers that it must rest on, at least.
+        same_creator: students who share an author's name, at most; of more, nothing is told.
+    """
+
+    odds: float
+    answers: int
+    same_creator: int
+
+
+@dataclass(frozen=True, slots=True)
 class Policy:
     """How answers become points.
 
@@ -68,6 +97,8 @@ class Policy:
         reveal: what a report shows.
         slips: how slips are named.
         variants: when variants may be handed out side by side.
+        figure_rule: how many figures answers should be typed with.
+        likeness: when copying is suspected.
     """
 
     total: float
@@ -87,3 +118,5 @@ class Policy:
     reveal: Reveal
     slips: SlipPolicy
     variants: VariantRules
+    figure_rule: FigureRule
+    likeness: LikenessRule

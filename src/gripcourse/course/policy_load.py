@@ -7,6 +7,7 @@ from pathlib import Path
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy_rules import read_figure_rule, read_likeness_rule
 from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.course.variant_rules import read_variant_rules
@@ -17,7 +18,7 @@ from gripcourse.words import message
 
 _TABLES = {
     "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
-    "variants",
+    "variants", "figures", "likeness",
 }  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
@@ -66,6 +67,8 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         reveal=_reveal(table.required_table("report")),
         slips=slips,
         variants=read_variant_rules(table.required_table("variants")),
+        figure_rule=read_figure_rule(table.table("figures")),
+        likeness=read_likeness_rule(table.table("likeness")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     rounding.known_keys({"last_digit", "figures", "habits", "widest"})

@@ -1,7 +1,7 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from gripcourse.words import Message
@@ -124,6 +124,8 @@ class Report:
         judged: False where the file could not be judged at all; the flags say why.
         digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
         causes: root causes of several answers, those that explain most first.
+        givens: given values as they stand in the workbook, in declared units.
+        creator: the author that the workbook names; empty for none.
     """
 
     file: str
@@ -142,3 +144,5 @@ class Report:
     judged: bool
     digest: str = ""
     causes: tuple[Cause, ...] = ()
+    givens: Mapping[str, float] = field(default_factory=dict)
+    creator: str = ""
