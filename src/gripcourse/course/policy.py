@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Tolerance
+from gripcourse.course.rubric import Rubric
 from gripcourse.course.slip_policy import SlipPolicy
 
 
@@ -68,6 +69,7 @@ class Policy:
         reveal: what a report shows.
         slips: how slips are named.
         variants: when variants may be handed out side by side.
+        rubrics: by which a person marks manual items, by id.
     """
 
     total: float
@@ -87,3 +89,4 @@ class Policy:
     reveal: Reveal
     slips: SlipPolicy
     variants: VariantRules
+    rubrics: Mapping[str, Rubric]
