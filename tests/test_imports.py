@@ -42,7 +42,7 @@ LEVELS = (
     ("commands",),
     ("cli_text",),
     ("cli_options",),
-    ("cli_variants",),
+    ("cli_mark", "cli_variants"),
     ("cli",),
     ("__main__",),
 )
