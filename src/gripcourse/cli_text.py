@@ -278,6 +278,13 @@ def demo_text(demo: "Demo", words: Words) -> str:
         rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
+    for item in demo.marking.items:
+        said = message(
+            "A person marked {item} of {student} from its rubric.",
+            item=item.mark.quantity,
+            student=item.mark.student,
+        )
+        lines += [words.say(said), ""]
     for said, place in (
         (message("Course with its key and register"), demo.course),
         (message("Assignments, a folder per student"), demo.assignments),
