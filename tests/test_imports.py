@@ -38,6 +38,7 @@ LEVELS = (
     ("gradebook",),
     ("likeness",),
     ("cohort",),
+    ("virtual",),
     ("report", "lms", "reference"),
     ("init",),
     ("commands",),
