@@ -43,8 +43,9 @@ LEVELS = (
     ("init",),
     ("commands",),
     ("cli_text",),
+    ("cli_virtual_text",),
     ("cli_options",),
-    ("cli_variants", "cli_trace"),
+    ("cli_variants", "cli_trace", "cli_virtual"),
     ("cli",),
     ("__main__",),
 )

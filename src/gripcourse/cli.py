@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_text, cli_trace, cli_variants
+from gripcourse import cli_text, cli_trace, cli_variants, cli_virtual
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -45,6 +45,7 @@ app = typer.Typer(
     help="Course assignments for robot gripper design: issue variants, check, grade, report.",
 )
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_virtual.app)
 app.command()(cli_trace.trace)
 
 

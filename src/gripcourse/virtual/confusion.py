@@ -12,10 +12,11 @@ from gripcourse.virtual.rates import Rate
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """What a student did, and what the grader says."""
+    """What a student did, and what the grader says; the trace of a failure of ours, or nothing."""
 
     work: Work
     report: Report
+    incident: str = ""
 
 
 class Said(StrEnum):
@@ -57,6 +58,7 @@ class Evaluation:
         by_kind: share of the slips of each kind that were named.
         misses: answers that the grader says something wrong about, and the reason.
         tried, hidden: places that were tried for slips, and those whose effect nobody could see.
+        incidents: traces of what failed on our side.
     """
 
     students: int
@@ -66,6 +68,7 @@ class Evaluation:
     misses: tuple[Verdict, ...]
     tried: int
     hidden: int
+    incidents: tuple[str, ...]
 
     @property
     def missed(self) -> tuple[str, ...]:
@@ -93,6 +96,7 @@ def evaluate(judged: Sequence[Judged], mix: Mix) -> Evaluation:
         misses=tuple(one for one in verdicts if is_missed(one)),
         tried=sum(one.work.tried for one in judged),
         hidden=sum(one.work.hidden for one in judged),
+        incidents=tuple(one.incident for one in judged if one.incident),
     )
 
 
@@ -131,6 +135,7 @@ def _rates(
     judged: Sequence[Judged], verdicts: Sequence[Verdict], mix: Mix
 ) -> Iterator[tuple[str, Rate]]:
     required: Required = mix.required
+    yield "incidents", Rate(sum(bool(one.incident) for one in judged), len(judged), at_most=0.0)
     slips = [one for one in verdicts if one.deed.done is Done.SLIP]
     right = [one for one in verdicts if one.deed.done is Done.RIGHT]
     honest = [one for one in right if one.work.behaviour.conduct is Conduct.HONEST]

@@ -1,14 +1,17 @@
 """Judging a virtual cohort without files: from the cells on, everything is the real thing."""
 
 import hashlib
+import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import partial
 from multiprocessing import get_context
 
 from gripcourse.cohort.doubles import mark_doubles
 from gripcourse.cohort.packed import pack, unpack
 from gripcourse.grading.judge import judge
+from gripcourse.grading.unjudged import incident_report
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Identity, Submission
@@ -37,7 +40,7 @@ def judge_in_memory(
         judged.append(one)
         on_done()
     reports = mark_doubles([one.report for one in judged])
-    return tuple(Judged(one.work, report) for one, report in zip(judged, reports, strict=True))
+    return tuple(replace(one, report=report) for one, report in zip(judged, reports, strict=True))
 
 
 def judge_one(student: str, room: Classroom) -> Judged:
@@ -46,7 +49,11 @@ def judge_one(student: str, room: Classroom) -> Judged:
     work = work_of(student, room)
     plan = make_plan(room.desk.course, issued.variant.scheme, issued.variant.options)
     submission = submission_of(work, room.desk.register[work.owner], plan)
-    return Judged(work, judge(submission, issued, plan, room.desk.policy))
+    try:
+        return Judged(work, judge(submission, issued, plan, room.desk.policy))
+    except Exception:  # noqa: BLE001 (ours, as in a real batch: counted, and the others go on)
+        report = incident_report(submission.file, "", issued)
+        return Judged(work, report, traceback.format_exc())
 
 
 def submission_of(work: Work, owner: Issued, plan: Plan) -> Submission:

@@ -51,4 +51,6 @@ class Rate:
             / (1 + z**2 / total)
             * math.sqrt(self.share * (1 - self.share) / total + z**2 / (4 * total**2))
         )
-        return (max(0.0, middle - half), min(1.0, middle + half))
+        low = middle - half if self.hits else 0.0
+        high = middle + half if self.hits < total else 1.0
+        return (low, high)
