@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,7 +76,8 @@ def calculate(
     """
     values: dict[str, Array] = {}
     steps: dict[str, Step] = {}
-    for name, quantity in plan.quantities.items():
+    for name in _order(plan, deviations):
+        quantity = plan.quantities[name]
         if quantity.kind is Kind.MANUAL:
             continue
         scale = factor(quantity.unit)
@@ -99,12 +101,29 @@ def by_formula(
     if formula is None:
         return float("nan")
     scale = factor(quantity.unit)
-    result = evaluate(with_pi(formula, behaviour.pi), quantity.unit, values, plan.columns) / scale
+    nothing = np.asarray(np.nan)
+    used = {name: values.get(name, nothing) for name in formula.names}
+    result = evaluate(with_pi(formula, behaviour.pi), quantity.unit, used, plan.columns) / scale
     if quantity.choice is None:
         return float(result)
     required = _going_on_with(result, behaviour) * scale
     entry = choose(required, quantity.choice, reference_rounding(quantity, plan.convention), plan)
     return float(f"{float(entry) / scale:.12g}")
+
+
+def _order(plan: Plan, deviations: Mapping[str, Deviation]) -> tuple[str, ...]:
+    """Order the steps: a wrong method may need what the right one does not.
+
+    Where it needs what only follows from it, it stays where it is and comes to nothing.
+    """
+    needed = dict(plan.inputs)
+    for name, deviation in deviations.items():
+        if deviation.candidate is not None:
+            needed[name] = (*needed[name], *deviation.candidate.formula.names)
+    try:
+        return tuple(TopologicalSorter(needed).static_order())
+    except CycleError:
+        return tuple(plan.quantities)
 
 
 def is_copied_from_a_table(quantity: Quantity) -> bool:
