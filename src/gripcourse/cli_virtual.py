@@ -1,15 +1,17 @@
 """Commands that measure the grader: virtual students and tolerances."""
 
 from pathlib import Path
-from typing import Annotated
+from time import perf_counter
+from typing import Annotated, Final
 
 import typer
 
-from gripcourse import cli_text
+from gripcourse import cli_text, cli_virtual_text
 from gripcourse.cli_options import (
     PROCESSORS,
     CourseOption,
     LanguageOption,
+    OutOption,
     WorkersOption,
     course_folder,
     words_for,
@@ -19,6 +21,8 @@ from gripcourse.words import message
 # Every command imports what it needs itself, as in `cli`.
 # ruff: noqa: PLC0415
 
+NEEDS_PERSON: Final = 1
+
 app = typer.Typer()
 
 CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many students.")]
@@ -27,33 +31,66 @@ SchemeOption = Annotated[str | None, typer.Option("--scheme", help="Only this sc
 
 
 @app.command()
-def evaluate(  # noqa: PLR0913 (one parameter per option)
+def simulate(  # noqa: PLR0913 (one parameter per option)
     *,
-    in_memory: Annotated[
-        bool, typer.Option("--in-memory", help="Judge a cohort without writing workbooks.")
-    ] = False,
     count: CountOption = 1000,
     seed: SeedOption = 1,
     scheme: SchemeOption = None,
-    misses: Annotated[
-        Path | None, typer.Option("--misses", help="CSV file of every miss to write.")
-    ] = None,
+    out: OutOption = Path("cohort"),
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Set what virtual students did against what the grader says."""
-    from gripcourse.cli_virtual_text import evaluation_text
-    from gripcourse.commands.virtual import Cohort, evaluate_in_memory
+    """Write the workbooks of virtual students, and beside them what each of them did."""
+    from gripcourse.commands import virtual as command
     from gripcourse.course.load import load_course
     from gripcourse.course.policy_load import load_policy
 
     words = words_for(language)
     loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    cohort = command.Cohort(count, seed, scheme)
+    started = perf_counter()
     with cli_text.progress() as step:
-        tick = step(words.say(message("Judging")), count)
-        found = evaluate_in_memory(
-            loaded, load_policy(loaded), Cohort(count, seed, scheme), misses, workers, tick
-        )
-    typer.echo(evaluation_text(found, words))
-    raise typer.Exit(1 if found.missed else 0)
+        tick = step(words.say(message("Filling in")), count)
+        written = command.simulate(loaded, policy, cohort, out, workers, tick)
+    typer.echo(cli_virtual_text.simulated_text(written, out, perf_counter() - started, words))
+
+
+@app.command()
+def evaluate(  # noqa: PLR0913 (one parameter per option)
+    folder: Annotated[Path | None, typer.Argument(help="Folder of a simulated cohort.")] = None,
+    *,
+    in_memory: Annotated[
+        bool, typer.Option("--in-memory", help="Judge a new cohort without writing workbooks.")
+    ] = False,
+    count: CountOption = 1000,
+    seed: SeedOption = 1,
+    scheme: SchemeOption = None,
+    misses: Annotated[
+        Path | None, typer.Option("--misses", help="With --in-memory: CSV file of every miss.")
+    ] = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Set what virtual students did against what the grader says of it."""
+    from gripcourse.commands import virtual as command
+    from gripcourse.course.load import load_course
+    from gripcourse.course.policy_load import load_policy
+
+    if in_memory == (folder is not None):
+        raise cli_text.misuse(message("Name the folder of a cohort, or --in-memory."))
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    cohort = command.Cohort(count, seed, scheme)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Grading")), count if folder is None else None)
+        if folder is None:
+            found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
+        else:
+            found = command.evaluate_folder(loaded, policy, folder, workers, tick)
+    typer.echo(cli_virtual_text.evaluation_text(found, words))
+    if found.missed:
+        raise typer.Exit(NEEDS_PERSON)

@@ -1,12 +1,18 @@
 """What the commands that measure the grader print."""
 
 from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from gripcourse.cli_text import table_text as table
-from gripcourse.virtual.confusion import Evaluation, Said
-from gripcourse.virtual.model import Done
-from gripcourse.virtual.rates import Rate
+from gripcourse.cli_text import table
 from gripcourse.words import Words, message
+
+# `gripcourse --help` needs nothing of what is measured.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.virtual.confusion import Evaluation
+    from gripcourse.virtual.rates import Rate
 
 _RATES = {
     "incidents": message("failures on our side"),
@@ -27,7 +33,19 @@ _RATES = {
 }
 
 
-def evaluation_text(found: Evaluation, words: Words) -> str:
+def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
+    """Return how many workbooks were written, where, and how fast."""
+    return words.say(
+        message(
+            "{count} workbooks of virtual students are in {folder}: {speed} per second.",
+            count=count,
+            folder=str(out),
+            speed=float(f"{count / max(seconds, 1e-9):.3g}"),
+        )
+    )
+
+
+def evaluation_text(found: "Evaluation", words: Words) -> str:
     """Return the confusion table, the rates, and the share of each kind of slip that was named."""
     lines = [
         words.say(message("{count} virtual students", count=found.students)),
@@ -46,7 +64,10 @@ def evaluation_text(found: Evaluation, words: Words) -> str:
     return "\n\n".join([*lines, *dict.fromkeys(found.incidents)])
 
 
-def _confusion(found: Evaluation, words: Words) -> str:
+def _confusion(found: "Evaluation", words: Words) -> str:
+    from gripcourse.virtual.confusion import Said
+    from gripcourse.virtual.model import Done
+
     heads = (words.say(message("done \\ said")), *(str(said) for said in Said))
     rows = [
         (str(done), *(str(found.table.get((done, said), 0) or "·") for said in Said))
@@ -56,7 +77,7 @@ def _confusion(found: Evaluation, words: Words) -> str:
     return table(heads, rows, right=set(range(1, len(heads))))
 
 
-def _rates(found: Evaluation, words: Words) -> str:
+def _rates(found: "Evaluation", words: Words) -> str:
     heads = (
         message("measured"), message("count"), message("of"), message("share, %"),
         message("95 % interval"), message("required"), "",
@@ -71,13 +92,13 @@ def _rates(found: Evaluation, words: Words) -> str:
     return table(named, rows, right={1, 2, 3, 4, 5})
 
 
-def _kinds(found: Evaluation, words: Words) -> str:
+def _kinds(found: "Evaluation", words: Words) -> str:
     heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
     rows = [(kind, *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
     return table([words.say(one) for one in heads], rows, right={1, 2, 3})
 
 
-def _numbers(rate: Rate, words: Words) -> Iterator[str]:
+def _numbers(rate: "Rate", words: Words) -> Iterator[str]:
     low, high = rate.interval
     yield str(rate.hits)
     yield str(rate.total)
@@ -86,7 +107,7 @@ def _numbers(rate: Rate, words: Words) -> Iterator[str]:
     yield "".join(_limits(rate, words))
 
 
-def _limits(rate: Rate, words: Words) -> Iterable[str]:
+def _limits(rate: "Rate", words: Words) -> Iterable[str]:
     if rate.at_most is not None:
         yield f"≤ {_percent(rate.at_most, words)}"
     if rate.at_least is not None:
