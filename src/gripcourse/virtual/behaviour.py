@@ -6,7 +6,8 @@ from typing import TypeVar
 import numpy as np
 
 from gripcourse.variants.model import Issued
-from gripcourse.virtual.model import Behaviour, Conduct, Mix
+from gripcourse.virtual.arithmetic import DISPLAY, Hand, Rounding
+from gripcourse.virtual.model import Behaviour, Carrying, Conduct, Mix
 
 _Chosen = TypeVar("_Chosen")
 
@@ -32,6 +33,18 @@ def draw_behaviours(entries: Sequence[Issued], mix: Mix, seed: int) -> dict[str,
         )
         for entry, conduct, rng in zip(entries, conducts, rngs, strict=True)
     }
+
+
+def hand_of(behaviour: Behaviour) -> Hand:
+    """Return how one student computes and writes."""
+    full = behaviour.rounding is Rounding.FULL
+    return Hand(
+        figures=np.asarray(DISPLAY if full else behaviour.figures),
+        cuts=np.asarray(behaviour.rounding is Rounding.TRUNCATE),
+        keeps=np.asarray(behaviour.carrying is Carrying.CALCULATOR),
+        pi=np.asarray(behaviour.pi),
+        constants={name: np.asarray(value) for name, value in behaviour.constants.items()},
+    )
 
 
 def _behaviour(mix: Mix, conduct: Conduct, neighbour: str, rng: np.random.Generator) -> Behaviour:

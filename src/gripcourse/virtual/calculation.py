@@ -5,19 +5,17 @@ from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.model import Choice, Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Call, Formula
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, reference_rounding
 from gripcourse.units import factor
-from gripcourse.virtual.arithmetic import Rounding, with_pi, written
-from gripcourse.virtual.model import Behaviour, Carrying, Done
-
-Array = NDArray[np.float64]
+from gripcourse.virtual.arithmetic import PI, Array, Hand, with_own_pi
+from gripcourse.virtual.model import Done
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,17 +37,15 @@ class Deviation:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One answered quantity, in its declared unit; NaN where there is no value.
+    """One answered quantity in its declared unit, shape (n,) or (); NaN where there is no value.
 
     Attributes:
         right: what the right method gives with the student's numbers.
-        value: what the student arrived at.
         typed: what the student writes into the workbook.
     """
 
-    right: float
-    value: float
-    typed: float
+    right: Array
+    typed: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,20 +57,17 @@ class Calculation:
 
 
 def calculate(
-    plan: Plan,
-    given: Mapping[str, float],
-    behaviour: Behaviour,
-    deviations: Mapping[str, Deviation],
+    plan: Plan, given: Mapping[str, ArrayLike], hand: Hand, deviations: Mapping[str, Deviation]
 ) -> Calculation:
-    """Compute a plan as one student does.
+    """Compute a plan as students do.
 
     Args:
         plan: what is computed.
-        given: the issued values, in declared units.
-        behaviour: figures, rounding, pi and constants of the student.
+        given: the issued values in declared units, shape (n,) or ().
+        hand: how the students compute and write.
         deviations: what is done otherwise than right, by quantity.
     """
-    values: dict[str, Array] = {}
+    values: dict[str, Array] = {PI: hand.pi}
     steps: dict[str, Step] = {}
     for name in _order(plan, deviations):
         quantity = plan.quantities[name]
@@ -82,33 +75,40 @@ def calculate(
             continue
         scale = factor(quantity.unit)
         if not quantity.kind.answered:
-            known = behaviour.constants.get(name, quantity.value)
-            values[name] = np.asarray(given[name] if known is None else known) * scale
+            taken = given[name] if quantity.value is None else quantity.value
+            values[name] = np.asarray(hand.constants.get(name, taken)) * scale
             continue
-        steps[name], carried = _step(plan, quantity, behaviour, values, deviations.get(name))
-        values[name] = np.asarray(carried * scale)
+        steps[name], carried = _step(plan, quantity, hand, values, deviations.get(name))
+        values[name] = carried * scale
     return Calculation(steps, values)
 
 
 def by_formula(
-    plan: Plan,
-    quantity: Quantity,
-    formula: Formula | None,
-    values: Mapping[str, Array],
-    behaviour: Behaviour,
-) -> float:
-    """Apply a formula to a student's numbers, in the declared unit; NaN where it has no value."""
-    if formula is None:
-        return float("nan")
-    scale = factor(quantity.unit)
+    plan: Plan, quantity: Quantity, formula: Formula | None, values: Mapping[str, Array], hand: Hand
+) -> Array:
+    """Apply a formula to students' numbers, in the declared unit; NaN where it has no value."""
     nothing = np.asarray(np.nan)
-    used = {name: values.get(name, nothing) for name in formula.names}
-    result = evaluate(with_pi(formula, behaviour.pi), quantity.unit, used, plan.columns) / scale
+    if formula is None:
+        return nothing
+    scale = factor(quantity.unit)
+    own = with_own_pi(formula)
+    used = {name: values.get(name, nothing) for name in own.names}
+    result = evaluate(own, quantity.unit, used, plan.columns) / scale
     if quantity.choice is None:
-        return float(result)
-    required = _going_on_with(result, behaviour) * scale
-    entry = choose(required, quantity.choice, reference_rounding(quantity, plan.convention), plan)
-    return float(f"{float(entry) / scale:.12g}")
+        return result
+    rounding = reference_rounding(quantity, plan.convention)
+    required = hand.going_on_with(result, hand.written(result)) * scale
+    return choose(required, quantity.choice, rounding, plan) / scale
+
+
+def is_taken_as_printed(quantity: Quantity) -> bool:
+    """Tell whether a value is copied from a table or decided: no figure of it is left out."""
+    if quantity.kind in {Kind.CHOICE, Kind.VERDICT}:
+        return True
+    match quantity.formula:
+        case Formula(tree=Call(function=name)):
+            return quantity.kind is Kind.PICK and name != "interpolate"
+    return False
 
 
 def _order(plan: Plan, deviations: Mapping[str, Deviation]) -> tuple[str, ...]:
@@ -126,70 +126,49 @@ def _order(plan: Plan, deviations: Mapping[str, Deviation]) -> tuple[str, ...]:
         return tuple(plan.quantities)
 
 
-def is_copied_from_a_table(quantity: Quantity) -> bool:
-    """Tell whether a value is taken as it is printed: no figure of it is left out."""
-    if quantity.kind in {Kind.CHOICE, Kind.VERDICT}:
-        return True
-    match quantity.formula:
-        case Formula(tree=Call(function=name)):
-            return quantity.kind is Kind.PICK and name != "interpolate"
-    return False
-
-
 def _step(
     plan: Plan,
     quantity: Quantity,
-    behaviour: Behaviour,
+    hand: Hand,
     values: Mapping[str, Array],
     deviation: Deviation | None,
-) -> tuple[Step, float]:
-    """Return a step, and the value that the student goes on with, in the declared unit."""
+) -> tuple[Step, Array]:
+    """Return a step, and the value that the students go on with, in the declared unit."""
     formula = plan.reference_formula(quantity.id)
-    right = by_formula(plan, quantity, formula, values, behaviour)
+    right = by_formula(plan, quantity, formula, values, hand)
     if deviation is None:
-        return _ended(quantity, behaviour, right, right)
+        return _ended(quantity, hand, right, right)
     instead = right
     if deviation.candidate is not None:
-        instead = by_formula(plan, quantity, deviation.candidate.formula, values, behaviour)
+        instead = by_formula(plan, quantity, deviation.candidate.formula, values, hand)
     match deviation.done:
         case Done.SLIP:
-            return _ended(quantity, behaviour, right, instead)
-        case Done.ROUNDED_DOWN:
-            return _ended(quantity, behaviour, right, _next_smaller(plan, quantity, right))
+            return _ended(quantity, hand, right, instead)
+        case Done.ROUNDED_DOWN if quantity.choice is not None:
+            smaller = _next_smaller(plan, quantity.choice, right * factor(quantity.unit))
+            return _ended(quantity, hand, right, smaller / factor(quantity.unit))
         case Done.COPIED:
-            return Step(right, deviation.copied, deviation.copied), deviation.copied
+            copied = np.asarray(deviation.copied)
+            return Step(right, copied), copied
         case Done.BARE_UNIT:
             # The student knows the right value and goes on with it.
-            _, carried = _ended(quantity, behaviour, right, right)
-            return Step(right, instead, _typed(quantity, instead, behaviour)), carried
+            _, carried = _ended(quantity, hand, right, right)
+            return Step(right, _typed(quantity, instead, hand)), carried
         case _:
-            return _ended(quantity, behaviour, right, right)
+            return _ended(quantity, hand, right, right)
 
 
-def _ended(
-    quantity: Quantity, behaviour: Behaviour, right: float, value: float
-) -> tuple[Step, float]:
-    typed = _typed(quantity, value, behaviour)
-    carried = value if behaviour.carrying is Carrying.CALCULATOR else typed
-    return Step(right, value, typed), carried
+def _ended(quantity: Quantity, hand: Hand, right: Array, value: Array) -> tuple[Step, Array]:
+    typed = _typed(quantity, value, hand)
+    return Step(right, typed), hand.going_on_with(value, typed)
 
 
-def _typed(quantity: Quantity, value: float, behaviour: Behaviour) -> float:
-    if is_copied_from_a_table(quantity):
-        return value
-    return float(written(value, behaviour.figures, behaviour.rounding))
+def _typed(quantity: Quantity, value: Array, hand: Hand) -> Array:
+    return value if is_taken_as_printed(quantity) else hand.written(value)
 
 
-def _going_on_with(value: Array, behaviour: Behaviour) -> Array:
-    if behaviour.carrying is Carrying.CALCULATOR or behaviour.rounding is Rounding.FULL:
-        return value
-    return written(value, behaviour.figures, behaviour.rounding)
-
-
-def _next_smaller(plan: Plan, quantity: Quantity, size: float) -> float:
-    """Return the next smaller entry of a choice's series; NaN below the first."""
-    if quantity.choice is None:
-        return float("nan")
-    entries = plan.columns[quantity.choice.column].sizes / factor(quantity.unit)
-    below = entries[entries < size * (1 - 1e-6)]
-    return float(f"{below.max():.12g}") if below.size else float("nan")
+def _next_smaller(plan: Plan, choice: Choice, size: Array) -> Array:
+    """Return the next smaller entry of a series, SI; NaN below the first."""
+    entries = plan.columns[choice.column].sizes
+    place = np.searchsorted(entries, size * (1 - 1e-6)) - 1
+    return np.where(place >= 0, entries[np.maximum(place, 0)], np.nan)

@@ -9,7 +9,7 @@ import numpy as np
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.units import dimension, factor, unit_text
 from gripcourse.virtual.arithmetic import DISPLAY, Rounding
-from gripcourse.virtual.calculation import is_copied_from_a_table
+from gripcourse.virtual.calculation import is_taken_as_printed
 from gripcourse.virtual.model import Behaviour, Style
 
 _YES_AND_NO = {"en": ("yes", "no"), "ru": ("да", "нет"), "uk": ("так", "ні")}
@@ -75,7 +75,7 @@ def _is_a_power_of_ten(unit: str, declared: str) -> bool:
 
 def _digits(quantity: Quantity, value: float, behaviour: Behaviour) -> Decimal:
     """Return a number with the zeros at its end that a person writes: 2.50 has three figures."""
-    if is_copied_from_a_table(quantity):
+    if is_taken_as_printed(quantity):
         return Decimal(f"{value:.12g}")
     if behaviour.rounding is Rounding.FULL:
         return Decimal(f"{value:.{DISPLAY}g}")

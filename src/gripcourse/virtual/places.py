@@ -18,9 +18,9 @@ from gripcourse.slips.model import DECLARED, Candidate
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.units import factor
+from gripcourse.virtual.arithmetic import PI, Hand
 from gripcourse.virtual.behaviour import drawn
 from gripcourse.virtual.calculation import Calculation, by_formula
-from gripcourse.virtual.model import Behaviour
 
 
 class Effect(StrEnum):
@@ -33,24 +33,29 @@ class Effect(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Ground:
-    """What effects are measured on: a variant with its reference."""
+    """What effects are measured on: a variant with its reference, and a student's hand."""
 
     plan: Plan
     policy: Policy
+    hand: Hand
     reference: Values
     apart: float
 
 
-def make_ground(plan: Plan, policy: Policy, given: Mapping[str, float], apart: float) -> Ground:
+def make_ground(
+    plan: Plan, policy: Policy, hand: Hand, given: Mapping[str, float], apart: float
+) -> Ground:
     """Solve a variant.
 
     Args:
         plan: of the variant.
         policy: by which it is marked.
+        hand: how the student computes.
         given: issued values in declared units.
         apart: bands between a deviation and every right value.
     """
-    return Ground(plan, policy, evaluate(plan, to_si(plan, given)).values, apart)
+    reference = evaluate(plan, to_si(plan, given)).values
+    return Ground(plan, policy, hand, {**reference, PI: np.asarray(np.pi)}, apart)
 
 
 def draw_slip(
@@ -85,10 +90,10 @@ def slip_kinds(policy: Policy) -> dict[str, float]:
     return {DECLARED: policy.slips.declared, **generic}
 
 
-def effect(ground: Ground, name: str, done: Calculation, behaviour: Behaviour) -> Effect:
+def effect(ground: Ground, name: str, done: Calculation) -> Effect:
     """Tell whether what was typed for a quantity can be told from everything that is right."""
     quantity = ground.plan.quantities[name]
-    typed = done.steps[name].typed
+    typed = float(done.steps[name].typed)
     low, high = quantity.bounds
     if not (math.isfinite(typed) and low <= typed <= high):
         return Effect.IMPOSSIBLE
@@ -97,46 +102,40 @@ def effect(ground: Ground, name: str, done: Calculation, behaviour: Behaviour) -
         return Effect.HIDDEN if accepted else Effect.APART
     near = any(
         abs(typed - right) < ground.apart * band(quantity, right, ground.policy)
-        for right in _right_values(ground, quantity, done, behaviour)
+        for right in _right_values(ground, quantity, done)
         if math.isfinite(right)
     )
     return Effect.HIDDEN if near else Effect.APART
 
 
-def twins_of(
-    ground: Ground, name: str, candidate: Candidate, done: Calculation, behaviour: Behaviour
-) -> tuple[str, ...]:
+def twins_of(ground: Ground, name: str, candidate: Candidate, done: Calculation) -> tuple[str, ...]:
     """Return the other candidates of a quantity that give the very same value."""
-    plan, quantity = ground.plan, ground.plan.quantities[name]
+    quantity = ground.plan.quantities[name]
 
     def value(one: Candidate) -> float:
-        return by_formula(plan, quantity, one.formula, done.values, behaviour)
+        return _value(ground, quantity, one.formula, done.values)
 
     wanted = value(candidate)
     return tuple(
         one.id
-        for one in candidates_of(plan, name, ground.policy.slips)
+        for one in candidates_of(ground.plan, name, ground.policy.slips)
         if one.id != candidate.id and math.isclose(value(one), wanted, rel_tol=1e-9)
     )
 
 
-def _right_values(
-    ground: Ground, quantity: Quantity, done: Calculation, behaviour: Behaviour
-) -> Iterator[float]:
+def _right_values(ground: Ground, quantity: Quantity, done: Calculation) -> Iterator[float]:
     """Yield all values that would count as right, in the declared unit, NaN among them."""
     scale = factor(quantity.unit)
-    yield done.steps[quantity.id].right
+    yield float(done.steps[quantity.id].right)
     yield float(ground.reference[quantity.id]) / scale
     for printed in quantity.as_printed:
         if printed.formula is not None:
-            yield _value(ground, quantity, printed.formula, done.values, behaviour)
-            yield _value(ground, quantity, printed.formula, ground.reference, behaviour)
+            yield _value(ground, quantity, printed.formula, done.values)
+            yield _value(ground, quantity, printed.formula, ground.reference)
 
 
-def _value(
-    ground: Ground, quantity: Quantity, formula: Formula, values: Values, behaviour: Behaviour
-) -> float:
-    return by_formula(ground.plan, quantity, formula, values, behaviour)
+def _value(ground: Ground, quantity: Quantity, formula: Formula, values: Values) -> float:
+    return float(by_formula(ground.plan, quantity, formula, values, ground.hand))
 
 
 def _is_accepted_size(ground: Ground, quantity: Quantity, size: float, done: Calculation) -> bool:

@@ -4,7 +4,6 @@ Everything is a pure function of the behaviour, so that who copies from somebody
 without that somebody's workbook.
 """
 
-import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
@@ -15,6 +14,8 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.slip_policy import SlipKind
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.model import Issued
+from gripcourse.virtual.arithmetic import Array
+from gripcourse.virtual.behaviour import hand_of
 from gripcourse.virtual.calculation import Calculation, Deviation, Step, calculate
 from gripcourse.virtual.cells import cell_of, unfit_unit, with_unit
 from gripcourse.virtual.model import Behaviour, Conduct, Deed, Done, Mix, Style, Work
@@ -66,7 +67,7 @@ class _Student:
         return units_of(self.room.desk)
 
     def calculated(self, deviations: Mapping[str, Deviation]) -> Calculation:
-        return calculate(self.plan, self.issued.variant.given, self.behaviour, deviations)
+        return calculate(self.plan, self.issued.variant.given, self.ground.hand, deviations)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +107,10 @@ def work_of(student: str, room: Classroom) -> Work:
 def _seated(student: str, room: Classroom) -> _Student:
     issued = room.desk.register[student]
     plan = make_plan(room.desk.course, issued.variant.scheme, issued.variant.options)
-    ground = make_ground(plan, room.desk.policy, issued.variant.given, room.mix.apart)
-    return _Student(room, issued, plan, room.behaviours[student], ground)
+    behaviour = room.behaviours[student]
+    hand = hand_of(behaviour)
+    ground = make_ground(plan, room.desk.policy, hand, issued.variant.given, room.mix.apart)
+    return _Student(room, issued, plan, behaviour, ground)
 
 
 def _draw_deviations(one: _Student, rng: np.random.Generator) -> _Drawn:
@@ -123,7 +126,7 @@ def _draw_deviations(one: _Student, rng: np.random.Generator) -> _Drawn:
         tried += 1
         done = one.calculated(proposed)
         effects = {
-            effect(one.ground, name, done, one.behaviour)
+            effect(one.ground, name, done)
             for name, deviation in proposed.items()
             if deviation.done is not Done.WRONG_UNIT
         }
@@ -178,7 +181,7 @@ def _deeds(one: _Student, drawn: _Drawn, rng: np.random.Generator) -> tuple[Deed
     blank = {
         quantity.id
         for quantity in one.plan.answered
-        if math.isnan(drawn.done.steps[quantity.id].typed)
+        if np.isnan(drawn.done.steps[quantity.id].typed)
         or (leaves_blanks and rng.random() < one.room.mix.blank)
     }
     return tuple(
@@ -200,11 +203,11 @@ def _deed(
     deviation = drawn.deviations.get(quantity.id)
     if deviation is None:
         done = Done.FOLLOWS if quantity.id in tainted else Done.RIGHT
-        return _told(quantity, done, step, _cell(one, quantity, step.typed))
+        return _told(quantity, done, step, _cell(one, quantity, float(step.typed)))
     candidate = deviation.candidate
     twins: tuple[str, ...] = ()
     if candidate is not None:
-        twins = twins_of(one.ground, quantity.id, candidate, drawn.done, one.behaviour)
+        twins = twins_of(one.ground, quantity.id, candidate, drawn.done)
     return replace(
         _told(quantity, deviation.done, step, _deviating_cell(one, quantity, drawn, rng)),
         slip=candidate.id if candidate is not None else "",
@@ -214,14 +217,17 @@ def _deed(
 
 
 def _told(quantity: Quantity, done: Done, step: Step, cell: float | str | None) -> Deed:
-    right = None if math.isnan(step.right) else step.right
-    return Deed(quantity.id, done, "", "", (), step.typed, right, cell)
+    return Deed(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
 
 
 def _blank(quantity: Quantity, done: Calculation) -> Deed:
-    right = done.steps[quantity.id].right
-    known = None if math.isnan(right) else right
-    return Deed(quantity.id, Done.BLANK, "", "", (), None, known, None)
+    right = _tidy(done.steps[quantity.id].right)
+    return Deed(quantity.id, Done.BLANK, "", "", (), None, right, None)
+
+
+def _tidy(value: Array) -> float | None:
+    """Remove what floating point adds, 63 not 63.00000000000001; None where there is no value."""
+    return float(f"{float(value):.14g}") if np.isfinite(value) else None
 
 
 def _cell(one: _Student, quantity: Quantity, value: float) -> float | str | None:
@@ -231,7 +237,8 @@ def _cell(one: _Student, quantity: Quantity, value: float) -> float | str | None
 def _deviating_cell(
     one: _Student, quantity: Quantity, drawn: _Drawn, rng: np.random.Generator
 ) -> float | str | None:
-    deviation, typed = drawn.deviations[quantity.id], drawn.done.steps[quantity.id].typed
+    deviation = drawn.deviations[quantity.id]
+    typed = float(drawn.done.steps[quantity.id].typed)
     match deviation.done:
         case Done.COPIED:
             return deviation.cell
