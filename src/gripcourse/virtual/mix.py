@@ -16,7 +16,7 @@ from gripcourse.words import LANGUAGES, message
 _Value = TypeVar("_Value")
 
 _TABLES = ("conduct", "figures", "rounding", "carrying", "style", "pi", "language", "constant")
-_KEYS = (*_TABLES, "share", "slip", "flags", "required")
+_KEYS = (*_TABLES, "share", "slip", "tolerance", "flags", "required")
 
 
 def mix_path(root: Path) -> Path:
@@ -46,6 +46,8 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     share, slip = table.required_table("share"), table.required_table("slip")
     share.known_keys({"blank", "copied"})
     slip.known_keys({"apart", "tries"})
+    tolerance = table.required_table("tolerance")
+    tolerance.known_keys({"bands", "wide"})
     flags, required = table.required_table("flags"), table.required_table("required")
     flags.known_keys({"copying"})
     required.known_keys(one.name for one in fields(Required))
@@ -62,6 +64,8 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         copied=share.share("copied"),
         apart=slip.number("apart"),
         tries=_whole(slip, "tries"),
+        bands=_bands(tolerance),
+        wide=tolerance.number("wide"),
         copying_flags=frozenset(flags.strings("copying")),
         required=Required(**{one.name: required.share(one.name) for one in fields(Required)}),
     )
@@ -125,6 +129,14 @@ def _constants(table: Table, course: Course) -> Mapping[str, Mapping[float, floa
             continue
         found[name] = _numbered(outer, name)
     return found
+
+
+def _bands(table: Table) -> tuple[float, ...]:
+    bands = table.number_list("bands")
+    if not bands or min(bands) <= 0 or list(bands) != sorted(bands):
+        what = message("The bands are not in order.")
+        table.add("bands", what, message("Write positive numbers, the narrowest first."))
+    return bands or (math.inf,)
 
 
 def _whole(table: Table, name: str) -> int:

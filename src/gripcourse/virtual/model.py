@@ -152,6 +152,8 @@ class Mix:
         copied: share of the answers that one who copies takes over.
         apart: a slip is made where it differs from every right value by so many bands.
         tries: places that are tried for it.
+        bands: relative tolerances that an audit may propose, narrowest first.
+        wide: share of a value; a step that rounded inputs spread so far is ill-conditioned.
         copying_flags: codes of flags that say that a work is not the student's own.
         required: what the grader is held to.
     """
@@ -168,5 +170,7 @@ class Mix:
     copied: float
     apart: float
     tries: int
+    bands: tuple[float, ...]
+    wide: float
     copying_flags: frozenset[str]
     required: Required
