@@ -12,8 +12,10 @@ from gripcourse.cli_options import (
     CourseOption,
     LanguageOption,
     OutOption,
+    TableOption,
     WorkersOption,
     course_folder,
+    main_table,
     words_for,
 )
 from gripcourse.words import message
@@ -24,6 +26,8 @@ from gripcourse.words import message
 NEEDS_PERSON: Final = 1
 
 app = typer.Typer()
+tolerance_app = typer.Typer(no_args_is_help=True, help="Tolerances: derive them.")
+app.add_typer(tolerance_app, name="tolerance")
 
 CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many students.")]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="The same seed, the same students.")]
@@ -93,4 +97,44 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
             found = command.evaluate_folder(loaded, policy, folder, workers, tick)
     typer.echo(cli_virtual_text.evaluation_text(found, words))
     if found.missed:
+        raise typer.Exit(NEEDS_PERSON)
+
+
+@tolerance_app.command("audit")
+def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
+    *,
+    apply: Annotated[
+        bool, typer.Option("--apply", help="Write what is proposed into the policy.")
+    ] = False,
+    count: Annotated[
+        int, typer.Option("--count", min=0, max=100_000, help="Variants drawn besides the table's.")
+    ] = 2000,
+    seed: SeedOption = 1,
+    out: Annotated[Path | None, typer.Option("--out", help="CSV file to write.")] = None,
+    table: TableOption = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Derive tolerances from honest students who round, cut off and shorten constants."""
+    from gripcourse.commands import tolerance as command
+    from gripcourse.course.load import load_course
+    from gripcourse.course.policy_load import load_policy
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    sample = command.Sample(table or main_table(loaded.root), count, seed)
+    variants = command.variants_of(loaded, sample)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Answering")), len(variants))
+        found = command.audit(loaded, policy, variants, workers, tick)
+    if out is not None:
+        command.write_audit(found, out)
+    typer.echo(cli_virtual_text.audit_text(found, policy, words))
+    if apply:
+        changed = command.apply(found, loaded, policy)
+        said = message("{count} tolerances were written into the policy.", count=changed)
+        typer.echo(words.say(said))
+    elif found.refuses:
         raise typer.Exit(NEEDS_PERSON)

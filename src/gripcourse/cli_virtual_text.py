@@ -5,14 +5,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli_text import table
+from gripcourse.units import unit_text
 from gripcourse.words import Words, message
 
 # `gripcourse --help` needs nothing of what is measured.
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from gripcourse.course.model import Tolerance
+    from gripcourse.course.policy import Policy
     from gripcourse.virtual.confusion import Evaluation
     from gripcourse.virtual.rates import Rate
+    from gripcourse.virtual.tolerance import Audit, Audited
+
+_NUMBERS = set(range(1, 8))
 
 _RATES = {
     "incidents": message("failures on our side"),
@@ -116,3 +122,69 @@ def _limits(rate: "Rate", words: Words) -> Iterable[str]:
 
 def _percent(share: float, words: Words) -> str:
     return words.number(100 * share, 3)
+
+
+def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
+    """Return what a tolerance audit found: sums, what would change, and where steps are shaky."""
+    heads = (
+        message("quantity"), message("answers"), message("refused"), message("band now"),
+        message("wrong, %"), message("proposed"), message("wrong, %"), message("spread, %"),
+    )  # fmt: skip
+    shown = [one for one in found.quantities if one.changes or one.tally.refused]
+    shaky = [one for one in found.quantities if one.ill_conditioned]
+    floors = ", ".join(
+        f"{words.number(value)} {unit_text(unit, words.language)}".strip()
+        for unit, value in policy.floors.items()
+    )
+    answers = sum(one.tally.answers for one in found.quantities)
+    lines = [
+        table([words.say(one) for one in heads], [_audited(one, words) for one in shown], _NUMBERS),
+        words.say(
+            message(
+                "{variants} variants answered in {ways} ways by honest students: {answers} answers "
+                "to {quantities} computed quantities, {refused} refused with the bands that apply "
+                "now.",
+                variants=found.variants,
+                ways=found.ways,
+                answers=answers,
+                quantities=len(found.quantities),
+                refused=sum(one.tally.refused for one in found.quantities),
+            )
+        ),
+        words.say(
+            message(
+                "“wrong” is the share of wrong methods that a band accepts. They are counted for students with the fewest figures, whose numbers "
+                "leave the widest range; those that give the right value are left out."
+            )
+        ),
+        words.say(message("Near zero an absolute floor counts instead: {floors}.", floors=floors)),
+    ]
+    if shaky:
+        said = message(
+            "Ill-conditioned: rounding earlier numbers moves these most: {names}.",
+            names=", ".join(one.quantity.id for one in shaky),
+        )
+        lines.append(words.say(said))
+    return "\n\n".join(lines)
+
+
+def _audited(one: "Audited", words: Words) -> tuple[str, ...]:
+    tally = one.tally
+    return (
+        one.quantity.id,
+        str(tally.answers),
+        str(tally.refused),
+        _band(one.now, one, words),
+        _percent(tally.accepted / tally.slips, words) if tally.slips else "",
+        _band(one.proposed, one, words) if one.changes else "",
+        _percent(one.price, words) if tally.slips else "",
+        _percent(tally.widest, words),
+    )
+
+
+def _band(tolerance: "Tolerance", one: "Audited", words: Words) -> str:
+    relative = f"{_percent(tolerance.relative, words)} %"
+    if not one.by_absolute:
+        return relative
+    unit = unit_text(one.quantity.unit, words.language)
+    return f"{relative}, {words.number(tolerance.absolute)} {unit}".strip()

@@ -47,7 +47,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     share.known_keys({"blank", "copied"})
     slip.known_keys({"apart", "tries"})
     tolerance = table.required_table("tolerance")
-    tolerance.known_keys({"bands", "wide"})
+    tolerance.known_keys({"answers", "bands", "wide"})
     flags, required = table.required_table("flags"), table.required_table("required")
     flags.known_keys({"copying"})
     required.known_keys(one.name for one in fields(Required))
@@ -64,6 +64,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         copied=share.share("copied"),
         apart=slip.number("apart"),
         tries=_whole(slip, "tries"),
+        answers=_whole(tolerance, "answers"),
         bands=_bands(tolerance),
         wide=tolerance.number("wide"),
         copying_flags=frozenset(flags.strings("copying")),

@@ -152,6 +152,7 @@ class Mix:
         copied: share of the answers that one who copies takes over.
         apart: a slip is made where it differs from every right value by so many bands.
         tries: places that are tried for it.
+        answers: honest ones, before a narrower band than the present one is proposed.
         bands: relative tolerances that an audit may propose, narrowest first.
         wide: share of a value; a step that rounded inputs spread so far is ill-conditioned.
         copying_flags: codes of flags that say that a work is not the student's own.
@@ -170,6 +171,7 @@ class Mix:
     copied: float
     apart: float
     tries: int
+    answers: int
     bands: tuple[float, ...]
     wide: float
     copying_flags: frozenset[str]

@@ -67,6 +67,14 @@ class Tally:
 
 
 def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence[float]) -> Tally:
+    """Count what bands do to the answers and the wrong methods of one quantity.
+
+    Args:
+        honest: the students' work.
+        quantity: one that is computed.
+        policy: the grader's.
+        bands: relative tolerances to try, narrowest first.
+    """
     rule = _Rule(honest, quantity, policy, honest.expected(quantity))
     coarsest = honest.coarsest()
     strict = _Rule(coarsest, quantity, policy, coarsest.expected(quantity))

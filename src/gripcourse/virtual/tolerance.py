@@ -26,8 +26,8 @@ from gripcourse.virtual.tally import Tally, tally_of
 _AT_A_TIME = 256  # variants of one composition
 _STEPS = (1.0, 2.0, 5.0, 10.0)  # of round absolute tolerances
 
-Done: TypeAlias = Callable[[int], None]
-"""Called with the number of variants that were done."""
+Done: TypeAlias = Callable[[], None]
+"""Called once for each variant that was done."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,8 @@ class Audited:
         quantity: its declaration, in one of the schemes that have it.
         tally: what was counted.
         now: the tolerance that applies now.
-        proposed: the narrowest that refuses no honest answer.
+        proposed: the narrowest that refuses no honest answer; the present one where there were too
+            few answers to narrow it.
         by_absolute: whether it is the absolute part that does it.
         price: share of the wrong methods that the proposed one accepts; NaN of no wrong method.
         ill_conditioned: whether rounded inputs spread the value over more than the mix calls wide.
@@ -97,7 +98,7 @@ def audit_tolerances(
     mix: Mix,
     variants: Sequence[Variant],
     workers: int,
-    on_done: Done = lambda _: None,
+    on_done: Done = lambda: None,
 ) -> Audit:
     """Let honest students answer variants and try every wrong method.
 
@@ -127,7 +128,7 @@ def audit_tolerances(
 
 
 def _counted(
-    desk: _Desk, variants: Sequence[Variant], workers: int, on_done: Done = lambda _: None
+    desk: _Desk, variants: Sequence[Variant], workers: int, on_done: Done = lambda: None
 ) -> Iterator[tuple[Quantity, Tally]]:
     """Yield what was counted of each quantity over all compositions."""
     tallies: dict[str, tuple[Quantity, Tally]] = {}
@@ -136,7 +137,8 @@ def _counted(
         for quantity, tally in counted:
             before = tallies.get(quantity.id)
             tallies[quantity.id] = (quantity, tally if before is None else before[1] + tally)
-        on_done(len(group.variants))
+        for _ in group.variants:
+            on_done()
     yield from tallies.values()
 
 
@@ -183,7 +185,10 @@ def _audited(quantity: Quantity, tally: Tally, policy: Policy, mix: Mix) -> Audi
     now = tolerance_of(quantity, policy)
     declared = quantity.tolerance.relative if quantity.tolerance is not None else 0.0
     sound = [place for place, refused in enumerate(tally.refused_by_band) if not refused]
-    if sound:
+    few = tally.answers < mix.answers and not tally.refused
+    if few or (sound and max(mix.bands[sound[0]], declared) == now.relative):
+        proposed, accepted = now, tally.accepted
+    elif sound:
         # What a declaration allows has a reason that no calculation knows: a chart that is read.
         proposed = replace(now, relative=max(mix.bands[sound[0]], declared))
         accepted = tally.accepted_by_band[sound[0]]
@@ -195,7 +200,7 @@ def _audited(quantity: Quantity, tally: Tally, policy: Policy, mix: Mix) -> Audi
         tally=tally,
         now=now,
         proposed=proposed,
-        by_absolute=not sound,
+        by_absolute=proposed.absolute != now.absolute,
         price=float(accepted / tally.slips) if tally.slips else math.nan,
         ill_conditioned=tally.widest > mix.wide,
     )
