@@ -153,8 +153,9 @@ def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
         ),
         words.say(
             message(
-                "“wrong” is the share of wrong methods that a band accepts. They are counted for students with the fewest figures, whose numbers "
-                "leave the widest range; those that give the right value are left out."
+                "“wrong” is the share of wrong methods that a band accepts, of students with the "
+                "fewest figures, whose numbers leave the widest range; a wrong method that gives "
+                "the right value is left out."
             )
         ),
         words.say(message("Near zero an absolute floor counts instead: {floors}.", floors=floors)),

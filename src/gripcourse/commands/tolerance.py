@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from gripcourse.course.model import Course, Tolerance
+from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.course.policy_load import policy_path
 from gripcourse.files import write_text
@@ -15,7 +15,7 @@ from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 from gripcourse.virtual.mix import load_mix
-from gripcourse.virtual.tolerance import Audit, Audited, audit_tolerances
+from gripcourse.virtual.tolerance import Audit, Audited, audit_tolerances, to_write
 from gripcourse.virtual.tolerance_policy import apply_tolerances
 
 _HEADS = (
@@ -64,17 +64,10 @@ def apply(found: Audit, course: Course, policy: Policy) -> int:
         UsageError: the policy is written in a way that cannot be changed line by line.
         OSError: it cannot be written.
     """
-    changed = {one.quantity.id: _to_write(one, policy) for one in found.quantities if one.changes}
+    changed = {one.quantity.id: to_write(one, policy) for one in found.quantities if one.changes}
     path = policy_path(course.root)
     apply_tolerances(path, str(path.relative_to(course.root)), changed)
     return len(changed)
-
-
-def _to_write(one: Audited, policy: Policy) -> Tolerance:
-    """Leave the floor of the unit where it is written: only an absolute part of its own counts."""
-    own = policy.tolerances.get(one.quantity.id) or one.quantity.tolerance
-    kept = own.absolute if own is not None else 0.0
-    return Tolerance(one.proposed.relative, one.proposed.absolute if one.by_absolute else kept)
 
 
 def write_audit(found: Audit, path: Path) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,9 @@ from gripcourse.solver.solve import choose, reference_rounding
 from gripcourse.units import factor
 from gripcourse.virtual.arithmetic import PI, Array, Hand, with_own_pi
 from gripcourse.virtual.model import Done
+
+# Of a declared unit: what floating point leaves where equal numbers were subtracted is written 0.
+_NOTHING: Final = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +97,8 @@ def by_formula(
     scale = factor(quantity.unit)
     own = with_own_pi(formula)
     used = {name: values.get(name, nothing) for name in own.names}
-    result = evaluate(own, quantity.unit, used, plan.columns) / scale
+    exact = evaluate(own, quantity.unit, used, plan.columns) / scale
+    result = np.where(np.abs(exact) < _NOTHING, 0.0, exact)
     if quantity.choice is None:
         return result
     rounding = reference_rounding(quantity, plan.convention)

@@ -75,9 +75,9 @@ def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence
         policy: the grader's.
         bands: relative tolerances to try, narrowest first.
     """
-    rule = _Rule(honest, quantity, policy, honest.expected(quantity))
+    rule = Rule(honest, quantity, policy, honest.expected(quantity))
     coarsest = honest.coarsest()
-    strict = _Rule(coarsest, quantity, policy, coarsest.expected(quantity))
+    strict = Rule(coarsest, quantity, policy, coarsest.expected(quantity))
     typed = honest.typed[quantity.id]
     asked = np.isfinite(typed) & np.isfinite(honest.reference[quantity.id])
     now = tolerance_of(quantity, policy).relative
@@ -107,7 +107,7 @@ def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence
 
 
 @dataclass(frozen=True, slots=True)
-class _Rule:
+class Rule:
     """The grader's rule for one quantity."""
 
     honest: Honest
@@ -147,7 +147,7 @@ def _within(typed: Array, right: Array, band: float, floor: float) -> NDArray[np
     return np.abs(typed - right) <= half_width * _SLACK
 
 
-def _slips(rule: _Rule) -> tuple[list[tuple[Array, NDArray[np.bool_]]], int]:
+def _slips(rule: Rule) -> tuple[list[tuple[Array, NDArray[np.bool_]]], int]:
     """Return what is typed for each wrong method and which answers count, and how many are right.
 
     A wrong method that gives the very value of the right one is no wrong answer.

@@ -212,3 +212,13 @@ def round_up(value: float) -> float:
     return next(
         float(f"{step:g}e{power}") for step in _STEPS if step * 10.0**power >= value * (1 - 1e-12)
     )
+
+
+def to_write(one: Audited, policy: Policy) -> Tolerance:
+    """Return what a policy says for a proposal.
+
+    The floor of the unit stays where it is written: only an absolute part of its own counts.
+    """
+    own = policy.tolerances.get(one.quantity.id) or one.quantity.tolerance
+    kept = own.absolute if own is not None else 0.0
+    return Tolerance(one.proposed.relative, one.proposed.absolute if one.by_absolute else kept)
