@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_mark, cli_text, cli_trace, cli_variants
+from gripcourse import cli_mark, cli_text, cli_trace, cli_variants, cli_virtual
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -47,6 +47,7 @@ app = typer.Typer(
     help="Course assignments for robot gripper design: issue variants, check, grade, report.",
 )
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_virtual.app)
 app.command()(cli_trace.trace)
 app.command()(cli_mark.mark)
 

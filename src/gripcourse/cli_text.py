@@ -205,7 +205,7 @@ def waiting_text(waits: "Sequence[Waiting]", words: Words) -> str:
         for one in waits
     ]
     heads = (message("student"), message("item"), message("file"))
-    return _table([*(words.say(head) for head in heads), ""], rows, right=set())
+    return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
 
 
 def marking_text(marking: "Marking", words: Words) -> str:
@@ -285,7 +285,6 @@ def demo_text(demo: "Demo", words: Words) -> str:
         rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
-    lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
     for item in demo.marking.items:
         said = message(
             "A person marked {item} of {student} from its rubric.",
