@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.cli_text import table
+from gripcourse.cli_text import table_text
 from gripcourse.units import unit_text
 from gripcourse.words import Words, message
 
@@ -80,7 +80,7 @@ def _confusion(found: "Evaluation", words: Words) -> str:
         for done in Done
         if any(found.table.get((done, said)) for said in Said)
     ]
-    return table(heads, rows, right=set(range(1, len(heads))))
+    return table_text(heads, rows, right=set(range(1, len(heads))))
 
 
 def _rates(found: "Evaluation", words: Words) -> str:
@@ -95,13 +95,13 @@ def _rates(found: "Evaluation", words: Words) -> str:
         for name, rate in found.rates.items()
     ]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return table(named, rows, right={1, 2, 3, 4, 5})
+    return table_text(named, rows, right={1, 2, 3, 4, 5})
 
 
 def _kinds(found: "Evaluation", words: Words) -> str:
     heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
     rows = [(kind, *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
-    return table([words.say(one) for one in heads], rows, right={1, 2, 3})
+    return table_text([words.say(one) for one in heads], rows, right={1, 2, 3})
 
 
 def _numbers(rate: "Rate", words: Words) -> Iterator[str]:
@@ -138,7 +138,9 @@ def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
     )
     answers = sum(one.tally.answers for one in found.quantities)
     lines = [
-        table([words.say(one) for one in heads], [_audited(one, words) for one in shown], _NUMBERS),
+        table_text(
+            [words.say(one) for one in heads], [_audited(one, words) for one in shown], _NUMBERS
+        ),
         words.say(
             message(
                 "{variants} variants answered in {ways} ways by honest students: {answers} answers "

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Quantity
 from gripcourse.course.policy import Policy
-from gripcourse.grading.bands import tolerance_of
+from gripcourse.marking.bands import tolerance_of
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.virtual.arithmetic import Array, written
 from gripcourse.virtual.honest import Expected, Honest

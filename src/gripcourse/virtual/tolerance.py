@@ -16,7 +16,7 @@ from typing import TypeAlias
 from gripcourse.cohort.packed import pack, unpack
 from gripcourse.course.model import Course, Kind, Quantity, Tolerance
 from gripcourse.course.policy import Policy
-from gripcourse.grading.bands import tolerance_of
+from gripcourse.marking.bands import tolerance_of
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.model import Variant
 from gripcourse.virtual.honest import hands_of, work_honestly
