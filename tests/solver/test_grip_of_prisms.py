@@ -35,9 +35,7 @@ def solve(course: Course, grip_model: str, **fixed: Array | float) -> Values:
     """Draw random inputs, replace some in declared units, and compute all in SI."""
     example = course.schemes["rack_parallelogram"].example
     assert example is not None
-    plan = make_plan(
-        course, "rack_parallelogram", {**example.options, "grip_model": grip_model}
-    )
+    plan = make_plan(course, "rack_parallelogram", {**example.options, "grip_model": grip_model})
     rng = np.random.default_rng(21)
     drawn = {name: rng.uniform(*bounds, COUNT) for name, bounds in RANGES.items()}
     contact = {f"contact_angle_{point}": 60.0 for point in range(1, 5)}
