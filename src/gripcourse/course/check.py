@@ -5,15 +5,16 @@ fault of a shared part shows in many compositions and is reported once.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from graphlib import CycleError, TopologicalSorter
+from dataclasses import dataclass, field
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
-from gripcourse.course.check_kinematics import check_kinematics
+from gripcourse.course.check_graph import check_graph, circular_names
+from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_series import check_series
-from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.compose import all_part_ids, compose, option_sets, part_ids, used_names
+from gripcourse.course.model import Course, Kind, Quantity, Scheme
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.units import dimension
@@ -34,43 +35,65 @@ def check_course(course: Course) -> list[Problem]:
     }
     found: list[Problem] = []
     seen: set[object] = set()
+    uses = Uses()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
-        if not _all_parts(scheme) <= course.parts.keys():
+        if not all_part_ids(scheme).keys() <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
-        runs_in_circles = _has_circle(_all_inputs(course, scheme))
+        circular = circular_names(course, scheme)
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
-            new = _not_checked_yet(quantities, seen)
+            new = _not_checked_yet(quantities, uses, seen)
             found += _check_declarations(course, new)
-            found += _check_use(course, quantities)
+            found += _check_use(course, quantities, uses)
             found += check_formulas(new, quantities, columns, dimensions)
-            if runs_in_circles:
-                found += _check_graph(scheme, quantities)
+            if _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
+                found += check_graph(scheme, quantities)
             found += check_series(new, columns, dimensions)
             found += _check_symbols(scheme, quantities, seen)
-            if all(known_unit(one.unit) for one in quantities.values()):
+            units = moving_units(scheme, quantities)
+            if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
+                ("motion", scheme.id, *units), seen
+            ):
                 found += check_kinematics(scheme, quantities)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())
 
 
-def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> list[Quantity]:
+@dataclass(frozen=True, slots=True)
+class Uses:
+    """The ids that the formulas of a declaration use, sorted; each declaration is read once."""
+
+    known: dict[int, tuple[str, ...]] = field(default_factory=dict)
+
+    def of(self, one: Quantity) -> tuple[str, ...]:
+        """Return what a declaration of the course uses."""
+        if id(one) not in self.known:  # the course keeps its declarations alive
+            self.known[id(one)] = tuple(sorted(used_names([one])))
+        return self.known[id(one)]
+
+
+def _is_new(key: object, seen: set[object]) -> bool:
+    """Tell whether a key comes for the first time, and remember it."""
+    is_new = key not in seen
+    seen.add(key)
+    return is_new
+
+
+def _not_checked_yet(
+    quantities: Mapping[str, Quantity], uses: Uses, seen: set[object]
+) -> list[Quantity]:
     """Return the declarations that no composition has shown with the same units of what they use.
 
-    Shared parts come back in dozens of compositions; their formulas need one look.
+    Shared parts come back in hundreds of compositions; their formulas need one look.
     """
-    new: list[Quantity] = []
-    for one in quantities.values():
-        used = sorted(used_names([one]))
-        units = tuple(
-            (name, quantities[name].unit if name in quantities else None) for name in used
-        )
-        if (one.id, one.file, units) not in seen:
-            seen.add((one.id, one.file, units))
-            new.append(one)
-    return new
+    unit_of = {name: one.unit for name, one in quantities.items()}
+    return [
+        one
+        for one in quantities.values()
+        if _is_new((id(one), *(unit_of.get(name) for name in uses.of(one))), seen)
+    ]
 
 
 def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
@@ -103,13 +126,8 @@ def _doubled(file: str, name: str) -> Problem:
     )
 
 
-def _all_parts(scheme: Scheme) -> set[str]:
-    """Return the parts that a scheme uses with any of its options."""
-    return {part for options in option_sets(scheme) for part in part_ids(scheme, options)}
-
-
 def _check_used_parts(course: Course) -> Iterator[Problem]:
-    used = {part for scheme in course.schemes.values() for part in _all_parts(scheme)}
+    used = {part for scheme in course.schemes.values() for part in all_part_ids(scheme)}
     if not used <= course.parts.keys():
         return  # a misspelt name is reported, the part that it means is not spare
     for part in course.parts.values():
@@ -122,9 +140,9 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
             )
 
 
-def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _check_use(course: Course, quantities: Mapping[str, Quantity], uses: Uses) -> Iterator[Problem]:
     """Yield the givens of a composition that nothing in it uses."""
-    used = used_names(quantities.values())
+    used = {name for one in quantities.values() for name in uses.of(one)}
     if not (_is_readable(quantities.values()) and used <= {*quantities, *course.constants}):
         return
     for one in quantities.values():
@@ -180,47 +198,6 @@ def _is_readable(quantities: Iterable[Quantity]) -> bool:
 
 def _rubric_exists(course: Course, rubric: str) -> bool:
     return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()
-
-
-def _all_inputs(course: Course, scheme: Scheme) -> dict[str, set[str]]:
-    """Return what each id is computed from in any composition and convention of a scheme."""
-    inputs: dict[str, set[str]] = {}
-    parts = [course.parts[part].quantities for part in _all_parts(scheme)]
-    for quantities in (*parts, scheme.quantities, scheme.overrides):
-        for name, one in quantities.items():
-            own = inputs.setdefault(name, set())
-            for convention in Convention:
-                own.update(direct_inputs(one, convention))
-    return inputs
-
-
-def _has_circle(inputs: Mapping[str, Iterable[str]]) -> bool:
-    """Tell whether some composition may run in a circle; mostly none can: one look is enough."""
-    try:
-        TopologicalSorter(inputs).prepare()
-    except CycleError:
-        return True
-    return False
-
-
-def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
-    for convention in Convention:
-        graph = {name: direct_inputs(one, convention) for name, one in quantities.items()}
-        try:
-            tuple(TopologicalSorter(graph).static_order())
-        except CycleError as fault:
-            circle = list(dict.fromkeys(reversed(fault.args[1])))
-            first = min(circle)  # the same circle of another scheme shall read the same
-            circle = circle[circle.index(first) :] + circle[: circle.index(first)]
-            yield Problem(
-                quantities[first].file if first in quantities else scheme.file,
-                f"quantity.{first}.formula",
-                message(
-                    "The formulas run in a circle: {circle}.",
-                    circle=" → ".join([*circle, circle[0]]),
-                ),
-                message("Express one of them without the others."),
-            )
 
 
 def _check_symbols(

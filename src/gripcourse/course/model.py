@@ -213,7 +213,20 @@ class WorkedExample:
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """A kinematic scheme: what it shares, what it declares, what a variant of it chooses."""
+    """A kinematic scheme: what it shares, what it declares, what a variant of it chooses.
+
+    Attributes:
+        id: name of its folder.
+        title: in full.
+        task: a sentence for the assignment.
+        parts: ids of the parts that every variant has.
+        options: what a variant chooses.
+        quantities: its own declarations.
+        overrides: declarations of parts as it changes them, by part and quantity.
+        kinematics: how its links move, its own or that of a part; None where nothing moves.
+        example: None where there is none.
+        file: the file that declares it, for messages.
+    """
 
     id: str
     title: Texts
@@ -221,7 +234,7 @@ class Scheme:
     parts: tuple[str, ...]
     options: tuple[Option, ...]
     quantities: Mapping[str, Quantity]
-    overrides: Mapping[str, Quantity]
+    overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
     example: WorkedExample | None
     file: str
