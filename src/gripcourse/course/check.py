@@ -5,7 +5,6 @@ fault of a shared part shows in many compositions and is reported once.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_example import check_example
@@ -35,7 +34,6 @@ def check_course(course: Course) -> list[Problem]:
     }
     found: list[Problem] = []
     seen: set[object] = set()
-    uses = Uses()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
         if not all_part_ids(scheme).keys() <= course.parts.keys():
@@ -43,9 +41,9 @@ def check_course(course: Course) -> list[Problem]:
         circular = circular_names(course, scheme)
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
-            new = _not_checked_yet(quantities, uses, seen)
+            new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
-            found += _check_use(course, quantities, uses)
+            found += _check_use(course, quantities)
             found += check_formulas(new, quantities, columns, dimensions)
             if _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
                 found += check_graph(scheme, quantities)
@@ -61,19 +59,6 @@ def check_course(course: Course) -> list[Problem]:
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())
 
 
-@dataclass(frozen=True, slots=True)
-class Uses:
-    """The ids that the formulas of a declaration use, sorted; each declaration is read once."""
-
-    known: dict[int, tuple[str, ...]] = field(default_factory=dict)
-
-    def of(self, one: Quantity) -> tuple[str, ...]:
-        """Return what a declaration of the course uses."""
-        if id(one) not in self.known:  # the course keeps its declarations alive
-            self.known[id(one)] = tuple(sorted(used_names([one])))
-        return self.known[id(one)]
-
-
 def _is_new(key: object, seen: set[object]) -> bool:
     """Tell whether a key comes for the first time, and remember it."""
     is_new = key not in seen
@@ -81,9 +66,7 @@ def _is_new(key: object, seen: set[object]) -> bool:
     return is_new
 
 
-def _not_checked_yet(
-    quantities: Mapping[str, Quantity], uses: Uses, seen: set[object]
-) -> list[Quantity]:
+def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> list[Quantity]:
     """Return the declarations that no composition has shown with the same units of what they use.
 
     Shared parts come back in hundreds of compositions; their formulas need one look.
@@ -92,7 +75,7 @@ def _not_checked_yet(
     return [
         one
         for one in quantities.values()
-        if _is_new((id(one), *(unit_of.get(name) for name in uses.of(one))), seen)
+        if _is_new((id(one), *(unit_of.get(name) for name in one.uses)), seen)
     ]
 
 
@@ -140,9 +123,9 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
             )
 
 
-def _check_use(course: Course, quantities: Mapping[str, Quantity], uses: Uses) -> Iterator[Problem]:
+def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
     """Yield the givens of a composition that nothing in it uses."""
-    used = {name for one in quantities.values() for name in uses.of(one)}
+    used = used_names(quantities.values())
     if not (_is_readable(quantities.values()) and used <= {*quantities, *course.constants}):
         return
     for one in quantities.values():

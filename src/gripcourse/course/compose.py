@@ -48,21 +48,7 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:
     """Return every id that some formula of some quantity uses."""
-    return {name for one in quantities for formula in formulas(one) for name in formula.names}
-
-
-def formulas(quantity: Quantity) -> Iterator[Formula]:
-    """Yield every formula that a declaration holds."""
-    for one in (quantity.formula, quantity.valid):
-        if one is not None:
-            yield one
-    if quantity.choice is not None and quantity.choice.condition is not None:
-        yield quantity.choice.condition
-    for slip in quantity.slips:
-        yield slip.formula
-    for printed in quantity.as_printed:
-        if printed.formula is not None:
-            yield printed.formula
+    return {name for one in quantities for name in one.uses}
 
 
 def reference_formula(quantity: Quantity, convention: Convention) -> Formula | None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from graphlib import TopologicalSorter
+from heapq import heappop, heappush
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.compose import compose, direct_inputs, reference_formula
@@ -131,13 +131,19 @@ def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:
 
 def _stable_order(inputs: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     """Order by dependency; among those that are ready, by order of declaration."""
-    rank = {name: number for number, name in enumerate(inputs)}
-    sorter = TopologicalSorter(inputs)
-    sorter.prepare()
+    names = tuple(inputs)
+    rank = {name: number for number, name in enumerate(names)}
+    users: dict[str, list[str]] = {name: [] for name in names}
+    for name, used in inputs.items():
+        for one in used:
+            users[one].append(name)
+    missing = {name: len(used) for name, used in inputs.items()}
+    ready = [rank[name] for name in names if not missing[name]]
     ordered: list[str] = []
-    ready: list[str] = []
-    while sorter.is_active():
-        ready = sorted([*ready, *sorter.get_ready()], key=rank.__getitem__)
-        ordered.append(ready.pop(0))
-        sorter.done(ordered[-1])
+    while ready:
+        ordered.append(names[heappop(ready)])
+        for user in users[ordered[-1]]:
+            missing[user] -= 1
+            if not missing[user]:
+                heappush(ready, rank[user])
     return tuple(ordered)
