@@ -64,6 +64,7 @@ HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
         "finger_force_left: *": "the other end of the range needs more force",
     },
     "screw": {"pin_diameter_required: *": "one shear plane"},
+    "slot_crosshead": {"radius_ratio: /": "the jaw has the smaller radius"},
     "slot_lever": {
         "pin_diameter_required: *": "one shear plane",
         "slot_reach: /": "the other end of the stroke gives the larger distance",
