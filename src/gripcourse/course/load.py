@@ -29,7 +29,7 @@ VARIANTS = "variants"
 
 
 def load_course(root: Path) -> Course:
-    """Load a course and check it whole.
+    """Load a course and check it, any two choices of its options together.
 
     Args:
         root: the folder that holds `variants`, `templates` and `grader`.
