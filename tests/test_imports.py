@@ -43,7 +43,7 @@ LEVELS = (
     ("commands",),
     ("cli_text",),
     ("cli_options",),
-    ("cli_variants", "cli_trace"),
+    ("cli_variants", "cli_trace", "cli_mark"),
     ("cli",),
     ("__main__",),
 )
