@@ -202,7 +202,7 @@ def waiting_text(waits: "Sequence[Waiting]", words: Words) -> str:
     again = words.say(message("marked; look again"))
     rows = [(one.student, one.quantity, one.file, again if one.again else "") for one in waits]
     heads = (message("student"), message("item"), message("file"))
-    return _table([*(words.say(head) for head in heads), ""], rows, right=set())
+    return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
 
 
 def marking_text(marking: "Marking", words: Words) -> str:
@@ -282,6 +282,13 @@ def demo_text(demo: "Demo", words: Words) -> str:
         rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
+    for item in demo.marking.items:
+        said = message(
+            "A person marked {item} of {student} from its rubric.",
+            item=item.mark.quantity,
+            student=item.mark.student,
+        )
+        lines += [words.say(said), ""]
     for said, place in (
         (message("Course with its key and register"), demo.course),
         (message("Assignments, a folder per student"), demo.assignments),
