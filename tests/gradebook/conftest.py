@@ -9,6 +9,7 @@ import pytest
 
 from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, attempt_of
 from gripcourse.gradebook.store import Gradebook, open_gradebook
+from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.words import message
 
@@ -63,7 +64,7 @@ def _report(
         score=sum(one.points for one in judged),
         max_score=sum(one.max_points for one in judged),
         open_points=sum(one.max_points for one in findings if one.outcome in OPEN),
-        flags=(),
+        flags=tuple(not_judged_flags(findings)),
         findings=findings,
         remarks=(),
         judged=True,

@@ -109,7 +109,9 @@ class TestMarks:
     def test_what_is_kept_is_read_back_with_its_attempt(
         self, graded: Gradebook, mark: MakeMark
     ) -> None:
-        given = mark(lines={"sizes": 0.5, "standards": 1 / 3}, comment="Разрез А—А: «нет» штриховки")
+        given = mark(
+            lines={"sizes": 0.5, "standards": 1 / 3}, comment="Разрез А—А: «нет» штриховки"
+        )
         (kept,) = graded.add_marks([given])
         assert kept == replace(given, number=1)
         (entry,) = graded.entries()
