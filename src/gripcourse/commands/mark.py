@@ -81,14 +81,14 @@ def read_lines(written: Iterable[str]) -> dict[str, float]:
     lines: dict[str, float] = {}
     problems: list[Problem] = []
     for one in written:
-        name, _, share = one.partition("=")
-        value = exact_number(share.strip(), decimal_comma=True)
-        if value is None or name.strip() in lines:
+        typed, _, share = one.partition("=")
+        name, value = typed.strip(), exact_number(share.strip(), decimal_comma=True)
+        if value is None or not name or name in lines:
             what = message("'{text}' is no line with its share.", text=one)
             remedy = message("Write each line once, for example --line sizes=0.5.")
             problems.append(Problem("", "--line", what, remedy))
             continue
-        lines[name.strip()] = value
+        lines[name] = value
     if problems:
         raise UsageError(problems)
     return lines
