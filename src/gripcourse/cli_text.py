@@ -200,7 +200,10 @@ def waiting_text(waits: "Sequence[Waiting]", words: Words) -> str:
     if not waits:
         return words.say(message("Nothing waits for a person."))
     again = words.say(message("marked; look again"))
-    rows = [(one.student, one.quantity, one.file, again if one.again else "") for one in waits]
+    rows = [
+        (one.student, one.quantity, Path(one.file).name, again if one.again else "")
+        for one in waits
+    ]
     heads = (message("student"), message("item"), message("file"))
     return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
 

@@ -141,7 +141,7 @@ def mark_drawing(student: str, desk: Desk, place: str) -> Marking:
             line.id: _credit(line, _CREDITS[number % len(_CREDITS)])
             for number, line in enumerate(desk.policy.rubrics[item.rubric].lines)
         },
-        comment=words.say(message("The title block lacks the scale.")),
+        comment=words.say(message("The drawing does not show the jaws open.")),
     )
     return enter_mark(draft, desk, place, words.say(message("the teacher")), MARKED_AT)
 
