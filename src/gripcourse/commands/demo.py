@@ -11,9 +11,9 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 
 from gripcourse.assignment.issue import workbook_path
+from gripcourse.assignment.register import read_register, register_path
 from gripcourse.assignment.roster import read_roster
 from gripcourse.cohort.one import Desk
-from gripcourse.commands.desk import open_desk
 from gripcourse.commands.grade import Outcome, grade, write_results
 from gripcourse.commands.gradebook import keep
 from gripcourse.commands.issue import Issuing, Order, issue_order
@@ -93,13 +93,13 @@ def run_demo(
     )
     tick = step(words.say(message("Issuing")), len(read_roster(order.roster)))
     issuing = issue_order(course, policy, order, workers, lambda _: tick())
-    desk = open_desk(course.root)
-    register = desk.register
+    register = read_register(register_path(course.root), course.id).by_student()
     stories = fill_workbooks(
         course, register, workbooks(folders["assignments"], register), folders["submissions"]
     )
     files = sorted(folders["submissions"].glob("*.xlsx"))
     tick = step(words.say(message("Grading")), len(files))
+    desk = Desk(course, policy, register)
     graded = grade(files, desk, workers, lambda _: tick())
     place = str(gradebook_path(course.root))
     keep(graded, desk, place, MARKED_AT)
@@ -141,7 +141,7 @@ def mark_drawing(student: str, desk: Desk, place: str) -> Marking:
             line.id: _credit(line, _CREDITS[number % len(_CREDITS)])
             for number, line in enumerate(desk.policy.rubrics[item.rubric].lines)
         },
-        comment=words.say(message("The drawing does not show the jaws open.")),
+        comment=words.say(message("One more view is needed.")),
     )
     return enter_mark(draft, desk, place, words.say(message("the teacher")), MARKED_AT)
 
