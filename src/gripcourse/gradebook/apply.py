@@ -67,15 +67,12 @@ def _decided(finding: Finding, entry: Entry, *, is_old: bool) -> Finding:
         comment=mark.comment,
         outdated=is_old,
     )
-    said = finding.message
-    if finding.outcome is not Outcome.MANUAL:
-        said = message("A person decided about this answer.")
     return replace(
         finding,
         outcome=Outcome.MANUAL,
         against=Against.NOTHING,
         points=credit * finding.max_points,
-        message=said,
+        message=message("A person decided about this item."),
         decision=decision,
     )
 
