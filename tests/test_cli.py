@@ -325,6 +325,18 @@ class TestWrongUse:
         assert not out.exists()
         assert not register_path(course).exists()
 
+    def test_a_damaged_gradebook_is_refused_before_anything_is_graded(
+        self, gripcourse: Command, course: Path, tmp_path: Path
+    ) -> None:
+        file, book = tmp_path / "s01.xlsx", tmp_path / "book.sqlite"
+        file.write_bytes(b"")
+        book.write_text("student;points\n" * 100, encoding="utf-8")
+        run = gripcourse(
+            *("grade", file, "--course", course, "--gradebook", book, "--out", tmp_path / "out")
+        )
+        refused(run, "book.sqlite", "not a database", "backup")
+        assert not (tmp_path / "out").exists()
+
     def test_a_place_that_cannot_be_written_is_named(
         self, gripcourse: Command, tmp_path: Path
     ) -> None:

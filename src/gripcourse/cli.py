@@ -163,12 +163,13 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.commands import grade as command
     from gripcourse.commands.desk import open_desk
-    from gripcourse.commands.gradebook import keep
+    from gripcourse.commands.gradebook import check_gradebook, keep
 
     words = words_for(language)
     files = command.find_files(paths)
     desk = open_desk(course_folder(course))
     place = gradebook_place(gradebook, desk.course.root)
+    check_gradebook(place)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, desk, workers, lambda _: tick())

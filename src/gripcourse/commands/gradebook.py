@@ -10,7 +10,18 @@ from gripcourse.cohort.run import Graded
 from gripcourse.gradebook.apply import with_marks
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.gradebook.model import Entry, attempt_of
+from gripcourse.gradebook.opening import exists
 from gripcourse.gradebook.store import open_gradebook
+
+
+def check_gradebook(place: str) -> None:
+    """Refuse a gradebook that cannot be used before a batch is graded for nothing.
+
+    Raises:
+        GradebookError: it is there already and cannot be used.
+    """
+    if exists(place):
+        open_gradebook(place)
 
 
 def keep(graded: Sequence[Graded], desk: Desk, place: str, now: datetime) -> tuple[Graded, ...]:
