@@ -43,8 +43,6 @@ GradebookOption = Annotated[
     ),
 ]
 
-DONE, NEEDS_PERSON, WRONG_USE, OUR_MISTAKE = 0, 1, 2, 3
-
 
 def chosen_words() -> Words:
     """Return the language of a command that failed; a language that is none failed it."""
