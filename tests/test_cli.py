@@ -144,6 +144,23 @@ class TestHappyPaths:
         assert "%" in run.out
         assert gripcourse("solve", "002", "--table", table).code == 0
 
+    def test_an_audit_says_with_its_exit_code_whether_somebody_must_look(
+        self, gripcourse: Command, tmp_path: Path
+    ) -> None:
+        table, out = tmp_path / "drawn.csv", tmp_path / "audit"
+        drawing = ("variants", "draw", "--count", 4, "--seed", 1, "--scheme", "wedge_slide")
+        gripcourse(*drawing, "--out", table)
+        sound = gripcourse("variants", "audit", "--table", table, "--out", out)
+        assert (sound.code, sound.err) == (cli.DONE, "")
+        assert "The table keeps all rules." in sound.out
+        assert str(out / "certificate.pdf") in sound.out
+        head, first, *rest = table.read_text(encoding="utf-8-sig").splitlines()
+        twin = ",".join(["twin", *first.split(",")[1:]])
+        table.write_text("\n".join([head, first, *rest, twin]) + "\n", encoding="utf-8")
+        doubled = gripcourse("variants", "audit", "--table", table, "--out", out)
+        assert doubled.code == cli.NEEDS_PERSON
+        assert "2 are too near to another variant." in doubled.out
+
     def test_an_imported_table_is_counted(self, gripcourse: Command, tmp_path: Path) -> None:
         drawn, out = tmp_path / "drawn.csv", tmp_path / "own.csv"
         gripcourse("variants", "draw", "--count", 3, "--seed", 1, "--out", drawn)

@@ -27,6 +27,8 @@ LEVELS = (
     ("pdf",),
     ("course",),
     ("solver",),
+    # Points and bands are counted before anything is judged: the audit of variants needs them too.
+    ("marking",),
     ("slips",),
     ("variants",),
     ("drawing", "workbook"),
@@ -41,7 +43,7 @@ LEVELS = (
     ("commands",),
     ("cli_text",),
     ("cli_options",),
-    ("cli_trace",),
+    ("cli_variants", "cli_trace"),
     ("cli",),
     ("__main__",),
 )

@@ -16,6 +16,7 @@ from gripcourse.words import Message, Texts, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from gripcourse.commands.audit import Audited
     from gripcourse.commands.check import Checked
     from gripcourse.commands.demo import Demo
     from gripcourse.commands.grade import Outcome
@@ -110,8 +111,37 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
                 )
             )
         )
-        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]]
+        refusals = (*tally.refusals[:5], *tally.set_aside)
+        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in refusals]
     return "\n".join(lines)
+
+
+def audit_text(audited: "Audited", words: Words) -> str:
+    """Return how many variants break which rule, and where the certificate is."""
+    found = audited.audit
+    share = float(found.apart.whole.share.max(initial=0.0))
+    said = [
+        message("{count} variants of {file} were checked.", count=len(found.variants),
+                file=str(audited.table)),
+        message("{count} break a rule of their space.",
+                count=sum(bool(one.broken) for one in found.variants)),
+        message("{count} have a slip that gives nearly the right result.",
+                count=sum(bool(one.slips) for one in found.variants)),
+        message("{count} have a size at the edge of its step.",
+                count=sum(bool(one.edges) for one in found.variants)),
+        message("{count} are too near to another variant.",
+                count=sum(one.above for one in found.variants)),
+        message("At most {share} % of the points of computed quantities are shared.",
+                share=round(100 * share, 1)),
+        message("The longest assignment has {ratio} times as many answers as the shortest.",
+                ratio=round(found.ratio, 2)),
+    ]  # fmt: skip
+    verdict = (
+        message("The table keeps all rules.")
+        if found.passed
+        else message("The table does not keep all rules.")
+    )
+    return "\n".join([*(words.say(one) for one in (*said, verdict)), *map(str, audited.written)])
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:

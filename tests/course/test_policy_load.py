@@ -114,6 +114,43 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
             "There is no level 'noting'.",
             "Did you mean 'nothing'?",
         ),
+        (
+            "shared_points = 0.10",
+            "shared_points = -0.10",
+            "variants.shared_points",
+            "The share is −0.1.",
+            "from 0 to 1",
+        ),
+        (
+            "shared_section_points = 0.50",
+            "shared_section_points = 1.5",
+            "variants.shared_section_points",
+            "The share is 1.5.",
+            "from 0 to 1",
+        ),
+        (
+            "slip_bands = 2",
+            "slip_bands = -1",
+            "variants.slip_bands",
+            "The number is −1.",
+            "0 or more",
+        ),
+        ("steps_ratio = 2.5", "steps_ratio = 0.5", "variants.steps_ratio", "is 0.5", "1 or more"),
+        ("weak_item = 0.25", "weak_item = 2", "variants.weak_item", "The share is 2.", "from 0"),
+        (
+            'keep_apart = ["declared"]',
+            'keep_apart = ["declared", "gravity_left_off"]',
+            "variants.keep_apart",
+            "There is no kind of slip 'gravity_left_off'.",
+            "Did you mean 'gravity_left_out'?",
+        ),
+        (
+            "step_margin = 0.01",
+            "step_margins = 0.01",
+            "variants.step_margins",
+            "This key means nothing here.",
+            "Did you mean 'step_margin'?",
+        ),
         ("most = 0", "most = -1", "figures.most", "The number is −1.", "from 0 on"),
         ("least = 0 ", "least = 2.5 ", "figures.least", "number is 2.5.", "a whole number"),
         (
@@ -142,8 +179,9 @@ def test_a_fault_of_the_policy_is_told_with_its_key(
     draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
 ) -> None:
     problems = draft.edit(POLICY, old, new).problems()
-    if key == "reports":  # the table is misspelt, so another is missing
-        assert [problem.key for problem in problems] == ["reports", "report"]
+    misspelt = {"reports": "report", "variants.step_margins": "variants.step_margin"}
+    if key in misspelt:  # so another is missing
+        assert [problem.key for problem in problems] == [key, misspelt[key]]
     else:
         assert len(problems) == 1, [str(problem.what) for problem in problems]
     assert (problems[0].file, problems[0].key) == (POLICY, key)

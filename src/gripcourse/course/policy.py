@@ -19,6 +19,33 @@ class Reveal(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class VariantRules:
+    """When variants may be handed out side by side.
+
+    Attributes:
+        shared_points: most that one student may get with another's answers, as a share of the
+            points of the computed quantities.
+        shared_section_points: the same inside one section, as a share of that section's.
+        slip_bands: how many bands a slip's result must lie from the right one.
+        keep_apart: kinds of slips that a variant is refused for; others are only counted.
+        step_margin: by which share of itself a computed answer may move before a size that is taken
+            for it from a series changes.
+        steps_ratio: how many times as many quantities as the shortest assignment the longest may
+            ask for.
+        weak_item: a computed quantity that is equal in a larger share of the pairs of variants
+            of a scheme is named as weak.
+    """
+
+    shared_points: float
+    shared_section_points: float
+    slip_bands: float
+    keep_apart: tuple[str, ...]
+    step_margin: float
+    steps_ratio: float
+    weak_item: float
+
+
+@dataclass(frozen=True, slots=True)
 class FigureRule:
     """How many significant figures a computed answer should have; judged apart from its value.
 
@@ -69,6 +96,7 @@ class Policy:
         widest: how far what follows from rounded numbers may spread to either side, in bands.
         reveal: what a report shows.
         slips: how slips are named.
+        variants: when variants may be handed out side by side.
         figure_rule: how many figures answers should be typed with.
         likeness: when copying is suspected.
     """
@@ -89,5 +117,6 @@ class Policy:
     widest: float
     reveal: Reveal
     slips: SlipPolicy
+    variants: VariantRules
     figure_rule: FigureRule
     likeness: LikenessRule

@@ -10,11 +10,16 @@ from gripcourse.course.policy import Policy, Reveal
 from gripcourse.course.policy_rules import read_figure_rule, read_likeness_rule
 from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.variant_rules import read_variant_rules
 from gripcourse.errors import CourseError, Problem
 from gripcourse.units import factor
 from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
+_TABLES = {
+    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
+    "variants", "figures", "likeness",
+}  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
 
@@ -37,12 +42,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     slips = read_slip_policy(course.root, problems)
     if table is None or slips is None:
         return None, problems
-    table.known_keys(
-        {
-            *("points", "weight", "tolerance", "quantity_tolerance", "credit", "report"),
-            *("rounding", "figures", "likeness"),
-        }
-    )
+    table.known_keys(_TABLES)
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
@@ -60,12 +60,13 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         carried_credit=credit.share("carried"),
         printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
         wrong_unit_credit=credit.share("wrong_unit"),
-        last_digit=_at_least(rounding, "last_digit", 0.0),
-        figures=int(_at_least(rounding, "figures", 1.0)),
+        last_digit=rounding.at_least("last_digit", 0.0),
+        figures=int(rounding.at_least("figures", 1.0)),
         habits=_habits(rounding, course),
-        widest=_at_least(rounding, "widest", 0.0),
+        widest=rounding.at_least("widest", 0.0),
         reveal=_reveal(table.required_table("report")),
         slips=slips,
+        variants=read_variant_rules(table.required_table("variants")),
         figure_rule=read_figure_rule(table.table("figures")),
         likeness=read_likeness_rule(table.table("likeness")),
     )
@@ -196,19 +197,6 @@ def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
         name: tuple(value * factor(units[name]) for value in table.number_list(name))
         for name in table.values.keys() & units.keys()
     }
-
-
-def _at_least(table: Table, name: str, least: float) -> float:
-    value = table.number(name)
-    if value >= least:
-        return value
-    if not math.isnan(value):
-        table.add(
-            name,
-            message("The number is {value}.", value=value),
-            message("Write {least} or more.", least=least),
-        )
-    return least
 
 
 def _reveal(table: Table) -> Reveal:

@@ -6,8 +6,12 @@ A head of course owns the numbers and the sentences; what a kind does to a formu
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Final
 
 from gripcourse.words import Texts
+
+DECLARED: Final = "declared"
+"""Kind of the slips that a formula declares for itself."""
 
 
 class SlipKind(StrEnum):

@@ -83,6 +83,19 @@ class Table:
             )
         return value
 
+    def at_least(self, name: str, least: float) -> float:
+        """Read a number that is not below another; required; `least` where it cannot be used."""
+        value = self.number(name)
+        if value >= least:
+            return value
+        if not math.isnan(value):
+            self.add(
+                name,
+                message("The number is {value}.", value=value),
+                message("Write {least} or more.", least=least),
+            )
+        return least
+
     def flag(self, name: str) -> bool:
         """Read true or false; absent is false."""
         value = self.values.get(name, False)

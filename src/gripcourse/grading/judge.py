@@ -12,14 +12,15 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.grading.causes import causes_of, roots_of
 from gripcourse.grading.diagnose import CandidatesOf, diagnose
+from gripcourse.grading.figures import figures_remark
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.own import Own, follow
-from gripcourse.grading.points import points_of
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
 from gripcourse.grading.view import Judgement, View
+from gripcourse.marking.points import points_of
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, from_si, to_si
@@ -228,6 +229,10 @@ def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Fin
     quantity, answer, judgement = judged.quantity, judged.answer, judged.judgement
     available = case.points[quantity.id]
     follows = None if judged.view is None else judged.view.follows
+    reference = _declared(case, quantity, case.reference.get(quantity.id))
+    met = reference if judgement.outcome is Outcome.CORRECT else judgement.expected
+    figures = figures_remark(quantity, answer, case.policy, met) if answer is not None else None
+    share, said = figures if figures is not None else (1.0, None)
     return Finding(
         quantity=quantity.id,
         section=quantity.section,
@@ -236,15 +241,19 @@ def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Fin
         given=answer.value if answer is not None else None,
         typed=answer.typed if answer is not None else "",
         cell=answer.cell if answer is not None else "",
-        reference=_declared(case, quantity, case.reference.get(quantity.id)),
+        reference=reference,
         expected=judgement.expected,
         band=judgement.band,
         inputs={name: case.own_values[name] for name in case.plan.inputs[quantity.id]},
-        points=available * judgement.credit,
+        points=available * judgement.credit * share,
         max_points=available,
         slip=judgement.slip,
         message=judgement.message,
-        remarks=(*judgement.remarks, *_reading_remarks(case, quantity, answer)),
+        remarks=(
+            *judgement.remarks,
+            *_reading_remarks(case, quantity, answer),
+            *(() if said is None else (said,)),
+        ),
         tied=judgement.tied,
         roots=judgement.roots or _sorted(case, roots.get(quantity.id, set())),
         half_unit=answer.half_unit if answer is not None else 0.0,

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.bands import band
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.view import Judgement, Range, View
+from gripcourse.marking.bands import band
 from gripcourse.words import Message, message
 
 

@@ -12,9 +12,9 @@ from gripcourse.course.model import Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.bands import band, computed_band, within
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.own import Own, range_of
+from gripcourse.marking.bands import band, computed_band, within
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.units import factor

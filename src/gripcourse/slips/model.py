@@ -1,13 +1,12 @@
 """What a student may have computed instead of a formula."""
 
 from dataclasses import dataclass
-from typing import Final
 
+from gripcourse.course.slip_policy import DECLARED
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
-DECLARED: Final = "declared"
-"""Kind of the slips that a formula declares for itself."""
+__all__ = ["DECLARED", "Candidate"]
 
 
 @dataclass(frozen=True, slots=True)
