@@ -14,7 +14,7 @@ from gripcourse.assignment.sheet import TEMPLATE, assignment_sheet, sheet_values
 from gripcourse.course.model import Convention, Course, Tolerance, WorkedExample
 from gripcourse.course.policy import Policy
 from gripcourse.pdf import Document, render_html
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.words import Words
 
@@ -143,3 +143,24 @@ def test_a_name_is_text_and_never_markup(
 ) -> None:
     named = replace(issued, student=replace(issued.student, name='<b>&"Иван'))
     assert '<b>&"Иван' in pages(assignment_sheet(named, plan, policy, course, ENGLISH))[0]
+
+
+LONGEST = {
+    "grip_model": "contact_exact",
+    "object_position": "pairs_between",
+    "jaw_shape": "prism",
+    "mounting": "flange",
+}
+
+
+@pytest.mark.parametrize("scheme", ["rack_parallelogram", "wedge_slide", "pinion_racks", "screw"])
+def test_the_longest_assignments_are_one_sheet_of_paper_too(
+    issued: Issued, policy: Policy, course: Course, scheme: str
+) -> None:
+    example = course.schemes[scheme].example
+    assert example is not None
+    long = make_plan(course, scheme, {**example.options, **LONGEST})
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    variant = Variant("17", scheme, dict(long.options), given)
+    named = replace(issued, student=replace(issued.student, name=LONG_NAME), variant=variant)
+    assert len(pages(assignment_sheet(named, long, policy, course, Words("ru")))) == 2
