@@ -21,6 +21,12 @@ def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*scheme.parts, *(part for parts in chosen for part in parts))))
 
 
+def all_part_ids(scheme: Scheme) -> dict[str, None]:
+    """Return the parts that a scheme uses with any of its options, in order, each once."""
+    optional = (part for one in scheme.options for choice in one.choices for part in choice.parts)
+    return dict.fromkeys((*scheme.parts, *optional))
+
+
 def option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
     """Yield every combination of options of a scheme."""
     ids = [option.id for option in scheme.options]
@@ -36,9 +42,8 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     declared: dict[str, Quantity] = {}
     for part in part_ids(scheme, options):
         if part in course.parts:
-            declared |= course.parts[part].quantities
+            declared |= {**course.parts[part].quantities, **scheme.overrides.get(part, {})}
     declared |= scheme.quantities
-    declared |= {name: one for name, one in scheme.overrides.items() if name in declared}
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}
     return constants | declared

@@ -7,6 +7,7 @@ from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
 from gripcourse.course.errata import read_errata
+from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -18,6 +19,7 @@ from gripcourse.course.model import (
     Work,
 )
 from gripcourse.course.options import read_options
+from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
@@ -93,17 +95,23 @@ def _is_whole(course: Course, folder: Path) -> bool:
 
 def _parts(
     folder: Path, root: Path, problems: list[Problem]
-) -> tuple[dict[str, Part], dict[str, dict[str, Table]]]:
+) -> tuple[dict[str, Part], dict[str, RawPart]]:
     """Read the shared parts; the raw tables too, because a scheme may override single keys."""
     parts: dict[str, Part] = {}
-    raw: dict[str, dict[str, Table]] = {}
+    raw: dict[str, RawPart] = {}
     for path in sorted(folder.glob("*.toml")):
         table = read_toml(path, root, problems)
         if table is None:
             continue
-        table.known_keys({"quantity"})
-        raw[path.stem] = dict(table.named_tables("quantity"))
-        parts[path.stem] = Part(path.stem, _quantities(raw[path.stem]), table.file)
+        table.known_keys({"quantity", "override", "kinematics"})
+        motion = table.table("kinematics")
+        raw[path.stem] = RawPart(
+            table.named_tables("quantity"),
+            table.named_tables("override"),
+            None if motion is None else read_kinematics(motion),
+        )
+        quantities = _quantities(raw[path.stem].quantities)
+        parts[path.stem] = Part(path.stem, quantities, table.file)
     return parts, raw
 
 
@@ -116,7 +124,7 @@ def _scheme_folders(folder: Path) -> list[Path]:
 
 
 def _schemes(
-    folder: Path, root: Path, raw: Mapping[str, Mapping[str, Table]], problems: list[Problem]
+    folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
 ) -> dict[str, Scheme]:
     shared = read_options(folder / "options", root, problems)
     paths = _scheme_folders(folder / "schemes")
