@@ -1,7 +1,7 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Final
@@ -47,8 +47,7 @@ def grade_file(file: Path, desk: Desk) -> Report:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
     plan, methods = methods_of(desk, issued.variant)
     submission = interpret(raw, plan.quantities.values())
-    report = judge(submission, issued, plan, desk.policy, methods)
-    return replace(report, givens=submission.givens, creator=submission.creator)
+    return judge(submission, issued, plan, desk.policy, methods)
 
 
 def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:

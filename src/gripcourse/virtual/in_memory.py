@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from multiprocessing import get_context
 
+from gripcourse.cohort.alike import mark_likeness
 from gripcourse.cohort.doubles import mark_doubles
 from gripcourse.cohort.packed import pack, unpack
 from gripcourse.grading.judge import judge
@@ -39,7 +40,8 @@ def judge_in_memory(
     for one in _each(room, students, workers):
         judged.append(one)
         on_done()
-    reports = mark_doubles([one.report for one in judged])
+    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.desk)
+    judged[:1] = [replace(one, incident=one.incident + trace) for one in judged[:1]]
     return tuple(replace(one, report=report) for one, report in zip(judged, reports, strict=True))
 
 
