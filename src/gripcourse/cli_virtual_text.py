@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from gripcourse.virtual.rates import Rate
     from gripcourse.virtual.tolerance import Audit, Audited
 
-_NUMBERS = set(range(1, 8))
-
 _RATES = {
     "incidents": message("failures on our side"),
     "honest_refused": message("answers of honest students refused"),
