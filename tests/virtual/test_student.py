@@ -4,9 +4,9 @@ import math
 from collections.abc import Callable, Sequence
 
 import pytest
-from gripcourse.marking.bands import band
 
 from gripcourse.course.model import Kind
+from gripcourse.marking.bands import band
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.virtual.confusion import Judged
 from gripcourse.virtual.model import Conduct, Deed, Done, Work

@@ -11,8 +11,8 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
-from gripcourse.marking.bands import band
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
+from gripcourse.marking.bands import band
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import DECLARED, Candidate
 from gripcourse.solver.plan import Plan
