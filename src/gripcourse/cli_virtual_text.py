@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from gripcourse.virtual.rates import Rate
     from gripcourse.virtual.tolerance import Audit, Audited
 
-_NUMBERS = set(range(1, 8))
-
 _RATES = {
     "incidents": message("failures on our side"),
     "honest_refused": message("answers of honest students refused"),
@@ -139,7 +137,9 @@ def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
     answers = sum(one.tally.answers for one in found.quantities)
     lines = [
         table_text(
-            [words.say(one) for one in heads], [_audited(one, words) for one in shown], _NUMBERS
+            [words.say(one) for one in heads],
+            [_audited(one, words) for one in shown],
+            right=set(range(1, len(heads))),
         ),
         words.say(
             message(

@@ -14,6 +14,7 @@ from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem, UsageError
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.sift import sifter
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.virtual.behaviour import draw_behaviours, drawn
 from gripcourse.virtual.model import Mix
@@ -31,7 +32,7 @@ def make_classroom(
 
     Args:
         course: whose variants are drawn.
-        policy: by which answers are marked.
+        policy: by which variants are kept apart and answers are marked.
         mix: how students work.
         count: how many students.
         seed: the same seed gives the same cohort.
@@ -40,7 +41,8 @@ def make_classroom(
     Raises:
         GripcourseError: there is no such scheme, or too few variants can be drawn.
     """
-    variants = draw(course, _spaces(course, scheme), count, seed).variants
+    rules = sifter(policy, len(course.sections))
+    variants = draw(course, _spaces(course, scheme), count, seed, rules).variants
     entries = issue_to_nobody(course, mix, variants, seed)
     register = {entry.student.id: entry for entry in entries}
     return Classroom(Desk(course, policy, register), mix, draw_behaviours(entries, mix, seed))
