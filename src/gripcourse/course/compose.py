@@ -66,7 +66,7 @@ def pair_option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
         yield {names[place]: ids[place][choice] for place, choice in sorted(row.items())}
 
 
-def _met(row: Mapping[int, int], open_pairs: AbstractSet[_Pair]) -> set[_Pair]:
+def _met(row: Mapping[int, int], open_pairs: AbstractSet[_Pair]) -> AbstractSet[_Pair]:
     """Return the open pairs of choices that occur in a row."""
     return open_pairs & set(combinations(sorted(row.items()), 2))
 
