@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.catalogue import columns_of
+from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_kinematics import check_kinematics
@@ -51,6 +52,8 @@ def check_course(course: Course) -> list[Problem]:
             found += _check_symbols(scheme, quantities, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_kinematics(scheme, quantities)
+                found += check_diagram(scheme, quantities, options)
+        found += check_diagram_use(scheme)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())

@@ -1,9 +1,10 @@
-"""Reading the folder of a scheme: `scheme.toml` and `worked_example.toml`."""
+"""Reading the folder of a scheme: `scheme.toml`, `worked_example.toml` and `diagram.toml`."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
+from gripcourse.course.diagram import read_diagram
 from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
     Convention,
@@ -55,6 +56,7 @@ def read_scheme(
         },
         overrides=_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=None if motion is None else read_kinematics(motion),
+        diagram=read_diagram(folder, root, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
