@@ -64,6 +64,14 @@ _ANGLE: Final = Role(Sort.ANGLE)
 _SYMBOL: Final = Role(Sort.QUANTITY)
 _LINES: Final = Role(Sort.WORD, words=("outline", "thin", "centre", "hidden"))
 
+# Every element may be repeated along and across the picture: so many times, so far apart.
+_ROW: Final = {
+    "repeat": Role(Sort.NUMBER, "1"),
+    "pitch": Role(Sort.LENGTH, "0"),
+    "rows": Role(Sort.NUMBER, "1"),
+    "row_pitch": Role(Sort.LENGTH, "0"),
+}
+
 
 def _number(default: float) -> Role:
     return Role(Sort.NUMBER, str(default))
@@ -75,17 +83,17 @@ def _turn(default: str) -> Role:
 
 def _moving(**roles: Role) -> Word:
     """Make a word for a part of the mechanism: on both sides, wherever the drive stands."""
-    return Word(roles, "both", _BOTH_ENDS)
+    return Word(roles | _ROW, "both", _BOTH_ENDS)
 
 
 def _fixed(**roles: Role) -> Word:
     """Make a word for what does not move: on both sides."""
-    return Word(roles, "both", _HELD)
+    return Word(roles | _ROW, "both", _HELD)
 
 
 def _single(**roles: Role) -> Word:
     """Make a word for what is there once."""
-    return Word(roles, "none", _HELD)
+    return Word(roles | _ROW, "none", _HELD)
 
 
 VOCABULARY: Final[Mapping[str, Word]] = {
@@ -93,13 +101,13 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "link": _moving(through=_POINTS, line=_LINES, corner=Role(Sort.WORD, words=("rigid", "none"))),
     "pivot": _moving(at=_POINT),
     "pin": _moving(at=_POINT),
-    "fixed_pivot": _fixed(at=_POINT, turn=_turn("pi/2")),
+    "fixed_pivot": _fixed(at=_POINT, turn=_turn("pi/2"), size=_number(1)),
     "slider": _moving(at=_POINT, turn=_turn("0"), long=_number(6), wide=_number(4)),
     "slot": _moving(through=_POINTS, wide=_number(2.6)),
     "guide": _fixed(at=_POINT, turn=_turn("0"), long=_number(6), gap=_number(2.4)),
     "ground": _fixed(through=_POINTS, side=Role(Sort.WORD, words=("left", "right"))),
     # Gears and screws.
-    "rack": _moving(through=_POINTS, module=_LENGTH,
+    "rack": _moving(through=_POINTS, module=_LENGTH, thick=_LENGTH,
                     side=Role(Sort.WORD, words=("left", "right"))),
     "gear": _moving(at=_POINT, radius=_LENGTH, module=_LENGTH, start=_turn("0"),
                     sweep=_turn("2*pi")),
@@ -111,13 +119,13 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "roller": _moving(at=_POINT, diameter=_LENGTH),
     "jaw": _moving(at=_POINT, turn=_turn("-pi/2"), long=_number(14), thick=_number(2.5)),
     "prism": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH),
-    "object": Word({"at": _POINT, "diameter": _LENGTH}, "none", _BOTH_ENDS),
+    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, "none", _BOTH_ENDS),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),
     "coil": _fixed(through=_POINTS),
     "spring": _fixed(through=_POINTS),
     # Drives.
     "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free"))),
-    "floating_cylinder": Word({"through": _POINTS}, "none", _HELD),
+    "floating_cylinder": Word({"through": _POINTS} | _ROW, "none", _HELD),
     "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
     # Forces, sizes and letters.
     "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),

@@ -6,7 +6,7 @@ from typing import Final
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.joints import JOINT, edge, line_of
-from gripcourse.drawing.marks import Fill, Mark, Path, Point, Ring, circle, place, polar
+from gripcourse.drawing.marks import Letter, Mark, Path, Point, Ring, circle, place, polar
 from gripcourse.drawing.places import Shape
 
 _CROSS: Final = 2.0  # how far the axes of an object reach over its edge
@@ -111,4 +111,5 @@ def end_view(shape: Shape) -> Iterator[Mark]:
         yield Path((polar(centre, radius + 1.6, turn), polar(centre, radius + 7, turn)),
                    LineKind.OUTLINE)  # fmt: skip
         yield Path((centre, polar(centre, radius + 9, turn)), LineKind.CENTRE)
-    yield Fill(tuple(polar(centre, 0.5, k * math.tau / 12) for k in range(12)))
+    if shape.symbol:
+        yield Letter(shape.symbol, (polar(centre, radius, math.pi), polar(centre, radius, 0.0)))

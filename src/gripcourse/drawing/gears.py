@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.joints import edge
+from gripcourse.drawing.joints import JOINT, edge
 from gripcourse.drawing.marks import (
     Arc,
     Mark,
@@ -22,8 +22,7 @@ _LEAST_MODULE: Final = 0.7  # mm of paper
 _ROOT: Final = 1.25  # modules from the pitch line to the bottom of the teeth
 # A tooth over one pitch: share of the pitch, modules above the pitch line.
 _TOOTH: Final = ((0.0, -_ROOT), (0.15, -_ROOT), (0.35, 1.0), (0.65, 1.0), (0.85, -_ROOT))
-_BACK: Final = 2.6  # modules of a rack behind its pitch line
-_HUB: Final = 0.3  # of the pitch radius: where the sides of a sector begin
+_BACK: Final = 2.0  # modules of a rack behind its pitch line, at least
 _THREAD: Final = 2.2  # pitch of the drawn thread
 _THREAD_LINE: Final = 0.8  # of its width
 _COILS: Final = 7
@@ -43,7 +42,7 @@ def rack(shape: Shape) -> Iterator[Mark]:
     pitch = length / count
     teeth = [((k + share) * pitch, up * height * module)
              for k in range(count) for share, height in _TOOTH]  # fmt: skip
-    back = -up * _BACK * module
+    back = -up * max(shape.lengths["thick"], _BACK * module)
     outline = [*teeth, (length, -up * _ROOT * module), (length, back), (0.0, back)]
     yield Path(place(outline, start, turn), edge(shape), closed=True)
     yield Path((start, end), LineKind.CENTRE)
@@ -65,7 +64,7 @@ def gear(shape: Shape) -> Iterator[Mark]:
         yield Path(teeth, edge(shape), closed=True)
     else:
         last = polar(centre, radius - _ROOT * module, start + sweep)
-        hub = max(_HUB * radius, 1.5)
+        hub = JOINT
         yield Path((polar(centre, hub, start), *teeth, last,
                     polar(centre, hub, start + sweep)), edge(shape))  # fmt: skip
     if shape.is_main:

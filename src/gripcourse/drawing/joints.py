@@ -12,10 +12,9 @@ JOINT: Final = 1.1  # radius of the ring of a joint
 _SMALL_JOINT: Final = 0.8  # where it is another position
 _PIN: Final = 0.75
 _CORNER: Final = 3.2  # legs of the black corner of a rigid lever
-_STRAIGHT: Final = math.radians(12)  # arms that differ by less need no corner
+_BULGE: Final = 2.0  # distance of its edge from the joint, at least
 _FOOT: Final = (3.0, 2.2)  # height and half width of the support of a fixed joint
 _HATCH: Final = (1.4, 1.6)  # pitch and length of the strokes of fixed ground
-_DOUBLE: Final = 2  # joints of a plain rod
 
 
 def edge(shape: Shape) -> LineKind:
@@ -36,9 +35,23 @@ def link(shape: Shape) -> Iterator[Mark]:
     if shape.element.words["corner"] == "rigid" and line is edge(shape) and shape.is_main:
         for before, at, after in zip(points, points[1:], points[2:], strict=False):
             first, second = angle_of(at, before), angle_of(at, after)
-            gap = abs(math.remainder(first - second, math.tau))
-            if _STRAIGHT < gap < math.pi - _STRAIGHT:
-                yield Fill((at, polar(at, _CORNER, first), polar(at, _CORNER, second)))
+            yield _corner(at, first, math.remainder(second - first, math.tau))
+
+
+def _corner(at: Point, first: float, gap: float) -> Fill:
+    """Return the black corner between two arms; of nearly straight ones, on one side of the joint."""
+    middle = first + gap / 2
+    outer = max(_BULGE, _CORNER * math.cos(gap / 2))
+    return Fill(
+        (
+            polar(at, JOINT, first),
+            polar(at, _CORNER, first),
+            polar(at, outer, middle),
+            polar(at, _CORNER, first + gap),
+            polar(at, JOINT, first + gap),
+            polar(at, JOINT, middle),
+        )
+    )
 
 
 def pivot(shape: Shape) -> Iterator[Mark]:
@@ -58,7 +71,7 @@ def pin(shape: Shape) -> Iterator[Mark]:
 def fixed_pivot(shape: Shape) -> Iterator[Mark]:
     """Draw a joint with the ground; `turn` points to the ground."""
     yield Ring(shape.at, JOINT, LineKind.OUTLINE)
-    height, half = _FOOT
+    height, half = (size * shape.numbers["size"] for size in _FOOT)
     turn = shape.angles["turn"]
     lean = math.atan2(half, height)
     left, right = place(((height, half), (height, -half)), shape.at, turn)

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from gripcourse.drawing.document import LineKind
-
-Point: TypeAlias = tuple[float, float]
+from gripcourse.drawing.text import Point
 
 _STEP = math.pi / 24  # of an arc that is taken for a chain of chords
 _NEAR = 1e-9
