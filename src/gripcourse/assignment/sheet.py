@@ -3,13 +3,16 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from gripcourse.assignment.seal import seal_of, seal_svg
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.policy import Policy
+from gripcourse.drawing.diagram import kinematic_diagram
 from gripcourse.pdf import (
     NO_BREAK_SPACE,
     Document,
     day_text,
     percent_text,
+    picture,
     points_text,
     render_pdf,
 )
@@ -23,6 +26,7 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
+_NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -34,6 +38,25 @@ class Datum:
     title: str
     value: str
     unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A diagram for a page.
+
+    Attributes:
+        address: of the picture.
+        text: what it shows, for a reader who does not see it.
+        width: mm.
+        beside: whether it is narrow enough for text beside it.
+        moves: whether it shows more than one position.
+    """
+
+    address: str
+    text: str
+    width: float
+    beside: bool
+    moves: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +109,8 @@ def sheet_values(
         "student": issued.student.name,
         "variant": issued.variant.id,
         "control": issued.signature[:_CONTROL_LETTERS],
+        "seal": picture(seal_svg(seal_of(issued, course.id))),
+        "diagram": drawn_diagram(plan, issued.variant.given, words),
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
         "data": given_data(plan.givens, issued.variant.given, words),
@@ -118,6 +143,26 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
         for choice in option.choices:
             if choice.id == plan.options.get(option.id):
                 yield label[:1].upper() + label[1:], choice.title.of(words.language)
+
+
+def drawn_diagram(plan: Plan, values: Mapping[str, float], words: Words) -> Drawn | None:
+    """Return the diagram of a variant for a page; None where there is none.
+
+    Args:
+        plan: of the variant's scheme and options.
+        values: in declared units; the givens at least.
+        words: the language of the symbols.
+    """
+    diagram = kinematic_diagram(plan, values, words.language)
+    if diagram is None:
+        return None
+    return Drawn(
+        address=picture(diagram.svg()),
+        text=diagram.title,
+        width=round(diagram.width, 2),
+        beside=diagram.width <= _NARROW,
+        moves=plan.scheme.kinematics is not None,
+    )
 
 
 def given_data(

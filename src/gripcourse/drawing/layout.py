@@ -10,7 +10,7 @@ from gripcourse.drawing import bodies, drives, gears, joints, measures
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.letters import Box, Written, bounds, lines_of, write_letters
 from gripcourse.drawing.marks import Letter, Mark, Path, Point, cut_at_rings, mirrored, shifted
-from gripcourse.drawing.places import Shape, Stop, is_placed, shape_of, stops_of
+from gripcourse.drawing.places import MILLIMETRES, Shape, Stop, is_placed, shape_of, stops_of
 from gripcourse.solver.plan import Plan
 
 Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
@@ -103,7 +103,7 @@ def lay_out(plan: Plan, values: Mapping[str, float], language: str) -> Layout | 
     if not is_placed(stops.values()):
         return None
     found = None
-    for scale in SCALES:
+    for scale in _thinkable(stops):
         marks = _marks(plan, diagram, stops, scale, language)
         size = bounds(marks)
         if size.right - size.left > WIDEST or size.high - size.low > HIGHEST:
@@ -112,6 +112,18 @@ def lay_out(plan: Plan, values: Mapping[str, float], language: str) -> Layout | 
         if found.width <= WIDEST and found.height <= HIGHEST:
             break
     return found
+
+
+def _thinkable(stops: Mapping[str, Stop]) -> Iterator[float]:
+    """Yield the scales at which at least the joints fit, the largest first; the last in any case."""
+    points = [point for stop in stops.values() for point in stop.points.values()]
+    wide, high = (
+        (max(one[axis] for one in points) - min(one[axis] for one in points)) * MILLIMETRES
+        for axis in (0, 1)
+    )
+    for scale in SCALES:
+        if (wide * scale <= WIDEST and high * scale <= HIGHEST) or scale == SCALES[-1]:
+            yield scale
 
 
 def _with_letters(marks: list[Mark], scale: float) -> Layout:
