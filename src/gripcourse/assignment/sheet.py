@@ -7,6 +7,7 @@ from gripcourse.assignment.seal import seal_of, seal_svg
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.policy import Policy
 from gripcourse.drawing.diagram import kinematic_diagram
+from gripcourse.drawing.layout import WIDEST
 from gripcourse.pdf import (
     NO_BREAK_SPACE,
     Document,
@@ -27,6 +28,8 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
+# More quantities, or a diagram that takes more of the page's height, ask for smaller letters.
+_MANY, _HIGH = 85, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -47,7 +50,7 @@ class Drawn:
     Attributes:
         address: of the picture.
         text: what it shows, for a reader who does not see it.
-        width: mm.
+        width, height: mm.
         beside: whether it is narrow enough for text beside it.
         moves: whether it shows more than one position.
     """
@@ -55,6 +58,7 @@ class Drawn:
     address: str
     text: str
     width: float
+    height: float
     beside: bool
     moves: bool
 
@@ -104,21 +108,34 @@ def sheet_values(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
+    dense = _listed(plan) > _MANY
+    diagram = drawn_diagram(plan, issued.variant.given, words, _NARROW if dense else WIDEST)
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
         "variant": issued.variant.id,
         "control": issued.signature[:_CONTROL_LETTERS],
         "seal": picture(seal_svg(seal_of(issued, course.id))),
-        "diagram": drawn_diagram(plan, issued.variant.given, words),
+        "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
         "data": given_data(plan.givens, issued.variant.given, words),
         "constants": given_data(plan.constants, issued.variant.given, words),
+        "dense": dense or _is_high(diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
         "rules": [words.say(sentence) for sentence in _rules(plan, policy, words)],
     }
+
+
+def _listed(plan: Plan) -> int:
+    """Count the quantities on the sheet."""
+    return sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
+
+
+def _is_high(diagram: Drawn | None) -> bool:
+    """Tell whether a diagram takes much height for itself."""
+    return diagram is not None and not diagram.beside and diagram.height > _HIGH
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
@@ -145,21 +162,25 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
                 yield label[:1].upper() + label[1:], choice.title.of(words.language)
 
 
-def drawn_diagram(plan: Plan, values: Mapping[str, float], words: Words) -> Drawn | None:
+def drawn_diagram(
+    plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
+) -> Drawn | None:
     """Return the diagram of a variant for a page; None where there is none.
 
     Args:
         plan: of the variant's scheme and options.
         values: in declared units; the givens at least.
         words: the language of the symbols.
+        widest: mm that it may take of the page's width.
     """
-    diagram = kinematic_diagram(plan, values, words.language)
+    diagram = kinematic_diagram(plan, values, words.language, widest)
     if diagram is None:
         return None
     return Drawn(
         address=picture(diagram.svg()),
         text=diagram.title,
         width=round(diagram.width, 2),
+        height=round(diagram.height, 2),
         beside=diagram.width <= _NARROW,
         moves=plan.scheme.kinematics is not None,
     )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.document import TEXT_HEIGHT, LineKind, dxf_bytes, new_document
-from gripcourse.drawing.layout import Layout, lay_out
+from gripcourse.drawing.layout import WIDEST, Layout, lay_out
 from gripcourse.drawing.letters import DROP, SUBSCRIPT, Written
 from gripcourse.drawing.marks import Arc, Fill, Mark, Path, Ring, is_circle
 from gripcourse.drawing.svg import svg_text
@@ -48,7 +48,7 @@ class KinematicDiagram:
 
 
 def kinematic_diagram(
-    plan: Plan, values: Mapping[str, float], language: str
+    plan: Plan, values: Mapping[str, float], language: str, widest: float = WIDEST
 ) -> KinematicDiagram | None:
     """Draw a variant's kinematic diagram.
 
@@ -59,12 +59,13 @@ def kinematic_diagram(
         plan: of the scheme with the variant's options.
         values: of quantities in declared units; the givens at least, what is missing is computed.
         language: of the symbols and of the title.
+        widest: mm that it may take of the page's width.
 
     Returns:
-        The diagram, at most 170 × 95 mm; None where the scheme declares none, or where the numbers
+        The diagram, at most 95 mm high; None where the scheme declares none, or where the numbers
         give its joints no place.
     """
-    layout = lay_out(plan, values, language)
+    layout = lay_out(plan, values, language, widest)
     if layout is None:
         return None
     document = new_document(language)

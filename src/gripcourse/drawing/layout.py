@@ -84,13 +84,16 @@ class Layout:
     height: float
 
 
-def lay_out(plan: Plan, values: Mapping[str, float], language: str) -> Layout | None:
+def lay_out(
+    plan: Plan, values: Mapping[str, float], language: str, widest: float = WIDEST
+) -> Layout | None:
     """Lay out the diagram of a variant.
 
     Args:
         plan: of the scheme with the variant's options.
         values: of quantities in declared units; what is missing is computed.
         language: of the symbols.
+        widest: mm that it may take of the page's width; `HIGHEST` of its height.
 
     Returns:
         The layout; None where the scheme declares no diagram, or where the numbers give its joints
@@ -103,18 +106,18 @@ def lay_out(plan: Plan, values: Mapping[str, float], language: str) -> Layout | 
     if not is_placed(stops.values()):
         return None
     found = None
-    for scale in _thinkable(stops):
+    for scale in _thinkable(stops, widest):
         marks = _marks(plan, diagram, stops, scale, language)
         size = bounds(marks)
-        if size.right - size.left > WIDEST or size.high - size.low > HIGHEST:
+        if size.right - size.left > widest or size.high - size.low > HIGHEST:
             continue
-        found = _with_letters(marks, scale)
-        if found.width <= WIDEST and found.height <= HIGHEST:
+        found = _with_letters(marks, scale, widest)
+        if found.width <= widest and found.height <= HIGHEST:
             break
     return found
 
 
-def _thinkable(stops: Mapping[str, Stop]) -> Iterator[float]:
+def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
     """Yield the scales at which at least the joints fit, the largest first; the last in any case."""
     points = [point for stop in stops.values() for point in stop.points.values()]
     wide, high = (
@@ -122,16 +125,16 @@ def _thinkable(stops: Mapping[str, Stop]) -> Iterator[float]:
         for axis in (0, 1)
     )
     for scale in SCALES:
-        if (wide * scale <= WIDEST and high * scale <= HIGHEST) or scale == SCALES[-1]:
+        if (wide * scale <= widest and high * scale <= HIGHEST) or scale == SCALES[-1]:
             yield scale
 
 
-def _with_letters(marks: list[Mark], scale: float) -> Layout:
+def _with_letters(marks: list[Mark], scale: float, widest: float) -> Layout:
     """Place the letters, and everything on the smallest sheet that holds it."""
     drawn = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
     size = bounds(drawn)
-    room = (WIDEST - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
+    room = (widest - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
     sheet = Box(size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1])
     written = write_letters(letters, lines_of(drawn), sheet.wider(-_MARGIN))
     boxes = [size, *(one.box for one in written)]
