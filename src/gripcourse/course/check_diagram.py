@@ -78,9 +78,7 @@ def _dimensions(scheme: Scheme, quantities: Mapping[str, Quantity]) -> dict[str,
     motion = scheme.kinematics
     if motion is not None and known_unit(motion.unit):
         known[motion.drive] = dimension(motion.unit)
-        known |= {
-            one.id: dimension(one.unit) for one in motion.coordinates if known_unit(one.unit)
-        }
+        known |= {one.id: dimension(one.unit) for one in motion.coordinates if known_unit(one.unit)}
     return known
 
 

@@ -1,6 +1,6 @@
 """The picture of a scheme, as its author declares it: which symbols stand at which joints.
 
-`diagram.toml` beside a scheme's declarations lists elements of a fixed vocabulary (`diagram_words`).
+`diagram.toml` beside a scheme's declarations lists elements of a vocabulary (`diagram_words`).
 An element names joints of the kinematics or points of its own, sizes as formulas, and the quantity
 whose symbol is written beside it. How an element looks is the business of `drawing`.
 """
@@ -83,9 +83,7 @@ def read_diagram(folder: Path, root: Path, problems: list[Problem]) -> Diagram |
     return Diagram(
         axis=_one_of(table, "axis", ("x", "y")),
         points={name: _pair(points, name) for name in points.values} if points else {},
-        elements=tuple(
-            one for one in map(_element, table.tables("element")) if one is not None
-        ),
+        elements=tuple(one for one in map(_element, table.tables("element")) if one is not None),
         file=table.file,
     )
 
@@ -102,9 +100,7 @@ def _element(table: Table) -> Element | None:
     of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}
     sizes = of[Sort.LENGTH] | of[Sort.ANGLE] | of[Sort.NUMBER]
     written = {name: role for name, role in sizes.items() if table.has(name) or _has(role)}
-    quantities = [
-        table.text(name, role.default) for name, role in of[Sort.QUANTITY].items()
-    ]
+    quantities = [table.text(name, role.default) for name, role in of[Sort.QUANTITY].items()]
     return Element(
         kind=kind,
         points={name: (table.text(name),) for name in of[Sort.POINT]}

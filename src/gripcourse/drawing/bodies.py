@@ -6,8 +6,9 @@ from typing import Final
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.joints import JOINT, edge, line_of
-from gripcourse.drawing.marks import Letter, Mark, Path, Point, Ring, circle, place, polar
+from gripcourse.drawing.marks import Letter, Mark, Path, Ring, circle, place, polar
 from gripcourse.drawing.places import Shape
+from gripcourse.drawing.text import Point
 
 _CROSS: Final = 2.0  # how far the axes of an object reach over its edge
 _PRISM_BACK: Final = 0.35  # of the length of a face: how thick a prism is behind its apex

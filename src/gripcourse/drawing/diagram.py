@@ -16,7 +16,7 @@ from gripcourse.words import Words, message
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import Modelspace
+    from ezdxf.layouts.layout import Modelspace
 
 _TRIANGLE = 3
 

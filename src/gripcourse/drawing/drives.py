@@ -6,17 +6,9 @@ from typing import Final
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.joints import JOINT, hatching
-from gripcourse.drawing.marks import (
-    Mark,
-    Path,
-    Point,
-    angle_of,
-    between,
-    circle,
-    place,
-    polar,
-)
+from gripcourse.drawing.marks import Mark, Path, angle_of, between, circle, place, polar
 from gripcourse.drawing.places import Shape
+from gripcourse.drawing.text import Point
 
 _HALF: Final = 4.2  # of the height of a cylinder
 _PISTON: Final = 1.8  # length of the piston

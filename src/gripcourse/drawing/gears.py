@@ -6,16 +6,7 @@ from typing import Final
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.joints import JOINT, edge
-from gripcourse.drawing.marks import (
-    Arc,
-    Mark,
-    Path,
-    Point,
-    angle_of,
-    between,
-    place,
-    polar,
-)
+from gripcourse.drawing.marks import Arc, Mark, Path, angle_of, between, place, polar
 from gripcourse.drawing.places import Shape
 
 _LEAST_MODULE: Final = 0.7  # mm of paper
@@ -25,7 +16,8 @@ _TOOTH: Final = ((0.0, -_ROOT), (0.15, -_ROOT), (0.35, 1.0), (0.65, 1.0), (0.85,
 _BACK: Final = 2.0  # modules of a rack behind its pitch line, at least
 _THREAD: Final = 2.2  # pitch of the drawn thread
 _THREAD_LINE: Final = 0.8  # of its width
-_COILS: Final = 7
+_COILS: Final = 8
+_COIL: Final = 1.3  # radius of a spring
 
 
 def _module(shape: Shape) -> float:
@@ -107,8 +99,8 @@ def spring(shape: Shape) -> Iterator[Mark]:
     """Draw a helical spring between two points."""
     start, end = shape.through[0], shape.through[-1]
     turn = angle_of(start, end)
-    points: list[Point] = [start]
-    for k in range(_COILS):
-        points.append(polar(between(start, end, (k + 1) / (_COILS + 1)), 1.3,
-                            turn + math.pi / 2 * (-1) ** k))  # fmt: skip
-    yield Path((*points, end), LineKind.THIN)
+    coils = (
+        polar(between(start, end, (k + 1) / (_COILS + 1)), _COIL, turn + math.pi / 2 * (-1) ** k)
+        for k in range(_COILS)
+    )
+    yield Path((start, *coils, end), LineKind.THIN)

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.marks import Arc, Fill, Mark, Path, Point, Ring, angle_of, place, polar
+from gripcourse.drawing.marks import Arc, Fill, Mark, Path, Ring, angle_of, place, polar
 from gripcourse.drawing.places import Shape
+from gripcourse.drawing.text import Point
 
 JOINT: Final = 1.1  # radius of the ring of a joint
 _SMALL_JOINT: Final = 0.8  # where it is another position
@@ -39,7 +40,7 @@ def link(shape: Shape) -> Iterator[Mark]:
 
 
 def _corner(at: Point, first: float, gap: float) -> Fill:
-    """Return the black corner between two arms; of nearly straight ones, on one side of the joint."""
+    """Return the black corner between two arms; of nearly straight ones, beside the joint."""
     middle = first + gap / 2
     outer = max(_BULGE, _CORNER * math.cos(gap / 2))
     return Fill(
@@ -107,7 +108,7 @@ def guide(shape: Shape) -> Iterator[Mark]:
         ends = place(((-side * long, side * gap), (side * long, side * gap)), shape.at,
                      shape.angles["turn"])  # fmt: skip
         yield Path(ends, LineKind.OUTLINE)
-        yield from hatching(*ends, "left")
+        yield from hatching(ends[0], ends[1], "left")
 
 
 def ground(shape: Shape) -> Iterator[Mark]:

@@ -9,8 +9,9 @@ from gripcourse.course.diagram import Diagram, Element
 from gripcourse.drawing import bodies, drives, gears, joints, measures
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.letters import Box, Written, bounds, lines_of, write_letters
-from gripcourse.drawing.marks import Letter, Mark, Path, Point, cut_at_rings, mirrored, shifted
+from gripcourse.drawing.marks import Letter, Mark, Path, cut_at_rings, mirrored, shifted
 from gripcourse.drawing.places import MILLIMETRES, Shape, Stop, is_placed, shape_of, stops_of
+from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
 
 Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
@@ -118,7 +119,7 @@ def lay_out(
 
 
 def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
-    """Yield the scales at which at least the joints fit, the largest first; the last in any case."""
+    """Yield the scales at which the joints fit, the largest first; the last in any case."""
     points = [point for stop in stops.values() for point in stop.points.values()]
     wide, high = (
         (max(one[axis] for one in points) - min(one[axis] for one in points)) * MILLIMETRES

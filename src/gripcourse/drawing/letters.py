@@ -3,22 +3,23 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.drawing.document import TEXT_HEIGHT, LineKind
-from gripcourse.drawing.marks import Fill, Letter, Mark, Path, Point, chain
-from gripcourse.drawing.text import text_width
+from gripcourse.drawing.marks import Fill, Letter, Mark, Path, chain
+from gripcourse.drawing.text import Point, text_width
 
 SUBSCRIPT: Final = 2.5  # mm, height of capital letters (GOST 2.304)
 DROP: Final = 1.1  # of a subscript below the line
 _DESCENT: Final = 0.9  # of letters with a tail
 _GAP: Final = 0.5  # between a letter and what is near it
 _DISTANCES: Final = (0.4, 1.6, 3.2, 5.2, 8.0, 12.0)
-_DIRECTIONS: Final = tuple(math.radians(one) for one in (90, 270, 0, 180, 45, 135, 225, 315,
-                                                         67, 112, 247, 292, 22, 157, 202, 337))  # fmt: skip
+_DEGREES: Final = (90, 270, 0, 180, 45, 135, 225, 315, 67, 112, 247, 292, 22, 157, 202, 337)
+_DIRECTIONS: Final = tuple(map(math.radians, _DEGREES))  # the best first
 _LIGHT: Final = 0.3  # how much an axis under a letter counts
 _COVERED: Final = 40.0  # how much a square millimetre of another letter counts
 _FAR: Final = 0.25  # how much a millimetre of distance counts
@@ -101,7 +102,7 @@ def lines_of(marks: Iterable[Mark]) -> Lines:
     for mark in marks:
         points = chain(mark)
         light = isinstance(mark, Path) and mark.line is LineKind.CENTRE
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             rows.append((*a, *b))
             weights.append(_LIGHT if light else 1.0)
         if isinstance(mark, Fill):
@@ -163,9 +164,7 @@ def _candidates(
             yield distance, [_box_beside(x, y, turn, distance, size) for turn in _DIRECTIONS]
 
 
-def _box_beside(
-    x: float, y: float, turn: float, distance: float, size: tuple[float, float]
-) -> Box:
+def _box_beside(x: float, y: float, turn: float, distance: float, size: tuple[float, float]) -> Box:
     """Return the box that touches a point from a side, at a distance."""
     cos, sin = math.cos(turn), math.sin(turn)
     half, tall = size[0] / 2, size[1] / 2

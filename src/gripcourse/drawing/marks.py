@@ -6,6 +6,7 @@ Everything is in millimetres of paper, x along the gripper's axis, y upwards, an
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TypeAlias
 
 from gripcourse.drawing.document import LineKind
@@ -98,9 +99,7 @@ def between(start: Point, end: Point, share: float = 0.5) -> Point:
 def place(shape: Iterable[Point], origin: Point, turn: float) -> tuple[Point, ...]:
     """Turn a shape about its own origin and put it where it belongs."""
     cos, sin = math.cos(turn), math.sin(turn)
-    return tuple(
-        (origin[0] + x * cos - y * sin, origin[1] + x * sin + y * cos) for x, y in shape
-    )
+    return tuple((origin[0] + x * cos - y * sin, origin[1] + x * sin + y * cos) for x, y in shape)
 
 
 def mirrored(mark: Mark) -> Mark:
@@ -156,7 +155,7 @@ def cut_at_rings(marks: Iterable[Mark]) -> Iterator[Mark]:
 
 def _cut(path: Path, rings: Iterable[Ring]) -> Iterator[Path]:
     points = chain(path)
-    for start, end in zip(points, points[1:], strict=False):
+    for start, end in pairwise(points):
         for a, b in _outside(start, end, rings):
             yield Path((a, b), path.line)
 

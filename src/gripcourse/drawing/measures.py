@@ -5,19 +5,9 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.marks import (
-    Arc,
-    Fill,
-    Letter,
-    Mark,
-    Path,
-    Point,
-    angle_of,
-    between,
-    place,
-    polar,
-)
+from gripcourse.drawing.marks import Arc, Fill, Letter, Mark, Path, angle_of, between, place, polar
 from gripcourse.drawing.places import Shape
+from gripcourse.drawing.text import Point
 
 _HEAD: Final = (3.0, 0.55)  # length and half width of the arrow of a dimension
 _FORCE_HEAD: Final = (3.2, 1.0)
@@ -75,7 +65,9 @@ def length(shape: Shape) -> Iterator[Mark]:
             beyond = polar(foot, _OVER, angle_of(one, foot))
             yield Path((one, beyond), LineKind.DIMENSION)
     yield from _arrows(feet[0], feet[1])
-    yield Letter(shape.symbol, tuple(between(*feet, share) for share in (0.5, 0.35, 0.65, 0, 1)))
+    yield Letter(
+        shape.symbol, tuple(between(feet[0], feet[1], share) for share in (0.5, 0.35, 0.65, 0, 1))
+    )
 
 
 def _moved(point: Point, normal: Point, distance: float) -> Point:

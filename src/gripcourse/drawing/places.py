@@ -9,7 +9,7 @@ import numpy as np
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
 from gripcourse.course.kinematics import POSITIONS
-from gripcourse.drawing.marks import Point
+from gripcourse.drawing.text import Point
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.motion import Array, coordinates, drive_at
@@ -100,10 +100,9 @@ def _stop(plan: Plan, diagram: Diagram, solved: Mapping[str, Array], position: s
         for one in element.points.values()
         for name in one
     }
-    for name, pair in diagram.points.items():
+    for name, (x, y) in diagram.points.items():
         if name in drawn:
-            x, y = (_number(plan, one, "mm", values) for one in pair)
-            points[name] = x, y
+            points[name] = _number(plan, x, "mm", values), _number(plan, y, "mm", values)
     return Stop(points, values)
 
 
@@ -143,9 +142,7 @@ def shape_of(
             role: tuple(on_paper(one[0], where) for where in POSITIONS)
             for role, one in element.points.items()
         },
-        lengths={
-            role: length * MILLIMETRES * scale for role, length in sizes[Sort.LENGTH].items()
-        },
+        lengths={role: length * MILLIMETRES * scale for role, length in sizes[Sort.LENGTH].items()},
         angles=sizes[Sort.ANGLE],
         numbers=sizes[Sort.NUMBER],
         symbol="" if quantity is None else quantity.symbol.of(language),
