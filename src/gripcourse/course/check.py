@@ -52,7 +52,7 @@ def check_course(course: Course) -> list[Problem]:
             found += _check_symbols(scheme, quantities, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_kinematics(scheme, quantities)
-                found += check_diagram(scheme, quantities, options)
+                found += check_diagram(scheme, quantities, options, seen)
         found += check_diagram_use(scheme)
         found += check_example(course, scheme)
     found += _check_used_parts(course)

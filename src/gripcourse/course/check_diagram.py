@@ -18,7 +18,10 @@ _UNITS = {Sort.LENGTH: "mm", Sort.ANGLE: "deg", Sort.NUMBER: ""}
 
 
 def check_diagram(
-    scheme: Scheme, quantities: Mapping[str, Quantity], options: Mapping[str, str]
+    scheme: Scheme,
+    quantities: Mapping[str, Quantity],
+    options: Mapping[str, str],
+    seen: set[object],
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme's diagram.
 
@@ -26,10 +29,12 @@ def check_diagram(
         scheme: with its diagram, if it has one.
         quantities: of the scheme composed with `options`.
         options: that decide which elements are drawn.
+        seen: what compositions that were checked gave the diagram; equal ones need one look.
     """
     diagram = scheme.diagram
-    if diagram is None:
+    if diagram is None or (facts := _facts(scheme.id, diagram, quantities, options)) in seen:
         return
+    seen.add(facts)
     known = _dimensions(scheme, quantities)
     joints = {*diagram.points, *(scheme.kinematics.points if scheme.kinematics else ())}
     drawn = [one for one in diagram.elements if one.is_drawn(options)]
@@ -46,6 +51,18 @@ def check_diagram(
             what = message("There is no quantity '{name}'.", name=element.quantity)
             remedy = did_you_mean(element.quantity, quantities)
             yield Problem(diagram.file, f"{element.key}.quantity", what, remedy)
+
+
+def _facts(
+    scheme: str, diagram: Diagram, quantities: Mapping[str, Quantity], options: Mapping[str, str]
+) -> object:
+    """Return all that a diagram takes from a composition: what is drawn, and units of names."""
+    formulas = [formula for pair in diagram.points.values() for formula in pair]
+    formulas += [formula for element in diagram.elements for formula in element.sizes.values()]
+    used = [name for formula in formulas for name in formula.names]
+    used += [element.quantity for element in diagram.elements]
+    units = tuple(quantities[name].unit if name in quantities else None for name in used)
+    return scheme, units, tuple(element.is_drawn(options) for element in diagram.elements)
 
 
 def check_diagram_use(scheme: Scheme) -> Iterator[Problem]:
