@@ -144,6 +144,23 @@ class TestHappyPaths:
         assert "%" in run.out
         assert gripcourse("solve", "002", "--table", table).code == 0
 
+    def test_an_audit_says_with_its_exit_code_whether_somebody_must_look(
+        self, gripcourse: Command, tmp_path: Path
+    ) -> None:
+        table, out = tmp_path / "drawn.csv", tmp_path / "audit"
+        drawing = ("variants", "draw", "--count", 4, "--seed", 1, "--scheme", "wedge_slide")
+        gripcourse(*drawing, "--out", table)
+        sound = gripcourse("variants", "audit", "--table", table, "--out", out)
+        assert (sound.code, sound.err) == (cli.DONE, "")
+        assert "The table keeps all rules." in sound.out
+        assert str(out / "certificate.pdf") in sound.out
+        head, first, *rest = table.read_text(encoding="utf-8-sig").splitlines()
+        twin = ",".join(["twin", *first.split(",")[1:]])
+        table.write_text("\n".join([head, first, *rest, twin]) + "\n", encoding="utf-8")
+        doubled = gripcourse("variants", "audit", "--table", table, "--out", out)
+        assert doubled.code == cli.NEEDS_PERSON
+        assert "2 are too near to another variant." in doubled.out
+
     def test_an_imported_table_is_counted(self, gripcourse: Command, tmp_path: Path) -> None:
         drawn, out = tmp_path / "drawn.csv", tmp_path / "own.csv"
         gripcourse("variants", "draw", "--count", 3, "--seed", 1, "--out", drawn)
@@ -364,3 +381,19 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_pa
     assert looked_at.code == cli.NEEDS_PERSON
     assert "issued_to_other" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
+
+
+def test_numbers_are_traced_to_a_variant_of_the_table(gripcourse: Command) -> None:
+    run = gripcourse("trace", "280", "24,9", "228", "7,87")
+    assert run.code == 0
+    assert "006" in run.out.splitlines()[3]
+    assert "drive_force" in run.out
+
+
+def test_what_is_no_number_cannot_be_traced(gripcourse: Command) -> None:
+    run = gripcourse("trace", "12-13", "--quantity", "drive_forc=5")
+    assert run.code == 2
+    assert len(run.problems) == 2
+    both = gripcourse("trace", "12", "--table", "a.csv", "--issued", ".")
+    assert both.code == 2
+    assert "exclude each other" in both.err

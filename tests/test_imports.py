@@ -27,18 +27,23 @@ LEVELS = (
     ("pdf",),
     ("course",),
     ("solver",),
+    # Points and bands are counted before anything is judged: the audit of variants needs them too.
+    ("marking",),
+    ("slips",),
     ("variants",),
     ("drawing", "workbook"),
     ("submission",),
     # What was issued and what is judged meet only in the values of `variants.model`.
     ("assignment", "grading"),
     ("gradebook",),
+    ("likeness",),
     ("cohort",),
     ("report", "lms", "reference"),
     ("init",),
     ("commands",),
     ("cli_text",),
     ("cli_options",),
+    ("cli_variants", "cli_trace"),
     ("cli",),
     ("__main__",),
 )

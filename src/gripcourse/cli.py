@@ -12,9 +12,13 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_text
+from gripcourse import cli_text, cli_trace, cli_variants
 from gripcourse.cli_options import (
+    DONE,
+    NEEDS_PERSON,
+    OUR_MISTAKE,
     PROCESSORS,
+    WRONG_USE,
     CourseOption,
     DateOption,
     LanguageOption,
@@ -34,16 +38,14 @@ from gripcourse.words import Words, message
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-DONE, NEEDS_PERSON, WRONG_USE, OUR_MISTAKE = 0, 1, 2, 3
-
 app = typer.Typer(
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     help="Course assignments for robot gripper design: issue variants, check, grade, report.",
 )
-variants_app = typer.Typer(no_args_is_help=True, help="Variant tables: draw or import.")
-app.add_typer(variants_app, name="variants")
+app.add_typer(cli_variants.app, name="variants")
+app.command()(cli_trace.trace)
 
 
 @app.command()
@@ -106,43 +108,6 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         typer.echo(command.solution_json(solved))
     if not (pdf or xlsx or json):
         typer.echo(cli_text.solution_table(solved, words))
-
-
-@variants_app.command("draw")
-def variants_draw(
-    *,
-    count: Annotated[int, typer.Option(min=1, max=100_000, help="How many variants.")],
-    seed: Annotated[int, typer.Option(min=0, help="The same seed gives the same table.")],
-    scheme: Annotated[str | None, typer.Option(help="Only this scheme.")] = None,
-    out: Annotated[Path, typer.Option("--out", help="CSV file to write.")] = Path("variants.csv"),
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Draw feasible variants from the course's spaces into a table."""
-    from gripcourse.commands.variants import draw_table
-    from gripcourse.course.load import load_course
-
-    words = words_for(language)
-    drawn = draw_table(load_course(course_folder(course)), count, seed, scheme, out)
-    typer.echo(cli_text.drawn_text(drawn, out, words))
-
-
-@variants_app.command("import")
-def variants_import(
-    source: Annotated[Path, typer.Argument(help="An instructor's own table, xlsx or csv.")],
-    *,
-    out: Annotated[Path, typer.Option("--out", help="CSV file to write.")] = Path("variants.csv"),
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Check an instructor's own table and write it in the form that the other commands read."""
-    from gripcourse.commands.variants import import_table
-    from gripcourse.course.load import load_course
-
-    words = words_for(language)
-    count = import_table(load_course(course_folder(course)), source, out)
-    said = message("{count} variants were written to {file}.", count=count, file=str(out))
-    typer.echo(words.say(said))
 
 
 @app.command()

@@ -12,6 +12,9 @@ import typer
 from gripcourse import cli_text
 from gripcourse.words import LANGUAGES, Words, message
 
+# What a command says with its exit code; see `cli`.
+DONE, NEEDS_PERSON, WRONG_USE, OUR_MISTAKE = 0, 1, 2, 3
+
 CourseOption = Annotated[
     Path | None,
     typer.Option(

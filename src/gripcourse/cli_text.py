@@ -16,6 +16,7 @@ from gripcourse.words import Message, Texts, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from gripcourse.commands.audit import Audited
     from gripcourse.commands.check import Checked
     from gripcourse.commands.demo import Demo
     from gripcourse.commands.grade import Outcome
@@ -87,7 +88,7 @@ def solution_table(solved: "Solved", words: Words) -> str:
         )
         for quantity in (*plan.constants, *plan.givens, *plan.answered)
     ]
-    return _table(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
+    return table_text(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
 
 
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
@@ -110,8 +111,37 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
                 )
             )
         )
-        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in tally.refusals[:5]]
+        refusals = (*tally.refusals[:5], *tally.set_aside)
+        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in refusals]
     return "\n".join(lines)
+
+
+def audit_text(audited: "Audited", words: Words) -> str:
+    """Return how many variants break which rule, and where the certificate is."""
+    found = audited.audit
+    share = float(found.apart.whole.share.max(initial=0.0))
+    said = [
+        message("{count} variants of {file} were checked.", count=len(found.variants),
+                file=str(audited.table)),
+        message("{count} break a rule of their space.",
+                count=sum(bool(one.broken) for one in found.variants)),
+        message("{count} have a slip that gives nearly the right result.",
+                count=sum(bool(one.slips) for one in found.variants)),
+        message("{count} have a size at the edge of its step.",
+                count=sum(bool(one.edges) for one in found.variants)),
+        message("{count} are too near to another variant.",
+                count=sum(one.above for one in found.variants)),
+        message("At most {share} % of the points of computed quantities are shared.",
+                share=round(100 * share, 1)),
+        message("The longest assignment has {ratio} times as many answers as the shortest.",
+                ratio=round(found.ratio, 2)),
+    ]  # fmt: skip
+    verdict = (
+        message("The table keeps all rules.")
+        if found.passed
+        else message("The table does not keep all rules.")
+    )
+    return "\n".join([*(words.say(one) for one in (*said, verdict)), *map(str, audited.written)])
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
@@ -148,7 +178,7 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
         message("points"),
         message("flags"),
     )
-    lines = [_table([words.say(head) for head in heads], rows, right={3})]
+    lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
         f"{Path(one.file).name}: {words.say(flag.message)}"
         for one in outcome.reports
@@ -165,10 +195,14 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
 
 def check_text(checked: "Checked", words: Words) -> str:
     """Return what a student learns about a workbook."""
+    from gripcourse.submission.model import Reading
+
     rows = []
     for check in checked.checks:
         quantity = checked.plan.quantities[check.quantity]
         said = " ".join(words.say(one) for one in (check.message, *check.remarks))
+        if check.answer.reading is Reading.UNREADABLE:
+            said = f"{check.answer.cell}: {said}"
         typed = check.answer.typed
         rows.append(
             (
@@ -182,7 +216,7 @@ def check_text(checked: "Checked", words: Words) -> str:
     heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return "\n".join([*lines, _table(named, rows, right={2})])
+    return "\n".join([*lines, table_text(named, rows, right={2})])
 
 
 def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
@@ -207,7 +241,7 @@ def demo_text(demo: "Demo", words: Words) -> str:
         told = words.say(TOLD[story])
         rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
-    lines = [_table([words.say(head) for head in heads], rows, right={2}), ""]
+    lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
     for said, place in (
         (message("Course with its key and register"), demo.course),
         (message("Assignments, a folder per student"), demo.assignments),
@@ -238,7 +272,8 @@ def _unit(unit: str, words: Words) -> str:
     return unit_text(unit, words.language)
 
 
-def _table(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+    """Lay out a table; `right` are the columns that stand at the right."""
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table

@@ -5,7 +5,7 @@ Characters are mapped one by one, not by Unicode's compatibility forms, which tu
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.words import Message, message
 
@@ -31,10 +31,11 @@ _TIMES = "*xXхХ"  # Latin and Cyrillic
 _SUPERSCRIPTS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _FROM_SUPERSCRIPT = str.maketrans(_SUPERSCRIPTS, "+-" + _DIGITS)
 _LONGEST_SYMBOL = 20  # of `D_max = 12`
+_CALCULATED = "πΠ√∞½¼¾⅓"  # behind a number they multiply it or add to it
 
 _NO_NUMBER = message("The cell does not begin with a number.")
 _SEVERAL = message("One number is needed, not a range, several numbers or a calculation.")
-_DATE = message("This looks like a date; one number is needed.")
+A_DATE = message("This looks like a date; one number is needed.")
 _GROUPS = message("The points and commas do not make one number.")
 _FORMULA = message(
     "A formula was typed into a cell that holds text. Set the cell's format to General and type "
@@ -47,6 +48,19 @@ _SYMBOL_LEFT_OUT = message("The symbol before the number was left out; type the 
 
 
 @dataclass(frozen=True, slots=True)
+class Figures:
+    """How many significant figures were typed.
+
+    Attributes:
+        least: that are certain; zeros at the end of a whole number may only fill its places.
+        most: that it can have been; None for no bound, where zeros may have been lost.
+    """
+
+    least: int
+    most: int | None
+
+
+@dataclass(frozen=True, slots=True)
 class NumberRead:
     """A number that was understood.
 
@@ -55,12 +69,14 @@ class NumberRead:
         half_unit: half a unit of the last typed digit.
         unit: what stands behind the number, as it was typed; empty for nothing.
         remarks: what had to be decided to read it.
+        figures: as typed; None where that says nothing: a zero, a bare power of ten.
     """
 
     value: float
     half_unit: float
     unit: str
     remarks: tuple[Message, ...]
+    figures: Figures | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +127,7 @@ def _read(plain: str) -> NumberRead:
         if plain.startswith("="):
             raise _NotANumber(_FORMULA) from None
         raise
-    return NumberRead(read.value, read.half_unit, read.unit, (*remarks, *read.remarks))
+    return replace(read, remarks=(*remarks, *read.remarks))
 
 
 def _without_prefix(text: str) -> tuple[str, tuple[Message, ...]]:
@@ -138,7 +154,14 @@ def _read_bare(text: str) -> NumberRead:
     half_unit = 0.0 if exact else float(f"5e{last - 1}")
     if math.isinf(value) or math.isinf(half_unit) or (value == 0 and mantissa.strip("0")):
         raise _NotANumber(_OUT_OF_RANGE)
-    return NumberRead(value, half_unit, _unit(tail), _about_separators(digits, value))
+    remarks = _about_separators(digits, value)
+    return NumberRead(value, half_unit, _unit(tail), remarks, None if exact else _figures(digits))
+
+
+def _figures(digits: _Digits) -> Figures | None:
+    typed = digits.text.lstrip("0")
+    certain = typed if digits.decimals else typed.rstrip("0")
+    return Figures(len(certain), len(typed)) if typed else None
 
 
 def _take(text: str, allowed: str) -> tuple[str, str]:
@@ -180,7 +203,7 @@ def _only_groups(joined: str, separator: str) -> _Digits:
     """Read `1.250.000`; two signs that do not part groups look like a date."""
     pieces = joined.split(separator)
     is_date = len(pieces) == _GROUP and all(pieces)
-    digits = _join_groups(pieces, _DATE if is_date else _SEVERAL)
+    digits = _join_groups(pieces, A_DATE if is_date else _SEVERAL)
     return _Digits(digits, 0, (_groups_remark(),))
 
 
@@ -221,12 +244,13 @@ def _exponent(digits: _Digits, rest: str) -> tuple[int, str]:
     if rest[:1] and rest[0] in _EXPONENT_LETTERS:
         sign, unsigned = _sign(rest[1:])
         exponent, tail = _take(unsigned, _DIGITS)
-        if exponent and not tail[:1].isalpha():
+        if exponent:
             return int(sign + exponent), tail
     if rest[:1] and rest[0] in _TIMES:
         ten = rest[1:].lstrip(" ")
-        if ten.startswith("10") and _starts_power(ten[2:]):
-            return _power(ten[2:])
+        power = ten[2:].lstrip(" ")
+        if ten.startswith("10") and _starts_power(power):
+            return _power(power)
     return 0, rest
 
 
@@ -263,7 +287,7 @@ def _unit(tail: str) -> str:
     unit = tail.strip(" ")
     if not unit:
         return ""
-    if not (unit[0].isalpha() or unit[0] in "%‰°º˚′″'\"\u00b5[("):
+    if not (unit[0].isalpha() or unit[0] in "%‰°º˚′″'\"\u00b5[(") or unit[0] in _CALCULATED:
         raise _NotANumber(_SEVERAL)
     if unit[0] in _TIMES and unit[1:].lstrip()[:1].isdigit():  # 12x13
         raise _NotANumber(_SEVERAL)

@@ -127,3 +127,15 @@ def test_a_workbook_of_a_scheme_that_the_course_has_not_is_refused(
         book[sheet][address] = "four_bar"
     book.save(file)
     assert "four_bar" in refusal(issued, file)
+
+
+def test_an_answer_that_cannot_be_read_is_named_with_its_cell(
+    issued: "Classroom", slipped: Path
+) -> None:
+    book = load_workbook(slipped)
+    [(sheet, address)] = book.defined_names["answer.drive_force"].destinations
+    book[sheet][address.replace("$", "")] = "12-13 Н"
+    book.save(slipped)
+    shown = check_text(check_file(slipped, issued.course, issued.policy), Words("en"))
+    told = " ".join(line[-60:] for line in shown.splitlines())
+    assert address.replace("$", "") in told

@@ -143,7 +143,7 @@ class TestResults:
         assert float(rows["s01"]["percent"]) == 100
         assert 80 < float(rows["s02"]["percent"]) < 100
         assert float(rows["s03"]["percent"]) < 50
-        assert rows["s03"]["flags"] == "issued_to_other; same_bytes"
+        assert rows["s03"]["flags"] == "issued_to_other; same_bytes; other_variant; same_answers"
         assert rows["s01"]["flags"] == "same_bytes"
         assert rows["s02"]["group"] == "РТК-41"
 

@@ -8,9 +8,9 @@ import pytest
 
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
-from gripcourse.grading.bands import band
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
+from gripcourse.marking.bands import band
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.variants.model import Issued, Student, Variant

@@ -23,7 +23,7 @@ from gripcourse.formula.tree import (
     Operator,
     children,
 )
-from gripcourse.grading.bands import band, within
+from gripcourse.marking.bands import band, within
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, choose, reference_rounding, solve_variant
 from gripcourse.units import factor

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate
-from gripcourse.grading.bands import band, within
+from gripcourse.marking.bands import band, within
 from gripcourse.solver.solve import choose
 from gripcourse.units import factor
 

@@ -11,6 +11,7 @@ from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.course.policy import Policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report
+from gripcourse.grading.rounding import figure_half_unit
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
@@ -201,3 +202,15 @@ def computed(case: Case) -> tuple[str, ...]:
 def read_answer() -> object:
     """Make an answer as it is read from a cell: `read_answer(quantity, written, unit_fits=…)`."""
     return answer
+
+
+@pytest.fixture(scope="session")
+def typed() -> object:
+    """Make an answer that was typed with so many significant figures: `typed(name, value, 4)`."""
+
+    def make(quantity: str, value: float, figures: int) -> Answer:
+        rounded = float(f"{value:.{figures - 1}e}")
+        half_unit = figure_half_unit(rounded, figures)
+        return replace(answer(quantity, rounded), half_unit=half_unit)
+
+    return make

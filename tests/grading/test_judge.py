@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gripcourse.course.model import Kind
-from gripcourse.grading.bands import band
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Outcome
+from gripcourse.marking.bands import band
 
 if TYPE_CHECKING:
     from conftest import Case

@@ -8,8 +8,8 @@ import pytest
 
 from gripcourse.course.model import Quantity, Slip
 from gripcourse.formula.evaluate import evaluate
-from gripcourse.grading.bands import band, within
 from gripcourse.grading.model import Against, Finding, Outcome
+from gripcourse.marking.bands import band, within
 from gripcourse.solver.solve import to_si
 from gripcourse.submission.model import Answer
 from gripcourse.units import factor

@@ -76,12 +76,20 @@ class Returned:
 
     def stored(self, number: str) -> tuple[str, Path]:
         """Return a file whose first answer cell stores this text as its number."""
+        return self.holding(f"<v>{number}</v>")
+
+    def holding(self, content: str, kind: str = "n") -> tuple[str, Path]:
+        """Return a file whose first answer cell has this XML inside, and is of this kind."""
         book = self.book()
         quantity = self.plan.answered[0].id
         address = self.cell(book, quantity).coordinate
         empty = re.compile(rf'<c r="{address}" (s="\d+")/>'.encode())
-        filled = rf'<c r="{address}" \1><v>{number}</v></c>'.encode()
-        return quantity, self.patched({SECTION: lambda part: empty.sub(filled, part)})
+        start = f'<c r="{address}" '.encode()
+
+        def fill(found: re.Match[bytes]) -> bytes:
+            return start + found[1] + f' t="{kind}">{content}</c>'.encode()
+
+        return quantity, self.patched({SECTION: lambda part: empty.sub(fill, part)})
 
 
 @pytest.fixture(scope="session")

@@ -184,12 +184,6 @@ def test_deeply_nested_elements_are_refused(returned: "Returned") -> None:
     assert "no spreadsheet program writes" in reason(path)
 
 
-@pytest.mark.parametrize("number", ["NaN", "1,5", "0x10", "9" * 10_000, "--5"])
-def test_a_number_that_is_no_number_refuses_the_workbook(returned: "Returned", number: str) -> None:
-    _, path = returned.stored(number)
-    assert "number is not a number" in reason(path)
-
-
 @pytest.mark.parametrize(
     "change",
     [

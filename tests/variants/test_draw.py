@@ -9,10 +9,11 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.errors import TableError
 from gripcourse.solver.plan import make_plan
-from gripcourse.variants.draw import Batch, draw
+from gripcourse.variants.draw import Batch, Sifted, draw
 from gripcourse.variants.explain import why_infeasible
-from gripcourse.variants.feasible import Mask
 from gripcourse.variants.space import load_spaces
+from gripcourse.variants.tally import Refusal
+from gripcourse.words import message
 
 Change = Callable[[str, str], Course]
 
@@ -94,16 +95,19 @@ def test_a_space_with_a_single_variant_cannot_give_two(small_course: Course) -> 
 def test_a_further_filter_sees_feasible_candidates_in_order(small_course: Course) -> None:
     sizes: list[int] = []
 
-    def heavy(batch: Batch) -> Mask:
+    def heavy(batch: Batch, wanted: int) -> Sifted:
         sizes.append(len(batch.positions))
         assert batch.feasibility.feasible[batch.positions].all()
-        return np.asarray(batch.given["mass"] > 50)
+        assert wanted > 0
+        keep = batch.given["mass"] > 50
+        return Sifted(keep, (Refusal(message("not heavy"), int((~keep).sum())),))
 
     drawn = draw(small_course, load_spaces(small_course), 20, 7, heavy)
     assert all(variant.given["mass"] > 50 for variant in drawn.variants)
     assert sizes
     (tally,) = drawn.tallies
-    assert "too near to another variant" in [str(refusal.what) for refusal in tally.refusals]
+    assert [str(refusal.what) for refusal in tally.set_aside] == ["not heavy"]
+    assert tally.acceptance > sum(1 for _ in drawn.variants) / tally.tried
 
 
 def test_numbers_are_spread_over_their_range(small_course: Course) -> None:

@@ -1,25 +1,36 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from pathlib import Path
+from typing import Final
 
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
+from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report, unknown_student_report
-from gripcourse.solver.plan import make_plan
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.slips.model import Candidate
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.read import read_workbook
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
+
+# Compositions of a scheme and options that are remembered: about a megabyte each.
+_COMPOSITIONS: Final = 64
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Desk:
-    """What grading needs: the course, its policy and the register by student."""
+    """What grading needs: the course, its policy and the register by student.
+
+    Two desks are never the same one, so that what was made for one can be remembered by it.
+    """
 
     course: Course
     policy: Policy
@@ -34,5 +45,25 @@ def grade_file(file: Path, desk: Desk) -> Report:
     issued = submitter(str(file), raw.identity.student, desk.register)
     if issued is None:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
-    plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
-    return judge(interpret(raw, plan.quantities.values()), issued, plan, desk.policy)
+    plan, methods = methods_of(desk, issued.variant)
+    submission = interpret(raw, plan.quantities.values())
+    report = judge(submission, issued, plan, desk.policy, methods)
+    return replace(report, givens=submission.givens, creator=submission.creator)
+
+
+def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:
+    """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
+    return _methods(desk, variant.scheme, tuple(variant.options.items()))
+
+
+@lru_cache(maxsize=_COMPOSITIONS)
+def _methods(
+    desk: Desk, scheme: str, options: tuple[tuple[str, str], ...]
+) -> tuple[Plan, CandidatesOf]:
+    plan = make_plan(desk.course, scheme, dict(options))
+
+    @cache
+    def methods(name: str) -> tuple[Candidate, ...]:
+        return candidates_of(plan, name, desk.policy.slips)
+
+    return plan, methods

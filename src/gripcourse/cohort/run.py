@@ -21,6 +21,7 @@ from pathlib import Path
 from types import FrameType
 from typing import TypeAlias
 
+from gripcourse.cohort.alike import mark_likeness
 from gripcourse.cohort.doubles import mark_doubles
 from gripcourse.cohort.one import Desk, grade_file
 from gripcourse.cohort.packed import pack, unpack
@@ -98,10 +99,10 @@ def grade_files(
         for file in lost:
             done[file] = _grade_alone(file, job)
             on_done(file)
-    reports = mark_doubles([done[file].report for file in files])
-    return tuple(
-        Graded(report, done[file].incident) for file, report in zip(files, reports, strict=True)
-    )
+    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), desk)
+    incidents = [done[file].incident for file in files]
+    incidents[:1] = [one + trace for one in incidents[:1]]
+    return tuple(map(Graded, reports, incidents))
 
 
 def _until_worker_dies(

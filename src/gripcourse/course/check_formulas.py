@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 
+from gripcourse.course.check_slips import slip_faults
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
@@ -57,7 +58,7 @@ def check_formulas(
                     message("Compare the units of both sides."),
                     caret(formula.text, fault.span),
                 )
-        yield from _slip_faults(one)
+        yield from slip_faults(one, columns)
 
 
 def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
@@ -127,24 +128,3 @@ def _name_faults(
 
 def _grows(column: Column) -> bool:
     return bool(np.all(np.diff(column.values) >= 0))
-
-
-def _slip_faults(one: Quantity) -> Iterator[Problem]:
-    seen: set[str] = set()
-    for slip in one.slips:
-        key = f"quantity.{one.id}.slip.{slip.id}"
-        if one.formula is not None and slip.formula.tree == one.formula.tree:
-            yield Problem(
-                one.file,
-                key,
-                message("The slip equals the right formula."),
-                message("Write the wrong method, or remove the slip."),
-            )
-        if slip.id and slip.id in seen:
-            yield Problem(
-                one.file,
-                key,
-                message("The slip has no id of its own."),
-                message("Give each slip of a quantity another id."),
-            )
-        seen.add(slip.id)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Tolerance
+from gripcourse.course.slip_policy import SlipPolicy
 
 
 class Reveal(StrEnum):
@@ -15,6 +16,62 @@ class Reveal(StrEnum):
 
     NOTHING = "nothing"
     REFERENCE = "reference"
+
+
+@dataclass(frozen=True, slots=True)
+class VariantRules:
+    """When variants may be handed out side by side.
+
+    Attributes:
+        shared_points: most that one student may get with another's answers, as a share of the
+            points of the computed quantities.
+        shared_section_points: the same inside one section, as a share of that section's.
+        slip_bands: how many bands a slip's result must lie from the right one.
+        keep_apart: kinds of slips that a variant is refused for; others are only counted.
+        step_margin: by which share of itself a computed answer may move before a size that is taken
+            for it from a series changes.
+        steps_ratio: how many times as many quantities as the shortest assignment the longest may
+            ask for.
+        weak_item: a computed quantity that is equal in a larger share of the pairs of variants
+            of a scheme is named as weak.
+    """
+
+    shared_points: float
+    shared_section_points: float
+    slip_bands: float
+    keep_apart: tuple[str, ...]
+    step_margin: float
+    steps_ratio: float
+    weak_item: float
+
+
+@dataclass(frozen=True, slots=True)
+class FigureRule:
+    """How many significant figures a computed answer should have; judged apart from its value.
+
+    Attributes:
+        least, most: figures; 0 for no bound.
+        credit: share of the points that an answer outside the bounds keeps.
+    """
+
+    least: int
+    most: int
+    credit: float
+
+
+@dataclass(frozen=True, slots=True)
+class LikenessRule:
+    """When it is told that a submission holds another student's numbers; never a verdict.
+
+    Attributes:
+        odds: of copying against chance, all comparisons counted, from which on; 0 for never.
+        answers: telling numbers that it must rest on, at least.
+        same_creator: students who share an author's name, at most; of more, nothing is told.
+    """
+
+    odds: float
+    answers: int
+    same_creator: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +89,16 @@ class Policy:
         carried_credit: share of the points for what follows from the student's own numbers.
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
+        last_digit: how far a number in a calculator may be from the typed one, in units of the last
+            typed digit: 0.5 where people round, 1 where they cut off as well.
+        figures: significant figures that a typed number counts as written with, at least.
+        habits: values in SI that people shorten constants to, by the constant's id, or `pi`.
+        widest: how far what follows from rounded numbers may spread to either side, in bands.
         reveal: what a report shows.
+        slips: how slips are named.
+        variants: when variants may be handed out side by side.
+        figure_rule: how many figures answers should be typed with.
+        likeness: when copying is suspected.
     """
 
     total: float
@@ -45,4 +111,12 @@ class Policy:
     carried_credit: float
     printed_credit: float | None
     wrong_unit_credit: float
+    last_digit: float
+    figures: int
+    habits: Mapping[str, tuple[float, ...]]
+    widest: float
     reveal: Reveal
+    slips: SlipPolicy
+    variants: VariantRules
+    figure_rule: FigureRule
+    likeness: LikenessRule

@@ -7,11 +7,19 @@ from pathlib import Path
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy_rules import read_figure_rule, read_likeness_rule
+from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.variant_rules import read_variant_rules
 from gripcourse.errors import CourseError, Problem
+from gripcourse.units import factor
 from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
+_TABLES = {
+    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
+    "variants", "figures", "likeness",
+}  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
 
@@ -31,13 +39,15 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
     table = read_toml(policy_path(course.root), course.root, problems)
-    if table is None:
+    slips = read_slip_policy(course.root, problems)
+    if table is None or slips is None:
         return None, problems
-    table.known_keys({"points", "weight", "tolerance", "quantity_tolerance", "credit", "report"})
+    table.known_keys(_TABLES)
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
     credit = table.required_table("credit")
+    rounding = table.required_table("rounding")
     total = points.number("total")
     policy = Policy(
         total=total,
@@ -47,12 +57,21 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         tolerance=_default_tolerance(bands),
         floors=_floors(bands),
         tolerances=_tolerances(table, course),
-        carried_credit=_share(credit, "carried"),
-        printed_credit=None if credit.values.get("printed") is False else _share(credit, "printed"),
-        wrong_unit_credit=_share(credit, "wrong_unit"),
+        carried_credit=credit.share("carried"),
+        printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
+        wrong_unit_credit=credit.share("wrong_unit"),
+        last_digit=rounding.at_least("last_digit", 0.0),
+        figures=int(rounding.at_least("figures", 1.0)),
+        habits=_habits(rounding, course),
+        widest=rounding.at_least("widest", 0.0),
         reveal=_reveal(table.required_table("report")),
+        slips=slips,
+        variants=read_variant_rules(table.required_table("variants")),
+        figure_rule=read_figure_rule(table.table("figures")),
+        likeness=read_likeness_rule(table.table("likeness")),
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
+    rounding.known_keys({"last_digit", "figures", "habits", "widest"})
     return policy, problems
 
 
@@ -167,15 +186,17 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
     return {name: tolerance(inner) for name, inner in named.items()}
 
 
-def _share(table: Table, name: str) -> float:
-    value = table.number(name)
-    if value < 0 or value > 1:
-        table.add(
-            name,
-            message("The share is {value}.", value=value),
-            message("Write a number from 0 to 1."),
-        )
-    return value
+def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
+    """Read shortened constants, written in the unit that the constant is declared in."""
+    table = rounding.table("habits")
+    if table is None:
+        return {}
+    units = {name: one.unit for name, one in course.constants.items()} | {"pi": ""}
+    table.known_keys(units)
+    return {
+        name: tuple(value * factor(units[name]) for value in table.number_list(name))
+        for name in table.values.keys() & units.keys()
+    }
 
 
 def _reveal(table: Table) -> Reveal:

@@ -72,6 +72,30 @@ class Table:
             self._wrong_type(name, message("a number"))
         return default if default is not None else float("nan")
 
+    def share(self, name: str, default: float | None = None) -> float:
+        """Read a number from 0 to 1; required where there is no default."""
+        value = self.number(name, default)
+        if value < 0 or value > 1:
+            self.add(
+                name,
+                message("The share is {value}.", value=value),
+                message("Write a number from 0 to 1."),
+            )
+        return value
+
+    def at_least(self, name: str, least: float) -> float:
+        """Read a number that is not below another; required; `least` where it cannot be used."""
+        value = self.number(name)
+        if value >= least:
+            return value
+        if not math.isnan(value):
+            self.add(
+                name,
+                message("The number is {value}.", value=value),
+                message("Write {least} or more.", least=least),
+            )
+        return least
+
     def flag(self, name: str) -> bool:
         """Read true or false; absent is false."""
         value = self.values.get(name, False)
@@ -122,6 +146,17 @@ class Table:
         if isinstance(value, list) and all(isinstance(item, str) for item in value):
             return tuple(value)
         self._wrong_type(name, message("a list of texts in quotes"))
+        return ()
+
+    def number_list(self, name: str) -> tuple[float, ...]:
+        """Read a list of finite numbers; absent is empty."""
+        value = self.values.get(name, [])
+        if isinstance(value, list) and all(
+            isinstance(one, int | float) and not isinstance(one, bool) and math.isfinite(one)
+            for one in value
+        ):
+            return tuple(float(one) for one in value)
+        self._wrong_type(name, message("a list of numbers"))
         return ()
 
     def pair(self, name: str, default: tuple[float, float]) -> tuple[float, float]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from gripcourse.course.model import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.grading.view import View
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, choose
 from gripcourse.words import Message, message
@@ -60,6 +61,25 @@ def judge_choice(
             fault=message("The size does not satisfy the condition of the rule."),
         )
     return Verdict(sound=True, fault=None)
+
+
+def sound_sizes(view: View, name: str) -> list[float]:
+    """Return the sizes, SI, that a decision may sensibly take at a student's own numbers."""
+    quantity = view.plan.quantities[name]
+    formula = view.plan.reference_formula(name)
+    if quantity.choice is None or formula is None:
+        return []
+    values = view.own.evaluation.values
+    required = float(evaluate_formula(formula, quantity.unit, values, view.plan.columns))
+    columns = (quantity.choice.column, *quantity.choice.also)
+    entries = np.unique(np.concatenate([view.plan.columns[one].sizes for one in columns]))
+    # A last digit of what is required may decide between two neighbours.
+    least = required * (1 - view.policy.tolerance.relative)
+    return [
+        float(entry)
+        for entry in entries
+        if judge_choice(view.plan, quantity, float(entry), least, values).sound
+    ]
 
 
 def printed_choice(plan: Plan, quantity: Quantity, required: float) -> float | None:

@@ -5,18 +5,23 @@ numbers; the better counts. So one mistake costs once, and rounding on the way c
 """
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
+from gripcourse.grading.causes import causes_of, roots_of
+from gripcourse.grading.diagnose import CandidatesOf, diagnose
+from gripcourse.grading.figures import figures_remark
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.own import Own, follow
-from gripcourse.grading.points import points_of
+from gripcourse.grading.substitution import Substitution, by_answer, substitutions
 from gripcourse.grading.view import Judgement, View
+from gripcourse.marking.points import points_of
+from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, from_si, to_si
 from gripcourse.submission.model import Answer, Reading, Submission
@@ -35,9 +40,27 @@ class _Case:
     own: Own
     own_values: Mapping[str, float]
     points: Mapping[str, float]
+    candidates_of: CandidatesOf
+    is_own: bool
 
 
-def judge(submission: Submission, issued: Issued, plan: Plan, policy: Policy) -> Report:
+@dataclass(frozen=True, slots=True)
+class _Judged:
+    """One quantity with what was concluded; `view` is None where there is no value to look at."""
+
+    quantity: Quantity
+    answer: Answer | None
+    view: View | None
+    judgement: Judgement
+
+
+def judge(
+    submission: Submission,
+    issued: Issued,
+    plan: Plan,
+    policy: Policy,
+    candidates_of: CandidatesOf | None = None,
+) -> Report:
     """Judge a submission against the values that were issued to its student.
 
     Args:
@@ -45,13 +68,19 @@ def judge(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
         issued: the register's entry of the student who handed it in.
         plan: of the issued variant.
         policy: points, bands and credits.
+        candidates_of: the wrong methods of each quantity of the plan; None makes them anew.
     """
-    case = _case(submission, issued, plan, policy)
-    findings = tuple(
-        _finding(case, quantity, submission.answers.get(quantity.id))
-        for quantity in _in_order(plan)
-    )
-    judged = [finding for finding in findings if finding.outcome not in OPEN]
+    methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
+    case = _case(submission, issued, plan, policy, methods)
+    first = [_judged(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    views = {one.quantity.id: one.view for one in first if one.view is not None}
+    judged = [_explained(case, one, views) for one in first]
+    substituted = substitutions(_still_wrong(case, judged))
+    judged = [_substituted(case, one, by_answer(substituted)) for one in judged]
+    outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
+    roots = roots_of(plan, outcomes)
+    findings = tuple(_finding(case, one, roots) for one in judged)
+    closed = [finding for finding in findings if finding.outcome not in OPEN]
     return Report(
         file=submission.file,
         student=issued.student.id,
@@ -60,25 +89,32 @@ def judge(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
         scheme=plan.scheme.id,
         options=plan.options,
         language=issued.student.language or plan.course.language,
-        score=sum(finding.points for finding in judged),
-        max_score=sum(finding.max_points for finding in judged),
+        score=sum(finding.points for finding in closed),
+        max_score=sum(finding.max_points for finding in closed),
         open_points=sum(f.max_points for f in findings if f.outcome in OPEN),
         flags=flags_of(submission, issued, findings),
         findings=findings,
         remarks=submission.remarks,
         judged=True,
         digest=submission.digest,
+        causes=causes_of(plan, findings, substituted),
     )
 
 
-def _case(submission: Submission, issued: Issued, plan: Plan, policy: Policy) -> _Case:
+def _case(
+    submission: Submission,
+    issued: Issued,
+    plan: Plan,
+    policy: Policy,
+    candidates_of: CandidatesOf,
+) -> _Case:
     given = issued.variant.given
     reference = {
         name: float(value) for name, value in evaluate(plan, to_si(plan, given)).values.items()
     }
     # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
     is_own = submission.identity.student in {"", issued.student.id}
-    own = follow(plan, given, submission.answers if is_own else {}, reference)
+    own = follow(plan, given, submission.answers if is_own else {}, reference, policy)
     return _Case(
         plan=plan,
         policy=policy,
@@ -87,6 +123,8 @@ def _case(submission: Submission, issued: Issued, plan: Plan, policy: Policy) ->
         own=own,
         own_values=from_si(plan, own.evaluation.values),
         points=points_of(plan, policy),
+        candidates_of=candidates_of,
+        is_own=is_own,
     )
 
 
@@ -96,9 +134,105 @@ def _in_order(plan: Plan) -> list[Quantity]:
     return sorted((*plan.answered, *plan.manual), key=lambda one: sections[one.section])
 
 
-def _finding(case: _Case, quantity: Quantity, answer: Answer | None) -> Finding:
-    judgement = _judgement(case, quantity, answer)
+def _judged(case: _Case, quantity: Quantity, answer: Answer | None) -> _Judged:
+    if quantity.kind is Kind.MANUAL:
+        judgement = _without_value(Outcome.MANUAL, message("Marked by hand."))
+    elif answer is None or answer.reading is Reading.BLANK:
+        judgement = _without_value(Outcome.BLANK, message("No answer."))
+    elif answer.reading is Reading.UNREADABLE or answer.value is None:
+        judgement = _without_value(Outcome.UNREADABLE, message("The answer could not be read."))
+    else:
+        return _viewed(case, quantity, answer, answer.value)
+    return _Judged(quantity, answer, None, judgement)
+
+
+def _viewed(case: _Case, quantity: Quantity, answer: Answer, value: float) -> _Judged:
+    view = View(
+        plan=case.plan,
+        policy=case.policy,
+        quantity=quantity,
+        answer=answer,
+        value=value,
+        reference_values=case.reference,
+        own=case.own,
+    )
+    if not view.has_reference:
+        said = message("There is no reference value for this variant; a person decides.")
+        return _Judged(quantity, answer, view, _without_value(Outcome.NOT_JUDGED, said))
+    judgement = judge_choice_answer(view) if quantity.kind is Kind.CHOICE else judge_value(view)
+    return _Judged(quantity, answer, view, judgement)
+
+
+def _explained(case: _Case, judged: _Judged, views: Mapping[str, View]) -> _Judged:
+    """Name the slip behind a wrong answer; a unit that does not fit explains itself."""
+    wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
+    if judged.view is None or not wrong or not judged.view.answer.unit_fits:
+        return judged
+    name = judged.quantity.id
+    later = [
+        view
+        for other, view in views.items()
+        if name in case.plan.inputs[other] and view.quantity.kind is Kind.FORMULA
+    ]
+    judgement = diagnose(judged.view, judged.judgement, case.candidates_of, later)
+    return replace(judged, judgement=judgement)
+
+
+def _still_wrong(case: _Case, judged: Sequence[_Judged]) -> list[View]:
+    """Return the answers that nothing explains yet, in order of calculation."""
+    if not case.is_own:
+        return []
+    views = {
+        one.quantity.id: one.view
+        for one in judged
+        if one.view is not None
+        and one.judgement.outcome is Outcome.WRONG
+        and one.view.answer.unit_fits
+    }
+    return [views[name] for name in case.plan.quantities if name in views]
+
+
+def _substituted(case: _Case, judged: _Judged, found: Mapping[str, Substitution]) -> _Judged:
+    """A number that was used wrongly costs the first answer that it spoils, and no other."""
+    one = found.get(judged.quantity.id)
+    if one is None:
+        return judged
+    used = case.plan.quantities[one.quantity]
+    first = one.explains[0]
+    if judged.quantity.id == first:
+        said = message(
+            "A wrong number: this and {count} more answers follow if {value} is used for {title}.",
+            count=len(one.explains) - 1,
+            value=one.value,
+            title=used.title,
+        )
+        judgement = replace(
+            judged.judgement, outcome=Outcome.SLIP, slip=f"used:{one.quantity}", message=said
+        )
+        return replace(judged, judgement=judgement)
+    judgement = replace(
+        judged.judgement,
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        credit=case.policy.carried_credit,
+        roots=(first,),
+        message=message(
+            "Follows from the wrong number {value} for {title}, which has cost an earlier answer.",
+            value=one.value,
+            title=used.title,
+        ),
+    )
+    return replace(judged, judgement=judgement)
+
+
+def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Finding:
+    quantity, answer, judgement = judged.quantity, judged.answer, judged.judgement
     available = case.points[quantity.id]
+    follows = None if judged.view is None else judged.view.follows
+    reference = _declared(case, quantity, case.reference.get(quantity.id))
+    met = reference if judgement.outcome is Outcome.CORRECT else judgement.expected
+    figures = figures_remark(quantity, answer, case.policy, met) if answer is not None else None
+    share, said = figures if figures is not None else (1.0, None)
     return Finding(
         quantity=quantity.id,
         section=quantity.section,
@@ -107,46 +241,33 @@ def _finding(case: _Case, quantity: Quantity, answer: Answer | None) -> Finding:
         given=answer.value if answer is not None else None,
         typed=answer.typed if answer is not None else "",
         cell=answer.cell if answer is not None else "",
-        reference=_declared(case, quantity, case.reference.get(quantity.id)),
+        reference=reference,
         expected=judgement.expected,
         band=judgement.band,
         inputs={name: case.own_values[name] for name in case.plan.inputs[quantity.id]},
-        points=available * judgement.credit,
+        points=available * judgement.credit * share,
         max_points=available,
         slip=judgement.slip,
         message=judgement.message,
-        remarks=(*judgement.remarks, *_reading_remarks(case, quantity, answer)),
+        remarks=(
+            *judgement.remarks,
+            *_reading_remarks(case, quantity, answer),
+            *(() if said is None else (said,)),
+        ),
+        tied=judgement.tied,
+        roots=judgement.roots or _sorted(case, roots.get(quantity.id, set())),
+        half_unit=answer.half_unit if answer is not None else 0.0,
+        low=None if follows is None or math.isnan(follows.low) else follows.low,
+        high=None if follows is None or math.isnan(follows.high) else follows.high,
     )
 
 
-def _judgement(case: _Case, quantity: Quantity, answer: Answer | None) -> Judgement:
-    if quantity.kind is Kind.MANUAL:
-        return _without_value(Outcome.MANUAL, message("Marked by hand."))
-    if answer is None or answer.reading is Reading.BLANK:
-        return _without_value(Outcome.BLANK, message("No answer."))
-    if answer.reading is Reading.UNREADABLE or answer.value is None:
-        return _without_value(Outcome.UNREADABLE, message("The answer could not be read."))
-    view = View(
-        plan=case.plan,
-        policy=case.policy,
-        quantity=quantity,
-        answer=answer,
-        value=answer.value,
-        reference_values=case.reference,
-        own=case.own,
-    )
-    if not view.has_reference:
-        return _without_value(
-            Outcome.NOT_JUDGED,
-            message("There is no reference value for this variant; a person decides."),
-        )
-    if quantity.kind is Kind.CHOICE:
-        return judge_choice_answer(view)
-    return judge_value(view)
+def _sorted(case: _Case, names: set[str]) -> tuple[str, ...]:
+    return tuple(name for name in case.plan.quantities if name in names)
 
 
 def _without_value(outcome: Outcome, said: Message) -> Judgement:
-    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", said, ())
+    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", (), (), said, ())
 
 
 def _reading_remarks(case: _Case, quantity: Quantity, answer: Answer | None) -> tuple[Message, ...]:

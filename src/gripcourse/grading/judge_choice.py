@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from gripcourse.formula.tree import Formula
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.view import Judgement, View
@@ -31,32 +30,33 @@ def _judge_size(view: View) -> Judgement:
     formula = view.plan.reference_formula(view.quantity.id)
     if formula is None:
         return _conclude(view, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
-    required, own_required = _required(view, formula)
-    chosen = view.value * factor(view.quantity.unit)
+    scale = factor(view.quantity.unit)
+    chosen = view.value * scale
+    required = view.at_reference(formula) * scale
     reference_values = {name: np.asarray(v) for name, v in view.reference_values.items()}
     if judge_choice(view.plan, view.quantity, chosen, required, reference_values).sound:
         said = message("A sound decision.")
         return _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
-    own_values = view.own.evaluation.values
-    own = judge_choice(view.plan, view.quantity, chosen, own_required, own_values)
-    if own.sound:
+    own_required = view.at_own(formula)
+    # What is needed is known as finely as the earlier numbers were typed.
+    verdicts = [
+        judge_choice(view.plan, view.quantity, chosen, end * scale, view.own.evaluation.values)
+        for end in (own_required.value, own_required.low, own_required.high)
+    ]
+    own = verdicts[0]
+    # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
+    picked = same_size(chosen, view.expected * scale)
+    if picked or any(verdict.sound for verdict in verdicts):
         said = message("A sound decision for your own earlier numbers.")
         credit = view.policy.carried_credit
         return _conclude(view, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
-    return _judge_printed(view, chosen, own_required) or _conclude(
+    return _judge_printed(view, chosen, own_required.value * scale) or _conclude(
         view,
         Outcome.WRONG,
         Against.NOTHING,
         0.0,
         own.fault or message("The required value cannot be told from your numbers."),
     )
-
-
-def _required(view: View, formula: Formula) -> tuple[float, float]:
-    """Return what the size must not be below, by the reference and by the student's numbers, SI."""
-    scale = factor(view.quantity.unit)
-    reference, own = view.both(formula)
-    return reference * scale, own * scale
 
 
 def _judge_printed(view: View, chosen: float, required: float) -> Judgement | None:
@@ -90,6 +90,8 @@ def _conclude(
         band=0.0,
         credit=credit,
         slip="",
+        tied=(),
+        roots=(),
         message=said,
         remarks=remarks,
     )

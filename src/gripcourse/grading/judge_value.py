@@ -4,14 +4,15 @@ import math
 from collections.abc import Iterator
 
 from gripcourse.course.model import Kind
-from gripcourse.grading.bands import band, within
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.view import Judgement, View
+from gripcourse.grading.view import Judgement, Range, View
+from gripcourse.marking.bands import band
 from gripcourse.words import Message, message
 
 
 def judge_value(view: View) -> Judgement:
-    """Judge an answer: reference, own inputs, printed errata, slips; what earns most counts.
+    """Judge an answer: reference, own inputs, printed errata; what earns most counts.
 
     Among those that earn the same, the first counts.
     """
@@ -26,9 +27,9 @@ def judge_value(view: View) -> Judgement:
 
 
 def _matches(view: View) -> Iterator[Judgement]:
-    if _fits(view, view.reference):
+    if view.fits(view.reference):
         yield _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, message("Correct."))
-    if _fits(view, view.expected):
+    if _follows(view, view.follows):
         yield _conclude(
             view,
             Outcome.CARRIED,
@@ -37,16 +38,19 @@ def _matches(view: View) -> Iterator[Judgement]:
             message("Follows from your own earlier numbers."),
         )
     yield from _printed(view)
-    yield from _slips(view)
 
 
-def _fits(view: View, expected: float) -> bool:
-    return within(view.value, expected, band(view.quantity, expected, view.policy))
+def _follows(view: View, expected: Range) -> bool:
+    return view.fits(expected.nearest(view.value))
+
+
+def _fits_printed(view: View, formula: Formula) -> bool:
+    return view.fits(view.at_reference(formula)) or _follows(view, view.at_own(formula))
 
 
 def _printed(view: View) -> Iterator[Judgement]:
     for printed in view.quantity.as_printed:
-        if printed.formula is None or not any(_fits(view, v) for v in view.both(printed.formula)):
+        if printed.formula is None or not _fits_printed(view, printed.formula):
             continue
         remark = message(
             "As the source prints it (erratum {erratum}): {note}",
@@ -64,22 +68,9 @@ def _printed(view: View) -> Iterator[Judgement]:
             yield _conclude(view, Outcome.CORRECT, Against.PRINTED, credit, said, remark=remark)
 
 
-def _slips(view: View) -> Iterator[Judgement]:
-    for slip in view.quantity.slips:
-        if any(_fits(view, value) for value in view.both(slip.formula)):
-            yield _conclude(
-                view,
-                Outcome.SLIP,
-                Against.NOTHING,
-                slip.credit,
-                message("A known slip: {hint}", hint=slip.hint),
-                slip=slip.id,
-            )
-
-
 def _judge_wrong_unit(view: View) -> Judgement:
     """The right number with a unit that measures something else earns what the policy says."""
-    if _fits(view, view.reference) or _fits(view, view.expected):
+    if view.fits(view.reference) or _follows(view, view.follows):
         said = message("The number is right, the unit is not.")
         return _conclude(view, Outcome.WRONG, Against.NOTHING, view.policy.wrong_unit_credit, said)
     return _conclude(view, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(view))
@@ -112,6 +103,8 @@ def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
         band=band(view.quantity, target, view.policy) if known else 0.0,
         credit=credit,
         slip=slip,
+        tied=(),
+        roots=(),
         message=said,
         remarks=() if remark is None else (remark,),
     )

@@ -1,7 +1,7 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from gripcourse.words import Message
@@ -53,6 +53,10 @@ class Finding:
         slip: id of the recognised slip, empty for none.
         message: the verdict in a sentence.
         remarks: hints and notes that go with it.
+        tied: ids of other slips that explain the answer as well.
+        roots: ids of the quantities whose wrong answers explain this one.
+        half_unit: half a unit of the last typed digit, in the declared unit.
+        low, high: the range of `expected` that the rounding of earlier answers leaves.
     """
 
     quantity: str
@@ -71,6 +75,26 @@ class Finding:
     slip: str
     message: Message
     remarks: tuple[Message, ...]
+    tied: tuple[str, ...] = ()
+    roots: tuple[str, ...] = ()
+    half_unit: float = 0.0
+    low: float | None = None
+    high: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """What explains several answers: a wrong answer of the student's, or a number used wrongly.
+
+    Attributes:
+        quantity: id of the quantity at the root.
+        explains: ids of the answers that follow from it, in order of calculation.
+        message: for the student.
+    """
+
+    quantity: str
+    explains: tuple[str, ...]
+    message: Message
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +123,9 @@ class Report:
         remarks: about the workbook as a whole.
         judged: False where the file could not be judged at all; the flags say why.
         digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
+        causes: root causes of several answers, those that explain most first.
+        givens: given values as they stand in the workbook, in declared units.
+        creator: the author that the workbook names; empty for none.
     """
 
     file: str
@@ -116,3 +143,6 @@ class Report:
     remarks: tuple[Message, ...]
     judged: bool
     digest: str = ""
+    causes: tuple[Cause, ...] = ()
+    givens: Mapping[str, float] = field(default_factory=dict)
+    creator: str = ""

@@ -64,7 +64,7 @@ def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[Chec
     """
     # Nothing is known here that the workbook does not hold, so nothing can be told from the answer.
     unknown = dict.fromkeys(plan.quantities, math.nan)
-    own = follow(plan, submission.givens, submission.answers, unknown)
+    own = follow(plan, submission.givens, submission.answers, unknown, policy)
     carried = {
         name
         for name, answer in submission.answers.items()

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +13,14 @@ from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.own import Own
+from gripcourse.grading.own import Own, range_of
+from gripcourse.marking.bands import band, computed_band, within
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.units import factor
 from gripcourse.words import Message
+
+_SAME: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +33,8 @@ class Judgement:
         band: how far from it the answer may be.
         credit: share of the points, 0…1.
         slip: id of a recognised slip.
+        tied: ids of other slips that explain the answer as well.
+        roots: ids of the quantities whose wrong answers this one follows from.
         message, remarks: for the student.
     """
 
@@ -38,8 +44,26 @@ class Judgement:
     band: float
     credit: float
     slip: str
+    tied: tuple[str, ...]
+    roots: tuple[str, ...]
     message: Message
     remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """A value and how far rounded inputs may move it; all NaN where there is none."""
+
+    value: float
+    low: float
+    high: float
+
+    def nearest(self, value: float) -> float:
+        """Return the point of the range that is nearest to a value."""
+        return min(max(value, self.low), self.high)
+
+
+NOWHERE = Range(math.nan, math.nan, math.nan)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,18 +97,70 @@ class View:
     @property
     def expected(self) -> float:
         """The value at the student's own inputs, in the declared unit; NaN where there is none."""
-        if self.quantity.id in self.own.bridged:
-            return math.nan
-        computed = self.own.evaluation.computed[self.quantity.id]
-        return float(computed) / factor(self.quantity.unit)
+        return self.follows.value
 
-    def both(self, formula: Formula) -> tuple[float, float]:
-        """Evaluate a formula at the reference's and the student's inputs, in the declared unit."""
-        return (
-            self._evaluate(formula, {k: np.asarray(v) for k, v in self.reference_values.items()}),
-            self._evaluate(formula, self.own.evaluation.values),
+    @property
+    def follows(self) -> Range:
+        """What follows from the student's own inputs, in the declared unit."""
+        if self.quantity.id in self.own.bridged:
+            return NOWHERE
+        computed = self.own.evaluation.computed[self.quantity.id]
+        return self._range(float(computed), self.own.moved.computed[self.quantity.id])
+
+    def at_reference(self, formula: Formula) -> float:
+        """Evaluate a formula at the reference's inputs, in the declared unit."""
+        values = {name: np.asarray(self.reference_values[name]) for name in formula.names}
+        return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
+
+    def at_own(self, formula: Formula) -> Range:
+        """Evaluate a formula at the student's inputs, in the declared unit."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def near_own(self, formula: Formula) -> Range:
+        """Do the same; the range is only looked at where the answer may lie in it."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        declared = value / factor(self.quantity.unit)
+        most = 2 * self._widest(declared) + 2 * self.answer.half_unit
+        if not abs(self.value - declared) <= most:
+            return Range(declared, declared, declared)
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def following(self, name: str, value: float) -> Range:
+        """Return what follows here if another quantity is exactly a value (declared units)."""
+        formula = self.plan.reference_formula(self.quantity.id)
+        if formula is None:
+            return NOWHERE
+        exact = np.asarray(value * factor(self.plan.quantities[name].unit))
+        result = self._evaluate(formula, {**self.own.evaluation.values, name: exact})
+        return self._range(
+            float(result), self._evaluate(formula, {**self.own.moved.values, name: exact})
         )
 
-    def _evaluate(self, formula: Formula, values: Mapping[str, NDArray[np.float64]]) -> float:
-        unit = self.quantity.unit
-        return float(evaluate_formula(formula, unit, values, self.plan.columns)) / factor(unit)
+    def fits(self, expected: float) -> bool:
+        """Tell whether the answer lies in the band round an expected value."""
+        return within(self.value, expected, band(self.quantity, expected, self.policy))
+
+    def has_own_inputs(self, formula: Formula) -> bool:
+        """Tell whether the student's numbers differ from the reference where a formula looks."""
+        values = self.own.evaluation.values
+        return any(
+            not math.isclose(float(values[name]), self.reference_values[name], rel_tol=_SAME)
+            for name in formula.names
+        )
+
+    def _range(self, value: float, moved: NDArray[np.float64]) -> Range:
+        """Convert SI to the declared unit; a range wider than the policy allows is cut."""
+        size = factor(self.quantity.unit)
+        low, high = range_of(moved)
+        value, low, high = value / size, low / size, high / size
+        most = self._widest(value)
+        return Range(value, max(low, value - most), min(high, value + most))
+
+    def _widest(self, value: float) -> float:
+        return self.policy.widest * computed_band(self.quantity, value, self.policy)
+
+    def _evaluate(
+        self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
+    ) -> NDArray[np.float64]:
+        return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)

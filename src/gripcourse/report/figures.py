@@ -106,6 +106,34 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
     return _svg(draw, height=0.7 + 0.165 * len(bars))
 
 
+def share_plot(pairs: Sequence[int], limit: float, words: Words) -> str:
+    """Draw how many pairs of variants share which part of the points, and the limit.
+
+    Args:
+        pairs: by whole percents of the share, beginning with 0.
+        limit: 0 to 1.
+        words: the language of the axes.
+    """
+    last = max((percent for percent, count in enumerate(pairs) if count), default=0)
+    shown = max(last + 1, round(100 * limit) + 3)
+
+    def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
+        places = [percent + 0.5 for percent in range(shown)]
+        axes.bar(places, pairs[:shown], width=1, color=_FILL, edgecolor=_EDGE, linewidth=0.6)
+        axes.axvline(100 * limit, color=_EDGE, linewidth=1.1, linestyle="--")
+        axes.set_yscale("symlog", linthresh=1)
+        axes.set_ylim(0, 2 * max(*pairs, 1))
+        axes.set_xlim(0, shown)
+        axes.xaxis.set_major_formatter(_whole(words))
+        axes.yaxis.set_major_formatter(_whole(words))
+        axes.set_xlabel(words.say(message("shared points of computed quantities, %")))
+        axes.set_ylabel(words.say(message("pairs")))
+        axes.yaxis.grid(visible=True, color=_GRID, linewidth=0.5)
+        axes.set_axisbelow(True)
+
+    return _svg(draw, height=2.2)
+
+
 def line_plot(
     along: NDArray[np.float64], lines: Sequence[Line], label: str, unit: str, words: Words
 ) -> str:

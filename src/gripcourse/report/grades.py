@@ -4,17 +4,15 @@ UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and c
 in every language, so that a program reads it the same everywhere.
 """
 
-import csv
-import io
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
 from gripcourse.files import write_bytes
 from gripcourse.grading.model import Report
+from gripcourse.report.csv_text import number_cell, table_text, text_cell
 from gripcourse.report.totals import section_totals
 
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 _NO_GROUPS: Mapping[str, str] = MappingProxyType({})
 
 
@@ -42,36 +40,38 @@ def grades_text(reports: Sequence[Report], groups: Mapping[str, str] = _NO_GROUP
     sections = tuple(
         dict.fromkeys(finding.section for report in reports for finding in report.findings)
     )
-    stream = io.StringIO(newline="")
-    table = csv.writer(stream, lineterminator="\r\n")
-    table.writerow(
-        (
-            *("student", "name", "group", "variant"),
-            *("score", "max_score", "percent", "open_points"),
-            *sections,
-            *("flags", "file"),
-        )
+    header = (
+        *("student", "name", "group", "variant"),
+        *("score", "max_score", "percent", "open_points"),
+        *sections,
+        *("flags", "file"),
     )
-    table.writerows(_row(report, sections, groups) for report in reports)
-    return stream.getvalue()
+    return table_text(header, (_row(report, sections, groups) for report in reports))
 
 
 def _row(report: Report, sections: tuple[str, ...], groups: Mapping[str, str]) -> tuple[str, ...]:
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
     return (
-        *map(_cell, (report.student, report.name, groups.get(report.student, ""), report.variant)),
+        *map(
+            text_cell, (report.student, report.name, groups.get(report.student, ""), report.variant)
+        ),
         *_points(report),
         *_section_points(report, sections),
-        _cell(flags),
-        _cell(report.file),
+        text_cell(flags),
+        text_cell(report.file),
     )
 
 
 def _points(report: Report) -> tuple[str, str, str, str]:
     if not report.judged:
         return ("", "", "", "")
-    percent = _number(100 * report.score / report.max_score) if report.max_score else ""
-    return (_number(report.score), _number(report.max_score), percent, _number(report.open_points))
+    percent = number_cell(100 * report.score / report.max_score) if report.max_score else ""
+    return (
+        number_cell(report.score),
+        number_cell(report.max_score),
+        percent,
+        number_cell(report.open_points),
+    )
 
 
 def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...]:
@@ -79,14 +79,5 @@ def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...
         return ("",) * len(sections)
     totals = section_totals(report)
     return tuple(
-        _number(totals[section].points) if section in totals else "" for section in sections
+        number_cell(totals[section].points) if section in totals else "" for section in sections
     )
-
-
-def _number(value: float) -> str:
-    return f"{round(value, 4):.10g}"
-
-
-def _cell(text: str) -> str:
-    """Keep a spreadsheet program from running a text as a formula."""
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text

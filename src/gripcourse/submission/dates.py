@@ -1,10 +1,10 @@
 """Numbers that a spreadsheet program turned into dates: told, shown both ways, never guessed."""
 
 from datetime import date, timedelta
-from functools import reduce
+from functools import cache, reduce
 from typing import Final
 
-from gripcourse.words import Message, message
+from gripcourse.words import LANGUAGES, Message, message
 
 _EPOCH: Final = date(1899, 12, 30)  # day zero of serial dates from March 1900 on
 _SERIALS: Final = (36526, 54789)  # 1 January 2000 and 31 December 2049
@@ -48,3 +48,21 @@ def is_serial_date(value: float, bounds: tuple[float, float]) -> bool:
 def serial_date(value: float) -> date:
     """Return the date of a serial number."""
     return _EPOCH + timedelta(days=int(value))
+
+
+def names_month(text: str) -> bool:
+    """Tell whether a text is the name of a month, also a short one: `1.май` is a date."""
+    return text.strip(". ").casefold() in _months()
+
+
+@cache
+def _months() -> frozenset[str]:
+    from babel.dates import get_month_names  # noqa: PLC0415 (60 ms, and hardly ever needed)
+
+    return frozenset(
+        name.strip(".").casefold()
+        for language in LANGUAGES
+        for width in ("wide", "abbreviated")
+        for context in ("format", "stand-alone")
+        for name in get_month_names(width, context, language).values()
+    )

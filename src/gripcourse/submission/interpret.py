@@ -60,6 +60,7 @@ def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
         return _without_value(quantity, Reading.BLANK, "", "", (gone,))
     understood = understand(quantity, cell)
     if isinstance(understood, Understood):
+        figures = understood.figures
         return Answer(
             quantity=quantity.id,
             reading=Reading.READ,
@@ -70,6 +71,8 @@ def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
             unit=understood.unit,
             unit_fits=understood.unit_fits,
             remarks=understood.remarks,
+            figures=None if figures is None else figures.least,
+            figures_at_most=None if figures is None else figures.most,
         )
     if understood is None:
         return _without_value(quantity, Reading.BLANK, "", cell.cell, ())

@@ -1,12 +1,21 @@
 """Numbers of answer cells in the declared unit, with the unit that stands behind a typed one."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Final
 
 from gripcourse.course.model import Quantity
-from gripcourse.number_reading import NumberRead, Unreadable, read_number, readable
+from gripcourse.number_reading import (
+    A_DATE,
+    Figures,
+    NumberRead,
+    Unreadable,
+    read_number,
+    readable,
+)
+from gripcourse.submission.dates import names_month
+from gripcourse.submission.figures import figures_of_number
 from gripcourse.units import UnitError, dimension, factor, read_unit, unit_text
 from gripcourse.words import LANGUAGES, Message, Texts, message
 
@@ -25,6 +34,7 @@ class Understood:
         unit: the unit that was typed, in our spelling; empty for none.
         unit_fits: False where that unit measures something else.
         remarks: how it was read, where the cell is not a plain number.
+        figures: that were typed; None where that cannot be told.
     """
 
     value: float
@@ -32,15 +42,19 @@ class Understood:
     unit: str
     unit_fits: bool
     remarks: tuple[Message, ...]
+    figures: Figures | None
 
 
-def from_number(quantity: Quantity, value: float, number_format: str) -> Understood | Message:
+def from_number(
+    quantity: Quantity, value: float, number_format: str, *, typed: bool = True
+) -> Understood | Message:
     """Read a cell that holds a number.
 
     Args:
         quantity: that the cell answers.
         value: as the file stores it; an integer may have any size.
         number_format: of the cell; a percent format shows a hundred times the value.
+        typed: False for the result of a formula, whose figures nobody typed.
     """
     try:
         number = float(value)
@@ -48,17 +62,20 @@ def from_number(quantity: Quantity, value: float, number_format: str) -> Underst
         return _OUT_OF_RANGE
     if not math.isfinite(number):
         return _OUT_OF_RANGE
-    half_unit = _half_unit(number)
+    figures = figures_of_number(number, number_format) if typed else None
+    plain = _plain(number, _half_unit(number), (), figures)
     if _PERCENT not in number_format or quantity.unit == "":
-        return _plain(number, half_unit, ())
+        return plain
     if quantity.unit == _PERCENT:
-        return _plain(100 * number, 100 * half_unit, ())
+        # As a person reads it: 5.5, not what multiplying adds at the end.
+        value = float(f"{100 * number:.15g}")
+        return replace(plain, value=value, half_unit=100 * plain.half_unit)
     remark = message(
         "The cell has a percent format: it shows {shown} %, but its value is {number}.",
         shown=readable(100 * number),
         number=readable(number),
     )
-    return _plain(number, half_unit, (remark,))
+    return replace(plain, remarks=(remark,))
 
 
 def from_text(quantity: Quantity, text: str) -> Understood | Message:
@@ -67,34 +84,30 @@ def from_text(quantity: Quantity, text: str) -> Understood | Message:
     if isinstance(read, Unreadable):
         return read.reason
     unit = read_unit(read.unit) if read.unit else ""
+    if unit is None and names_month(read.unit):
+        return A_DATE
     if unit is None or not _measures(unit):
         unknown = message(
             "The text “{text}” after the number is no known unit; the number was taken in the "
             "unit that the workbook asks for.",
             text=read.unit,
         )
-        return _plain(read.value, read.half_unit, (_as_number(read), *read.remarks, unknown))
+        remarks = (_as_number(read), *read.remarks, unknown)
+        return _plain(read.value, read.half_unit, remarks, read.figures)
     if unit in {"", quantity.unit}:
-        return Understood(
-            read.value,
-            read.half_unit,
-            unit,
-            unit_fits=True,
-            remarks=(_as_number(read), *read.remarks),
-        )
+        remarks = (_as_number(read), *read.remarks)
+        return replace(_plain(read.value, read.half_unit, remarks, read.figures), unit=unit)
     if not _fits(unit, quantity.unit):
-        return Understood(
-            read.value,
-            read.half_unit,
-            unit,
-            unit_fits=False,
-            remarks=(*read.remarks, _unfit(unit, quantity)),
-        )
+        remarks = (*read.remarks, _unfit(unit, quantity))
+        plain = _plain(read.value, read.half_unit, remarks, read.figures)
+        return replace(plain, unit=unit, unit_fits=False)
     return _converted(read, unit, quantity)
 
 
-def _plain(value: float, half_unit: float, remarks: tuple[Message, ...]) -> Understood:
-    return Understood(value, half_unit, "", unit_fits=True, remarks=remarks)
+def _plain(
+    value: float, half_unit: float, remarks: tuple[Message, ...], figures: Figures | None
+) -> Understood:
+    return Understood(value, half_unit, "", unit_fits=True, remarks=remarks, figures=figures)
 
 
 def _half_unit(value: float) -> float:
@@ -129,9 +142,8 @@ def _converted(read: NumberRead, unit: str, quantity: Quantity) -> Understood | 
         value=readable(value),
         declared=_written(quantity.unit),
     )
-    return Understood(
-        value, read.half_unit * scale, unit, unit_fits=True, remarks=(remark, *read.remarks)
-    )
+    plain = _plain(value, read.half_unit * scale, (remark, *read.remarks), read.figures)
+    return replace(plain, unit=unit)
 
 
 def _as_number(read: NumberRead) -> Message:

@@ -30,6 +30,10 @@ class Answer:
         unit: the unit that was typed beside the number, in our spelling; empty for none.
         unit_fits: False where that unit measures something else; the value is then as typed.
         remarks: what the student should learn about how the cell was read, or why it was not.
+        figures: significant figures that were typed for certain; None where that cannot be told, as
+            of a formula's result.
+        figures_at_most: that it can have been; None for no bound: a cell that holds a number loses
+            the zeros at its end.
     """
 
     quantity: str
@@ -41,6 +45,8 @@ class Answer:
     unit: str
     unit_fits: bool
     remarks: tuple[Message, ...]
+    figures: int | None = None
+    figures_at_most: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

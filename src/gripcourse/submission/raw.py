@@ -20,7 +20,8 @@ class RawCell:
         value: what the file stores for it.
         number_format: as the file spells it, for example `General` or `0.00%`.
         error: whether `value` is an error of a formula, for example `#DIV/0!`.
-        formula: the formula of a cell whose file stores no value for it; empty for none.
+        formula: of the cell, beginning with `=`; empty for none. Without a value, its result is
+            not stored.
         cell: where it stands, `sheet!address`.
     """
 

@@ -10,13 +10,14 @@ import warnings
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.submission.sheet_xml import Place, formulas, with_false_numbers_as_text
 from gripcourse.words import Message, message
 from gripcourse.workbook import names
 
@@ -86,15 +87,14 @@ def read_workbook(path: Path) -> RawWorkbook | Rejected:
     reason = refusal(path.name, data)
     if reason is not None:
         return Rejected(str(path), digest, reason)
-    book = _load(data, values=True)
+    book = _load(data)
     if isinstance(book, Message):
         return Rejected(str(path), digest, book)
     places = _places(book)
     answers = _cells(book, places, names.ANSWER)
     if not answers:
         return Rejected(str(path), digest, _FOREIGN)
-    if any(cell.value is None for cell in answers.values()):
-        answers = _with_formulas(answers, places, data)
+    computed = formulas(data)
     identity, remarks = _identity(book, places)
     return RawWorkbook(
         file=str(path),
@@ -102,24 +102,36 @@ def read_workbook(path: Path) -> RawWorkbook | Rejected:
         identity=identity,
         creator=book.properties.lastModifiedBy or book.properties.creator or "",
         givens=_cells(book, places, names.GIVEN),
-        answers=answers,
+        answers={name: _with_formula(cell, computed) for name, cell in answers.items()},
         remarks=remarks,
     )
 
 
-def _load(data: bytes, *, values: bool) -> "Workbook | Message":
-    """Open a workbook: stored values, or formulas where cells have them."""
+def _load(data: bytes) -> "Workbook | Message":
+    """Open a workbook, with the values that are stored for its formulas."""
+    try:
+        return _opened(data)
+    except ValueError:  # perhaps of one cell, whose number is not a number
+        pass
+    except Exception as fault:  # noqa: BLE001 - the parser raises nearly every class there is
+        return _said_of(fault)
+    try:
+        return _opened(with_false_numbers_as_text(data))
+    except Exception as fault:  # noqa: BLE001 - as above
+        return _said_of(fault)
+
+
+def _opened(data: bytes) -> "Workbook":
     # A fifth of a second to import: only those who read a workbook pay for it.
     from openpyxl import load_workbook  # noqa: PLC0415
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of features that are lost on saving: nothing is saved
-        try:
-            return load_workbook(io.BytesIO(data), data_only=values, keep_links=False)
-        except Exception as fault:  # noqa: BLE001 - the parser raises nearly every class there is
-            return next(
-                (told for kinds, told in _FAULTS if isinstance(fault, kinds)), _UNKNOWN_CONTENT
-            )
+        return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
+
+
+def _said_of(fault: Exception) -> Message:
+    return next((told for kinds, told in _FAULTS if isinstance(fault, kinds)), _UNKNOWN_CONTENT)
 
 
 def _places(book: "Workbook") -> dict[str, _Place]:
@@ -193,26 +205,10 @@ def _first_of_merged(sheet: "Worksheet", cell: "MergedCell") -> object:
     return None if area is None else sheet.cell(area.min_row, area.min_col)
 
 
-def _with_formulas(
-    answers: Mapping[str, RawCell], places: Mapping[str, _Place], data: bytes
-) -> dict[str, RawCell]:
-    """Tell a formula whose value is not stored from an empty cell; this reads the file again."""
-    book = _load(data, values=False)
-    if isinstance(book, Message):
-        return dict(answers)
-    return {
-        identifier: cell
-        if cell.value is not None
-        else _with_formula(cell, _cell(book, places[names.cell_name(names.ANSWER, identifier)]))
-        for identifier, cell in answers.items()
-    }
-
-
-def _with_formula(raw: RawCell, cell: "Cell | None") -> RawCell:
-    if cell is None or cell.data_type != "f":
-        return raw
-    text = getattr(cell.value, "text", None) or str(cell.value)
-    return RawCell(raw.value, raw.number_format, raw.error, text, raw.cell)
+def _with_formula(raw: RawCell, computed: Mapping[Place, str]) -> RawCell:
+    """Say which formula a cell holds: one without a stored value is not an empty cell."""
+    sheet, _, address = raw.cell.rpartition("!")
+    return replace(raw, formula=computed.get((sheet, address), ""))
 
 
 def _identity(

@@ -18,8 +18,10 @@ _NO: Final = frozenset(
     {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність"}
 )
 # Files store errors in English; other languages come as text that was pasted.
-# As #DIV/0!, #ДЕЛ/0!, #Н/Д.
-_ERROR: Final = re.compile(r"#(?:N/A|Н/Д|[^\W\d_][\w/'’]{1,14}[!?])")
+# Examples: division by zero is #DIV/0! or #ДЕЛ/0!; another program writes Err:502.
+_ERROR: Final = re.compile(
+    r"#(?:N/A|Н/Д|GETTING_DATA|[^\W\d_][\w/'’]{1,14}[!?])|(?:ERR|ОШИБКА|ПОМИЛКА):\d{3}"
+)
 _VERDICT_NEEDED: Final = message("Yes or no is needed here.")
 _NUMBER_NEEDED: Final = message("A number is needed here, not a logical value.")
 _NO_NUMBER: Final = message("A number is needed here.")
@@ -45,10 +47,10 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
 def _spoiled(cell: RawCell) -> Message | None:
     """Tell what the spreadsheet program made of a cell that is no number any more."""
     value = cell.value
-    if cell.formula:
+    if cell.formula and value is None:
         return message(
-            "The cell holds a formula whose result is not stored in the file. Open the workbook in "
-            "a spreadsheet program, save it there and send it again."
+            "The cell holds a formula whose result is empty or not stored in the file. Open the "
+            "workbook in a spreadsheet program, save it there and send it again."
         )
     if cell.error or (isinstance(value, str) and _ERROR.fullmatch(value.strip().upper())):
         return message(
@@ -73,7 +75,7 @@ def _value(quantity: Quantity, cell: RawCell) -> Understood | Message:
         case int() | float() if is_serial_date(value, quantity.bounds):
             return about_date(serial_date(value))
         case int() | float():
-            return from_number(quantity, value, cell.number_format)
+            return from_number(quantity, value, cell.number_format, typed=not cell.formula)
         case _:
             return _NO_NUMBER
 
@@ -81,7 +83,7 @@ def _value(quantity: Quantity, cell: RawCell) -> Understood | Message:
 def shown(cell: RawCell) -> str:
     """Return what the cell shows, as one short line; a computed number with all its digits."""
     value = cell.value
-    if cell.formula:
+    if cell.formula and value is None:
         text = cell.formula
     elif isinstance(value, bool):
         text = str(value).upper()
@@ -101,7 +103,7 @@ def _verdict(value: CellValue) -> Understood | Message:
     """Read yes or no in any of the three languages, or as a spreadsheet's logical value."""
     word = str(value).strip().rstrip(".!").strip().casefold()
     if word in _YES or value == 1:
-        return Understood(1.0, 0.0, "", unit_fits=True, remarks=())
+        return Understood(1.0, 0.0, "", unit_fits=True, remarks=(), figures=None)
     if word in _NO or value == 0:
-        return Understood(0.0, 0.0, "", unit_fits=True, remarks=())
+        return Understood(0.0, 0.0, "", unit_fits=True, remarks=(), figures=None)
     return _VERDICT_NEEDED

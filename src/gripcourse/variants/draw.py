@@ -5,7 +5,7 @@ spaces, count and seed give the same variants.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -19,7 +19,8 @@ from gripcourse.variants.explain import in_short, listed
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Case, Space
-from gripcourse.words import Message, message
+from gripcourse.variants.tally import Refusal, Tally, by_count, summed
+from gripcourse.words import message
 
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
 _CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
@@ -44,41 +45,25 @@ class Batch:
     positions: NDArray[np.intp]
 
 
-Filter: TypeAlias = Callable[[Batch], Mask]
-"""A further condition on candidates, shape (n,): for example that they are far enough apart.
-
-It is asked batch by batch and in order, so that it may remember what it let through.
-"""
-
-
 @dataclass(frozen=True, slots=True)
-class Refusal:
-    """How often candidates were refused for a reason; one candidate may have several."""
-
-    what: Message
-    count: int
-
-
-@dataclass(frozen=True, slots=True)
-class Tally:
-    """How drawing went for one scheme.
+class Sifted:
+    """What a further condition let through.
 
     Attributes:
-        scheme: its id.
-        tried: candidates judged.
-        sound: candidates that could have been accepted.
-        refusals: the reasons for the others, the most frequent first.
+        keep: which candidates of a batch, shape (n,).
+        refusals: why others were set aside.
     """
 
-    scheme: str
-    tried: int
-    sound: int
+    keep: Mask
     refusals: tuple[Refusal, ...]
 
-    @property
-    def acceptance(self) -> float:
-        """Share of the candidates that could have been accepted, 0 to 1."""
-        return self.sound / self.tried
+
+Filter: TypeAlias = Callable[[Batch, int], Sifted]
+"""A further condition on candidates: for example that they are far enough apart.
+
+It is asked batch by batch and in order, with the number that is still wanted, so that it may stop
+there and remember exactly what it let through.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,6 +151,7 @@ class _Found:
     tried: int
     sound: int
     refusals: tuple[Refusal, ...]
+    set_aside: tuple[Refusal, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,11 +166,12 @@ class _Search:
     def find(self, wanted: int, seed: np.random.SeedSequence) -> _Found:
         """Try candidates until enough are accepted."""
         if not wanted:
-            return _Found((), 0, 0, ())
+            return _Found((), 0, 0, (), ())
         plan = make_plan(self.course, self.space.scheme, self.case.options)
         rows: dict[tuple[float, ...], Mapping[str, float]] = {}
         reasons: Counter[Reason] = Counter()
-        doubles = set_aside = tried = 0
+        set_aside: tuple[Refusal, ...] = ()
+        doubles = feasible = tried = 0
         for drawn in self._candidates(wanted, np.random.default_rng(seed)):
             if len(rows) >= wanted:
                 break
@@ -193,20 +180,22 @@ class _Search:
             reasons.update({one: int(where.sum()) for one, where in feasibility.refused.items()})
             tried += len(feasibility.feasible)
             batch = _batch(plan, given, feasibility)
+            feasible += len(batch.positions)
             keep = np.ones(len(batch.positions), dtype=np.bool_)
             if self.further is not None:
-                keep = self.further(batch)
-            set_aside += int((~keep).sum())
+                sifted = self.further(batch, wanted - len(rows))
+                keep = sifted.keep
+                set_aside = summed((*set_aside, *sifted.refusals))
             for values in zip(*(values[keep] for values in batch.given.values()), strict=True):
                 key = tuple(float(value) for value in values)
                 doubles += key in rows
                 rows.setdefault(key, dict(zip(batch.given, key, strict=True)))
         refusals = (
             *(Refusal(in_short(plan, one), number) for one, number in reasons.items()),
-            Refusal(message("too near to another variant"), set_aside),
             Refusal(message("the same numbers as another variant"), doubles),
         )
-        result = _Found(tuple(rows.values())[:wanted], tried, len(rows), _by_count(refusals))
+        found = tuple(rows.values())[:wanted]
+        result = _Found(found, tried, feasible - doubles, by_count(refusals), set_aside)
         if len(rows) < wanted:
             raise _too_few(self.space, wanted, result)
         return result
@@ -246,7 +235,7 @@ def _batch(plan: Plan, given: Mapping[str, Array], feasibility: Feasibility) -> 
 def _too_few(space: Space, wanted: int, found: _Found) -> TableError:
     common = [
         message("{what}: {count}", what=one.what, count=one.count)
-        for one in found.refusals[:_REASONS_TOLD]
+        for one in by_count((*found.refusals, *found.set_aside))[:_REASONS_TOLD]
     ]
     return TableError([Problem(
         space.file,
@@ -254,7 +243,7 @@ def _too_few(space: Space, wanted: int, found: _Found) -> TableError:
         message(
             "Of {tried} tried variants of '{scheme}' only {sound} can be handed out, {wanted} are"
             " wanted. Most often: {reasons}.",
-            tried=found.tried, scheme=space.scheme, sound=found.sound, wanted=wanted,
+            tried=found.tried, scheme=space.scheme, sound=len(found.rows), wanted=wanted,
             reasons=listed(common) if common else "—",
         ),
         message("Widen or move the ranges of these quantities, or loosen the constraints."),
@@ -271,19 +260,10 @@ def _tallies(search: Sequence[_Search], found: Sequence[_Found]) -> tuple[Tally,
 
 
 def _tally(scheme: str, results: Sequence[_Found]) -> Tally:
-    counts: dict[str, Refusal] = {}
-    for one in (refusal for result in results for refusal in result.refusals):
-        earlier = counts.get(str(one.what))
-        total = one.count + (earlier.count if earlier else 0)
-        counts[str(one.what)] = Refusal(one.what, total)
     return Tally(
         scheme,
         sum(result.tried for result in results),
         sum(result.sound for result in results),
-        _by_count(counts.values()),
+        by_count(summed(refusal for result in results for refusal in result.refusals)),
+        by_count(summed(refusal for result in results for refusal in result.set_aside)),
     )
-
-
-def _by_count(refusals: Iterable[Refusal]) -> tuple[Refusal, ...]:
-    """Sort by count, the most frequent first; what never happened is left out."""
-    return tuple(sorted((one for one in refusals if one.count), key=lambda one: -one.count))

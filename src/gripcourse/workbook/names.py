@@ -13,6 +13,9 @@ META: Final = "meta"
 SI: Final = "si"
 """In the instructor's key only: the value of a quantity in SI."""
 
+AUTHOR: Final = "gripcourse"
+"""The author that an issued workbook names, until a person's program writes another."""
+
 HIDDEN_SHEET: Final = "_gripcourse"
 PROPERTY: Final = "gripcourse"
 """Custom properties of the document are named `gripcourse.<field>`."""

@@ -84,7 +84,7 @@ def _set_properties(book: "Workbook", issued: Issued, course: Course, words: Wor
         {
             "title": course.title.of(words.language),
             "subject": issued.variant.id,
-            "author": "gripcourse",
+            "author": names.AUTHOR,
             "created": datetime.combine(issued.issued_on, time()),
         }
     )

@@ -2,11 +2,19 @@
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gripcourse.course.model import Kind, Quantity, Tolerance
 from gripcourse.course.policy import Policy
+from gripcourse.units import factor
+
+Array = NDArray[np.float64]
 
 # Values that are read from a table or a series differ only by how floating point writes them.
 _EXACT = 1e-6
+# An answer exactly on the edge of the band passes, whatever the last bit says.
+SLACK = 1 + 1e-9
 
 
 def band(quantity: Quantity, expected: float, policy: Policy) -> float:
@@ -15,10 +23,27 @@ def band(quantity: Quantity, expected: float, policy: Policy) -> float:
     The wider of a relative and an absolute part counts: near zero a relative band is empty. A
     quantity's own tolerance in the policy goes before its declaration, that before the default.
     """
-    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
-        return abs(expected) * _EXACT
-    tolerance = tolerance_of(quantity, policy)
+    return _half_width(expected, _tolerance_of_kind(quantity, policy))
+
+
+def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round a computed value, in the declared unit.
+
+    For a decision it is that of the value which the decision must not be below.
+    """
+    return _half_width(expected, tolerance_of(quantity, policy))
+
+
+def _half_width(expected: float, tolerance: Tolerance) -> float:
     return max(abs(expected) * tolerance.relative, tolerance.absolute)
+
+
+def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
+    """Return the half widths round many expected values, SI, in their shape."""
+    tolerance = _tolerance_of_kind(quantity, policy)
+    return np.maximum(
+        np.abs(expected) * tolerance.relative, tolerance.absolute * factor(quantity.unit)
+    )
 
 
 def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:
@@ -27,9 +52,14 @@ def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:
     return Tolerance(own.relative, own.absolute or policy.floors.get(quantity.unit, 0.0))
 
 
+def _tolerance_of_kind(quantity: Quantity, policy: Policy) -> Tolerance:
+    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
+        return Tolerance(_EXACT, 0.0)
+    return tolerance_of(quantity, policy)
+
+
 def within(value: float, expected: float, half_width: float) -> bool:
     """Tell whether a value lies in the band; a value that cannot be computed matches nothing."""
     if not (math.isfinite(value) and math.isfinite(expected)):
         return False
-    # The slack lets an answer exactly on the edge of the band pass, whatever the last bit says.
-    return abs(value - expected) <= half_width * (1 + 1e-9)
+    return abs(value - expected) <= half_width * SLACK

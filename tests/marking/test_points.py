@@ -6,7 +6,7 @@ import pytest
 
 from gripcourse.course.model import Course, Kind
 from gripcourse.course.policy import Policy
-from gripcourse.grading.points import points_of
+from gripcourse.marking.points import points_of
 from gripcourse.solver.plan import Plan, make_plan
 
 

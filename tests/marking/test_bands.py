@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from gripcourse.course.model import Tolerance
 from gripcourse.course.policy import Policy
-from gripcourse.grading.bands import band, tolerance_of, within
+from gripcourse.marking.bands import band, tolerance_of, within
 from gripcourse.solver.plan import Plan
 
 

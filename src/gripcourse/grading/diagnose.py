@@ -1,0 +1,182 @@
+"""What is behind the wrong answers of a submission: slips in them, and in what was left out.
+
+A slip may have been made in a step that the student did not write down; then its result shows only
+in the next answer that was.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Kind
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.grading.choices import sound_sizes
+from gripcourse.grading.explain import (
+    Explanation,
+    Weighed,
+    conclude,
+    density,
+    weigh,
+    with_later_answers,
+)
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.view import Judgement, Range, View
+from gripcourse.slips.model import Candidate
+from gripcourse.solver.solve import evaluate
+from gripcourse.units import factor
+from gripcourse.words import Message, message
+
+# A step in the head is left out less often than it is written down.
+_UNWRITTEN = 0.5
+
+CandidatesOf = Callable[[str], tuple[Candidate, ...]]
+"""The wrong methods of a quantity, by its id."""
+
+
+def diagnose(
+    view: View, judgement: Judgement, candidates_of: CandidatesOf, later: Sequence[View]
+) -> Judgement:
+    """Name the slip behind a wrong answer.
+
+    Args:
+        view: of the answer.
+        judgement: that it is wrong.
+        candidates_of: the wrong methods of each quantity.
+        later: the answers whose formulas use this one.
+
+    Returns:
+        The judgement with the slip that explains the answer, itself where none does.
+    """
+    if view.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
+        return judgement
+    other_size = _with_other_size(view, judgement)
+    if other_size is not None:
+        return other_size
+    weighed = [
+        with_later_answers(one, later)
+        for one in (weigh(view, candidate) for candidate in candidates_of(view.quantity.id))
+        if one.weight > 0
+    ]
+    for earlier in _unwritten(view, Kind.FORMULA):
+        weighed += _weigh_earlier(view, earlier, candidates_of(earlier))
+    explanation = conclude(view, weighed)
+    if explanation is None:
+        return judgement
+    if explanation.likeliest.of == view.quantity.id:
+        return _with_slip(judgement, explanation)
+    return _with_earlier_slip(view, judgement, explanation)
+
+
+def _with_slip(judgement: Judgement, explanation: Explanation) -> Judgement:
+    likeliest = explanation.likeliest.candidate
+    return replace(
+        judgement,
+        outcome=Outcome.SLIP,
+        credit=likeliest.credit,
+        slip=likeliest.id,
+        tied=tuple(one.candidate.id for one in explanation.tied),
+        message=_said(explanation),
+    )
+
+
+def _said(explanation: Explanation) -> Message:
+    hint = explanation.likeliest.candidate.hint
+    for other in explanation.tied:
+        return message(
+            "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
+        )
+    return message("A known slip: {hint}", hint=hint)
+
+
+def _with_earlier_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
+    """The slip was made in a step that is blank and earns nothing there; it costs once."""
+    likeliest = explanation.likeliest
+    earlier = view.plan.quantities[likeliest.of]
+    return replace(
+        judgement,
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        credit=view.policy.carried_credit,
+        slip=likeliest.candidate.id,
+        tied=tuple(one.candidate.id for one in explanation.tied),
+        roots=(likeliest.of,),
+        message=message(
+            "Follows from a slip in a step that you left blank, {title}: {hint}",
+            title=earlier.title,
+            hint=likeliest.candidate.hint,
+        ),
+    )
+
+
+def _with_other_size(view: View, judgement: Judgement) -> Judgement | None:
+    """Accept what follows from another sound size that the student did not write down."""
+    for name in _unwritten(view, Kind.CHOICE):
+        sizes = sound_sizes(view, name)
+        if not sizes:
+            continue
+        here = _carried_here(view, name, np.asarray(sizes)) / factor(view.quantity.unit)
+        for size, value in zip(sizes, here.tolist(), strict=True):
+            if view.fits(_spread_as(view.follows, value).nearest(view.value)):
+                title = view.plan.quantities[name].title
+                declared = size / factor(view.plan.quantities[name].unit)
+                return replace(
+                    judgement,
+                    outcome=Outcome.CARRIED,
+                    against=Against.OWN_INPUTS,
+                    credit=view.policy.carried_credit,
+                    message=message(
+                        "Follows if {title} was chosen as {value}, which you did not write down.",
+                        title=title,
+                        value=declared,
+                    ),
+                )
+    return None
+
+
+def _unwritten(view: View, kind: Kind) -> Iterator[str]:
+    """Yield the quantities of a kind that lead to this one through no number of the student's."""
+    waiting = list(view.plan.inputs[view.quantity.id])
+    seen: set[str] = set()
+    while waiting:
+        name = waiting.pop()
+        if name in seen or name in view.own.known:
+            continue
+        seen.add(name)
+        if view.plan.quantities[name].kind is kind:
+            yield name
+        waiting += view.plan.inputs[name]
+
+
+def _weigh_earlier(view: View, name: str, candidates: tuple[Candidate, ...]) -> list[Weighed]:
+    """Weigh wrong methods of an earlier step by what they make of this answer."""
+    if not candidates:
+        return []
+    unit = view.plan.quantities[name].unit
+    values = view.own.evaluation.values
+    results = [
+        float(evaluate_formula(one.formula, unit, values, view.plan.columns)) for one in candidates
+    ]
+    here = _carried_here(view, name, np.asarray(results)) / factor(view.quantity.unit)
+    return [
+        Weighed(name, candidate, value, _UNWRITTEN * candidate.prior * density(view, spread))
+        for candidate, value in zip(candidates, here.tolist(), strict=True)
+        for spread in [_spread_as(view.follows, value)]
+        if np.isfinite(value)
+    ]
+
+
+def _carried_here(view: View, name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return what this answer would be, SI, for each value of an earlier quantity."""
+    known: Mapping[str, float | NDArray[np.float64]] = {**view.own.known, name: values}
+    computed = evaluate(view.plan, known).computed[view.quantity.id]
+    return np.broadcast_to(computed, values.shape)
+
+
+def _spread_as(follows: Range, value: float) -> Range:
+    """Return a range that is as wide, in proportion, as what follows from the right method."""
+    if follows.value == 0 or not np.isfinite(follows.value):
+        return Range(value, value, value)
+    down, up = sorted((follows.low / follows.value * value, follows.high / follows.value * value))
+    return Range(value, min(down, value), max(up, value))

@@ -1,0 +1,206 @@
+"""Naming a slip: which wrong method explains an answer, and how certain that is.
+
+A wrong number is near some wrong method's result by chance more often than one thinks. So each
+method is weighed: how common it is, how well it meets the number as typed (half a unit of the last
+digit, widened only by what the rounding of the inputs can move), against all others and against a
+wrong number that nothing explains, which may be anywhere.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+from gripcourse.course.slip_policy import SlipPolicy
+from gripcourse.formula.tree import Formula, Name, walk
+from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.grading.view import Range, View
+from gripcourse.slips.model import Candidate
+from gripcourse.slips.rewrite import number, renamed
+
+# The last digits of a number differ by the route: 3.14159 for pi.
+_FINEST: Final = 5e-6
+# Zeros that a cell has lost go on for three more digits at least.
+_SHORTEST: Final = 1e-3
+# Methods whose results agree so far cannot be told apart by any number.
+_ALIKE: Final = 1e-6
+# Shares of the people who round, and of those who cut digits off where the policy thinks of them.
+_ROUNDED, _CUT_OFF = 0.9, 0.1
+# A short number in a cell may have lost zeros of three figures, or of as many as the calculator
+# has, or may have been typed so coarsely.
+_ZEROS_LOST, _EXACT, _COARSE = 0.67, 0.3, 0.03
+# People compute from their own numbers; few take one of somebody else's that is right.
+_FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
+# Some carry on the typed number, some the one in the calculator.
+_CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
+_LATER: Final = 4  # answers that are asked
+# Few shorten a constant so much that the result shows it.
+_FROM_HABIT = 0.2
+_HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
+
+
+@dataclass(frozen=True, slots=True)
+class Weighed:
+    """A wrong method, of which quantity it is, its result here in the declared unit, its weight."""
+
+    of: str
+    candidate: Candidate
+    value: float
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """What explains a wrong answer.
+
+    Attributes:
+        likeliest: the wrong method.
+        tied: others that explain the answer as well, likeliest first.
+        probability: of the methods that are named, 0…1.
+    """
+
+    likeliest: Weighed
+    tied: tuple[Weighed, ...]
+    probability: float
+
+
+def weigh(view: View, candidate: Candidate) -> Weighed:
+    """Weigh a wrong method of the answer's own formula against what was typed."""
+    own = view.near_own(candidate.formula)
+    met = _FROM_OWN * _met(view, own)
+    if view.has_own_inputs(candidate.formula):
+        reference = view.at_reference(candidate.formula)
+        met += _FROM_REFERENCE * _met(view, Range(reference, reference, reference))
+    else:
+        met += _FROM_REFERENCE / _FROM_OWN * met
+    if met == 0 and abs(view.value - own.value) <= _HABITS_MOVE * abs(own.value):
+        met = _FROM_HABIT * max(
+            (_met(view, view.near_own(one)) for one in _with_habits(view, candidate.formula)),
+            default=0.0,
+        )
+    return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)
+
+
+def with_later_answers(found: Weighed, later: Sequence[View]) -> Weighed:
+    """Let what was computed on from an answer speak for a method or against it.
+
+    Who carries on the number in the calculator shows its digits in the next answers, and they tell
+    methods apart that the typed number cannot.
+    """
+    weight = found.weight
+    for view in later[:_LATER]:
+        typed = density(view, view.follows) if math.isfinite(view.expected) else 0.0
+        if typed > 0:
+            exact = density(view, view.following(found.of, found.value))
+            weight *= _CARRIED_TYPED + _CARRIED_EXACT * exact / typed
+    return replace(found, weight=weight)
+
+
+def _met(view: View, result: Range) -> float:
+    return density(view, result) if math.isfinite(result.value) else 0.0
+
+
+def _with_habits(view: View, formula: Formula) -> Iterator[Formula]:
+    """Yield a formula with the constants that it uses as people shorten them, one at a time."""
+    for name, values in view.policy.habits.items():
+        if name in formula.names or any(part == Name(name) for part in walk(formula.tree)):
+            for value in values:
+                tree = renamed(formula.tree, {name: number(value)})
+                yield Formula("", tree, formula.units)
+
+
+def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
+    """Name the wrong method behind an answer.
+
+    Args:
+        view: of the answer, which is wrong.
+        weighed: all the methods that were thought of.
+
+    Returns:
+        The method, or two that explain the answer equally well; None where it is not explained.
+    """
+    policy = view.policy.slips
+    met = [one for one in weighed if one.weight > 0]
+    if not met:
+        return None
+    total = sum(one.weight for one in met) + unexplained(view) * policy.unexplained
+    groups = sorted(_alike(met), key=_weight_of, reverse=True)
+    best = groups[0]
+    if _weight_of(best) / total >= policy.certain:
+        return _named(best, total, policy)
+    if len(groups) == 1 or not _tie(groups[0], groups[1], policy):
+        return None
+    both = _weight_of(groups[0]) + _weight_of(groups[1])
+    if both / total < policy.certain:
+        return None
+    return Explanation(groups[0][0], (groups[1][0],), both / total)
+
+
+def density(view: View, result: Range) -> float:
+    """Return how densely typed numbers lie at an answer, for people who compute this result."""
+    value = view.value
+    if value == 0:
+        return 0.0  # it has no last digit, and says nothing about where it comes from
+    finest = _FINEST * abs(value)
+    fine = max(typed_half_unit(view.answer, view.policy), finest)
+    coarse = max(view.answer.half_unit, finest)
+    if coarse <= fine:
+        return _density(view, result, fine)
+    return (
+        _ZEROS_LOST * _density(view, result, fine)
+        + _EXACT * _density(view, result, max(finest, _SHORTEST * coarse))
+        + _COARSE * _density(view, result, coarse)
+    )
+
+
+def _density(view: View, result: Range, half_unit: float) -> float:
+    distance = abs(view.value - result.nearest(view.value))
+    width = result.high - result.low
+    cut = 2 * half_unit * view.policy.last_digit
+    slack = 1e-9 * abs(view.value)
+    if distance <= half_unit + slack:
+        return _ROUNDED / (width + 2 * half_unit)
+    if distance <= cut + slack:
+        return _CUT_OFF / (width + 2 * cut)
+    return 0.0
+
+
+def unexplained(view: View) -> float:
+    """Return how densely wrong numbers that nothing explains lie at an answer.
+
+    They scatter log-normally about the right one; either sign may be wrong too.
+    """
+    size = abs(view.value)
+    right = abs(view.reference if math.isfinite(view.reference) else view.expected)
+    if size == 0 or right == 0 or not math.isfinite(right):
+        return 1.0 / (size or 1.0)
+    spread = view.policy.slips.spread
+    away = math.log(size / right) / spread
+    return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
+
+
+def _alike(weighed: Sequence[Weighed]) -> list[list[Weighed]]:
+    """Group methods whose results no number can tell apart, the likeliest first in each."""
+    groups: list[list[Weighed]] = []
+    for one in sorted(weighed, key=lambda found: found.weight, reverse=True):
+        for group in groups:
+            if math.isclose(one.value, group[0].value, rel_tol=_ALIKE):
+                group.append(one)
+                break
+        else:
+            groups.append([one])
+    return groups
+
+
+def _weight_of(group: Sequence[Weighed]) -> float:
+    return sum(one.weight for one in group)
+
+
+def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -> bool:
+    return _weight_of(one) < policy.tie * _weight_of(other)
+
+
+def _named(group: Sequence[Weighed], total: float, policy: SlipPolicy) -> Explanation:
+    first = group[0]
+    tied = [one for one in group[1:] if first.weight < policy.tie * one.weight]
+    return Explanation(first, tuple(tied[:1]), _weight_of(group) / total)

@@ -1,0 +1,29 @@
+"""How far the number in a student's calculator may be from the number in the cell."""
+
+import math
+
+from gripcourse.course.policy import Policy
+from gripcourse.submission.model import Answer
+
+
+def reach_of(answer: Answer, policy: Policy) -> float:
+    """Return how far the number behind an answer may be from the typed one, in the declared unit.
+
+    A spreadsheet drops the zeros of 5.00, so that a short number is no proof of a coarse one: a
+    number counts as written with at least the figures that the policy asks for.
+    """
+    return 2 * policy.last_digit * typed_half_unit(answer, policy)
+
+
+def typed_half_unit(answer: Answer, policy: Policy) -> float:
+    """Return half a unit of the last digit that an answer counts as written with."""
+    if answer.value is None:
+        return 0.0
+    return min(answer.half_unit, figure_half_unit(answer.value, policy.figures))
+
+
+def figure_half_unit(value: float, figures: int) -> float:
+    """Return half a unit of the last of so many significant figures of a value; 0 for zero."""
+    if value == 0 or not math.isfinite(value):
+        return 0.0
+    return 0.5 * 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)

@@ -1,0 +1,116 @@
+"""Evidence that a submission holds another student's numbers.
+
+Each number of a submission is either the student's own or, with some probability, taken from one
+certain other student. What is right, or follows from the student's own numbers, says nothing; a
+recognised slip says as much as it is rare in the cohort; what nothing explains says as much as it
+is unlikely to meet the other's number by chance. The odds of all numbers are multiplied, averaged
+over how much may have been taken, and divided by the number of comparisons.
+"""
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from gripcourse.course.policy import LikenessRule
+from gripcourse.likeness.hits import same_as_issued, same_as_typed
+from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.model import Chances, Evidence, Kind, Work
+from gripcourse.likeness.odds import compare, rests_on
+from gripcourse.likeness.pool import Pool, chance_of, pool, where_right_is_shared
+
+_LARGEST = 700.0  # logarithm of the largest odds that are told
+
+
+def find_evidence(
+    works: Sequence[Work], issued: IssuedValues, rule: LikenessRule, chances: Chances | None = None
+) -> tuple[Evidence, ...]:
+    """Find what is alike beyond chance.
+
+    Args:
+        works: the submissions; several of one student are not compared with each other.
+        issued: the right values of every issued variant; its owners are student ids.
+        rule: from which odds on evidence is told.
+        chances: what counts as coincidence.
+
+    Returns:
+        For each submission at most the other variant that fits it best, and all students whose
+        answers are the same, by odds; then common authors.
+    """
+    known = set(issued.owners)
+    usable = [work for work in works if work.student in known]
+    creators = tuple(same_creators(works, rule))
+    if rule.odds == 0 or not usable:
+        return creators
+    pooled = pool(usable, issued)
+    chosen = chances or Chances()
+    variants = other_variants(pooled, rule, chosen)
+    return (*variants, *same_answers(pooled, rule, chosen), *creators)
+
+
+def other_variants(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
+    """Yield for each submission the variant of another student that it fits beyond chance."""
+    hits = same_as_issued(pooled.numbers, pooled.issued.values)
+    chance = chance_of(pooled, hits, chances)
+    found = compare(pooled, hits, chance, np.isfinite(pooled.issued.values), rule.answers)
+    logs = found.logs.copy()
+    logs[np.arange(len(logs)), pooled.own] = -np.inf
+    best = np.argmax(logs, axis=1)
+    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
+        students = (pooled.students[row], pooled.issued.owners[best[row]])
+        names = rests_on(pooled, found, int(row), int(best[row]))
+        odds = _odds(pooled, float(logs[row, best[row]]))
+        yield Evidence(Kind.OTHER_VARIANT, students, odds, names)
+
+
+def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
+    """Yield for each submission those in which the same numbers were typed beyond chance."""
+    numbers = pooled.numbers
+    present = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
+    present[numbers.row, numbers.column] = True
+    hits = same_as_typed(numbers, *present.shape)
+    alone = chance_of(pooled, hits, chances)
+    # What is explained stays so, whoever else has it.
+    chance = np.maximum(alone, where_right_is_shared(pooled, hits, chances))
+    found = compare(pooled, hits, chance, present, rule.answers)
+    students = np.array(pooled.students)
+    logs = np.where(students[:, None] == students[None, :], -np.inf, found.logs)
+    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
+        told = np.flatnonzero(logs[row] >= _least(pooled, rule))
+        strongest = told[np.argsort(-logs[row, told], kind="stable")]
+        others = dict.fromkeys(pooled.students[one] for one in strongest)
+        names = rests_on(pooled, found, int(row), int(strongest[0]))
+        odds = _odds(pooled, float(logs[row, strongest[0]]))
+        yield Evidence(Kind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
+
+
+def same_creators(works: Sequence[Work], rule: LikenessRule) -> Iterator[Evidence]:
+    """Yield the few students whose workbooks name one author; many share a computer room."""
+    students: dict[str, dict[str, str]] = defaultdict(dict)
+    for work in works:
+        name = " ".join(work.creator.split())
+        if name:
+            students[name.casefold()].setdefault(work.student, name)
+    everybody = len({work.student for work in works})
+    for same in students.values():
+        if 1 < len(same) <= rule.same_creator and len(same) < everybody:
+            for student, name in same.items():
+                others = (one for one in same if one != student)
+                odds = everybody / len(same)
+                yield Evidence(Kind.SAME_CREATOR, (student, *others), odds, (name,))
+
+
+def _odds(pooled: Pool, log: float) -> float:
+    return math.exp(min(log - _comparisons(pooled), _LARGEST))
+
+
+def _least(pooled: Pool, rule: LikenessRule) -> float:
+    """Return the logarithm of the odds that are told, before they are divided."""
+    return math.log(rule.odds) + _comparisons(pooled)
+
+
+def _comparisons(pooled: Pool) -> float:
+    """Return the logarithm of how many variants and submissions were compared with submissions."""
+    submissions = len(pooled.students)
+    return math.log(max(1, submissions * (len(pooled.issued.owners) + submissions - 2)))

@@ -1,0 +1,81 @@
+"""Evidence in words: flags for the instructor. A student's report shows no flags."""
+
+from collections.abc import Iterable
+from typing import Final
+
+from gripcourse.grading.model import Flag
+from gripcourse.likeness.model import Evidence, Kind
+from gripcourse.words import Message, message
+
+_STUDENTS: Final = 5  # that one flag names
+_QUANTITIES: Final = 12
+
+_IN_WORDS: Final = (
+    (1e12, message("more than a million million to one")),
+    (1e9, message("more than a thousand million to one")),
+    (1e6, message("more than a million to one")),
+    (1e3, message("more than a thousand to one")),
+    (1e2, message("more than a hundred to one")),
+    (1e1, message("more than ten to one")),
+    (2.0, message("better than two to one")),
+)
+
+
+def odds_in_words(odds: float) -> Message:
+    """Say odds to one, rounded down to a power that people have a word for."""
+    hardly = message("hardly better than even")
+    return next((said for least, said in _IN_WORDS if odds >= least), hardly)
+
+
+def flag_of(evidence: Evidence) -> Flag:
+    """Return the flag of evidence, for the submission of its first student."""
+    return Flag(evidence.kind.value, _said(evidence))
+
+
+def flags_by_student(found: Iterable[Evidence]) -> dict[str, tuple[Flag, ...]]:
+    """Return the flags of each student's submission."""
+    flags: dict[str, tuple[Flag, ...]] = {}
+    for evidence in found:
+        student = evidence.students[0]
+        flag = flag_of(evidence)
+        if flag not in flags.get(student, ()):
+            flags[student] = (*flags.get(student, ()), flag)
+    return flags
+
+
+def _said(evidence: Evidence) -> Message:
+    others = _listed(evidence.students[1:], _STUDENTS)
+    names = _listed(evidence.rests_on, _QUANTITIES)
+    odds = odds_in_words(evidence.odds)
+    if evidence.kind is Kind.OTHER_VARIANT:
+        return message(
+            "Numbers that the student's own variant does not explain are those of the variant of "
+            "{others}: {odds}, all comparisons counted. This rests on: {names}. It is evidence, "
+            "not a verdict.",
+            others=others,
+            odds=odds,
+            names=names,
+        )
+    if evidence.kind is Kind.SAME_ANSWERS:
+        return message(
+            "Numbers that the student's own variant does not explain are the same in the work of "
+            "{others}: {odds}, all comparisons counted. This rests on: {names}. It is evidence, "
+            "not a verdict.",
+            others=others,
+            odds=odds,
+            names=names,
+        )
+    return message(
+        "The workbook names the author “{names}”, as that of {others} does and few others: {odds}. "
+        "Students who share a computer share this name.",
+        others=others,
+        odds=odds,
+        names=names,
+    )
+
+
+def _listed(names: tuple[str, ...], most: int) -> Message:
+    named = ", ".join(names[:most])
+    if len(names) <= most:
+        return message("{names}", names=named)
+    return message("{names} and {count} more", names=named, count=len(names) - most)

@@ -1,0 +1,82 @@
+"""What was handed in, as the search for likeness sees it, and what it finds."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Kind(StrEnum):
+    """What is alike; the codes of the flags."""
+
+    OTHER_VARIANT = "other_variant"  # answers or given values are those of another's variant
+    SAME_ANSWERS = "same_answers"  # answers equal what another student typed
+    SAME_CREATOR = "same_creator"  # the workbooks name the same author
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """One number that a student typed.
+
+    Attributes:
+        quantity: id.
+        value: in the declared unit.
+        half_unit: half a unit of the last typed digit, likewise; 0 for a computed number.
+        explained: whether it is right, or follows from the student's own numbers.
+        slip: id of the wrong method that explains it otherwise; empty for none.
+    """
+
+    quantity: str
+    value: float
+    half_unit: float
+    explained: bool
+    slip: str
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """One submission.
+
+    Attributes:
+        student: id of who handed it in.
+        numbers: answers, and the given values that differ from the issued ones.
+        creator: the author that the workbook names; empty for none, or for who issued it.
+    """
+
+    student: str
+    numbers: tuple[Typed, ...]
+    creator: str
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """A likeness that chance explains badly.
+
+    Attributes:
+        kind: what is alike.
+        students: whose submission it is, then whose variant or answers it is like.
+        odds: how many times likelier copying makes it than chance, divided by the number of
+            comparisons in which chance could have done it.
+        rests_on: ids of the quantities, the strongest first; the author's name for a creator.
+    """
+
+    kind: Kind
+    students: tuple[str, ...]
+    odds: float
+    rests_on: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chances:
+    """What counts as coincidence: probabilities of a number that the student's own do not explain.
+
+    Attributes:
+        least: that it equals a certain other one, at least: nobody knows chance better than this.
+        discrete: likewise for a size from a series or a table.
+        shared: likewise where both students have the same right value: the same wrong method gives
+            the same wrong value.
+        slip: that it comes from the method that was recognised in it, at least.
+    """
+
+    least: float = 0.002
+    discrete: float = 0.1
+    shared: float = 0.1
+    slip: float = 0.05

@@ -1,0 +1,118 @@
+"""All numbers of all submissions side by side, and what explains each of them without copying."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.likeness.hits import Floats, Hits, Ints, Numbers, density, last_unit
+from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.model import Chances, Typed, Work
+
+_FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
+_SAME_RATIO = 1e-3  # relative: as exactly as people type
+
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Pool:
+    """The numbers of a cohort.
+
+    Attributes:
+        students: of the submissions.
+        own: row of each submission's student in the table of issued values.
+        issued: that table.
+        numbers: what was typed.
+        explained: (numbers,); whether a number says nothing.
+        slip: (numbers,); how common its slip is in the cohort; NaN where there is none.
+    """
+
+    students: tuple[str, ...]
+    own: Ints
+    issued: IssuedValues
+    numbers: Numbers
+    explained: Flags
+    slip: Floats
+
+
+def pool(works: Sequence[Work], issued: IssuedValues) -> Pool:
+    """Put the numbers of submissions side by side; all students own a row of issued values."""
+    columns = issued.columns
+    rows = {student: row for row, student in enumerate(issued.owners)}
+    kept = [
+        (row, columns[one.quantity], one)
+        for row, work in enumerate(works)
+        for one in _without_filler(work.numbers)
+        if one.quantity in columns and one.value != 0 and math.isfinite(one.value)
+    ]
+    value = np.array([one.value for *_, one in kept], dtype=np.float64)
+    half = np.array([one.half_unit for *_, one in kept], dtype=np.float64)
+    return Pool(
+        students=tuple(work.student for work in works),
+        own=np.array([rows[work.student] for work in works], dtype=np.intp),
+        issued=issued,
+        numbers=Numbers(
+            row=np.array([row for row, *_ in kept], dtype=np.intp),
+            column=np.array([column for _, column, _ in kept], dtype=np.intp),
+            value=value,
+            unit=last_unit(value, half),
+        ),
+        explained=np.array([one.explained for *_, one in kept], dtype=np.bool_),
+        slip=_slip_shares([one for *_, one in kept]),
+    )
+
+
+def chance_of(pooled: Pool, hits: Hits, chances: Chances) -> Floats:
+    """Return the probability of each hit without copying: 1 for what is explained."""
+    near = density(pooled.numbers, pooled.issued.values)[hits.number] * hits.window
+    wrong = np.maximum(np.maximum(near, hits.share), chances.least)
+    discrete = pooled.issued.discrete[pooled.numbers.column[hits.number]]
+    wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)
+    slip = np.maximum(pooled.slip, chances.slip)[hits.number]
+    chance = np.where(np.isnan(slip), wrong, np.maximum(wrong, slip))
+    result: Floats = np.where(pooled.explained[hits.number], 1.0, np.minimum(chance, 1.0))
+    return result
+
+
+def where_right_is_shared(pooled: Pool, hits: Hits, chances: Chances) -> Floats:
+    """Return how likely the same wrong method is, where it gives two students the same number."""
+    numbers = pooled.numbers
+    right = pooled.issued.values[pooled.own[numbers.row], numbers.column]
+    theirs = pooled.issued.values[pooled.own[hits.owner], numbers.column[hits.number]]
+    shared = np.isclose(right[hits.number], theirs, rtol=1e-6, atol=0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        common = _commonness(numbers.column, numbers.value / right)
+    return np.where(shared, np.maximum(common[hits.number], chances.shared), 0.0)
+
+
+def _without_filler(numbers: Sequence[Typed]) -> Iterator[Typed]:
+    wrong = Counter(one.value for one in numbers if not one.explained)
+    return (one for one in numbers if one.explained or wrong[one.value] < _FILLER)
+
+
+def _slip_shares(numbers: Sequence[Typed]) -> Floats:
+    """Return which part of those who answered a quantity made the same slip; NaN for no slip."""
+    answered = Counter(one.quantity for one in numbers)
+    made = Counter((one.quantity, one.slip) for one in numbers)
+    shares = [
+        made[one.quantity, one.slip] / answered[one.quantity] if one.slip else math.nan
+        for one in numbers
+    ]
+    return np.array(shares, dtype=np.float64)
+
+
+def _commonness(column: Ints, ratio: Floats) -> Floats:
+    """Return which part of a quantity's numbers is off by the same ratio, but for this one."""
+    result = np.zeros(len(ratio))
+    for one in np.unique(column):
+        mine = np.flatnonzero((column == one) & np.isfinite(ratio))
+        ordered = np.sort(ratio[mine])
+        reach = np.abs(ratio[mine]) * _SAME_RATIO
+        low = np.searchsorted(ordered, ratio[mine] - reach, "left")
+        high = np.searchsorted(ordered, ratio[mine] + reach, "right")
+        result[mine] = (high - low - 1) / max(len(mine), 1)
+    return result

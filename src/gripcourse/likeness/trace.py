@@ -1,0 +1,127 @@
+"""Whose variant do some numbers come from: variants ranked by the odds that they are theirs."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.likeness.hits import Floats, Numbers, density, last_unit
+from gripcourse.likeness.issued import IssuedValues
+
+_TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
+_LEAST = 1e-4  # nobody knows chance better than this
+_OWN_ROUNDING = 1e-9  # relative
+
+
+@dataclass(frozen=True, slots=True)
+class Clue:
+    """One number of unknown origin.
+
+    Attributes:
+        text: as it was typed.
+        meanings: what it can be: value and half a unit of its last digit, in the declared unit, by
+            quantity.
+    """
+
+    text: str
+    meanings: Mapping[str, tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """What one number is in a variant; an empty quantity where it is nothing there."""
+
+    text: str
+    quantity: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """A variant that numbers may come from.
+
+    Attributes:
+        owner: of the row of issued values.
+        odds: of this variant against all others and against none of them.
+        matches: one for each number.
+    """
+
+    owner: str
+    odds: float
+    matches: tuple[Match, ...]
+
+
+def rank(clues: Sequence[Clue], issued: IssuedValues) -> tuple[Origin, ...]:
+    """Rank variants by how well they explain numbers.
+
+    Args:
+        clues: the numbers; each is compared at the precision that was typed.
+        issued: the values of the variants.
+
+    Returns:
+        The variants in which any number occurs, the likeliest first.
+    """
+    if not clues:
+        return ()
+    found = [_nearest(clue, issued) for clue in clues]
+    logs = np.zeros(len(issued.owners))
+    for column, chance in found:
+        logs += np.log((1 - _TRUE) + _TRUE * (column >= 0) / chance)
+    prior = logs - math.log(max(len(logs), 1))
+    everything = float(np.logaddexp.reduce(np.append(prior, 0.0)))  # 0: of no variant at all
+    occurs = np.any([column >= 0 for column, _ in found], axis=0)
+    order = [row for row in np.argsort(-logs, kind="stable") if occurs[row]]
+    return tuple(
+        Origin(
+            owner=issued.owners[row],
+            odds=_against_the_rest(float(prior[row]) - everything),
+            matches=tuple(
+                _match(clue, issued, int(column[row]), int(row))
+                for clue, (column, _) in zip(clues, found, strict=True)
+            ),
+        )
+        for row in order
+    )
+
+
+def _against_the_rest(log_share: float) -> float:
+    rest = -math.expm1(log_share)
+    return math.exp(log_share) / rest if rest > 0 else math.inf
+
+
+def _match(clue: Clue, issued: IssuedValues, column: int, row: int) -> Match:
+    if column < 0:
+        return Match(clue.text, "", math.nan)
+    return Match(clue.text, issued.quantities[column], float(issued.values[row, column]))
+
+
+def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats]:
+    """Find for each variant the quantity that a number is; −1 where it is none.
+
+    Returns:
+        The column by row, and the probability that a variant has such a number by chance.
+    """
+    rows = len(issued.owners)
+    columns = [
+        (column, *clue.meanings[name])
+        for column, name in enumerate(issued.quantities)
+        if name in clue.meanings and clue.meanings[name][0] != 0
+    ]
+    if not columns:
+        return np.full(rows, -1), np.ones(rows)
+    place = np.array([column for column, *_ in columns], dtype=np.intp)
+    value = np.array([one for _, one, _ in columns])
+    unit = last_unit(value, np.array([half for *_, half in columns]))
+    reach = np.maximum(unit, _OWN_ROUNDING * np.abs(value))
+    values = issued.values[:, place]
+    away = np.where(np.isfinite(values), np.abs(values - value), np.inf) / reach
+    best = np.argmin(away, axis=1)
+    fits = away[np.arange(rows), best] <= 1 + _OWN_ROUNDING
+    numbers = Numbers(np.zeros(len(place), dtype=np.intp), place, value, unit)
+    near = density(numbers, issued.values) * 2 * reach / np.abs(value)
+    by_spread = np.isfinite(values) @ near
+    by_count = (fits.sum() - 1) / max(rows, 1)
+    chance = np.clip(np.maximum(by_spread, by_count), _LEAST, 1.0)
+    return np.where(fits, place[best], -1), chance

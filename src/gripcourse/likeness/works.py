@@ -1,0 +1,64 @@
+"""Reports → what the search for likeness compares."""
+
+import math
+
+from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.likeness.model import Typed, Work
+from gripcourse.variants.model import Issued
+
+_SAME = 1e-9  # relative: stored givens are decimal numbers
+_USED = "used:"  # a slip that names only the wrong number that was used says nothing of its origin
+
+
+def work_of(report: Report, issued: Issued, issuer: str) -> Work:
+    """Return the numbers of a judged submission.
+
+    Args:
+        report: of the submission.
+        issued: to the student who handed it in.
+        issuer: the author that issued workbooks name.
+    """
+    answers = (
+        Typed(
+            quantity=finding.quantity,
+            value=finding.given,
+            half_unit=finding.half_unit,
+            explained=_is_explained(finding),
+            slip=_slip(finding),
+        )
+        for finding in report.findings
+        if finding.given is not None
+    )
+    changed = (
+        Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip="")
+        for name, value in report.givens.items()
+        if name in issued.variant.given
+        and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
+    )
+    creator = "" if report.creator == issuer else report.creator
+    return Work(report.student, (*answers, *changed), creator)
+
+
+def _is_explained(finding: Finding) -> bool:
+    """Tell whether an answer is right or follows from the student's own numbers.
+
+    The outcome alone does not say so: an answer that was accepted because it follows from a wrong
+    given value follows from another's where that value was copied.
+    """
+    if finding.outcome is Outcome.CORRECT or _is_between(finding, finding.low, finding.high):
+        return True
+    near = (finding.reference, finding.expected)
+    return any(_is_between(finding, value, value) for value in near)
+
+
+def _is_between(finding: Finding, low: float | None, high: float | None) -> bool:
+    """Tell whether an answer lies within its band of a range."""
+    if finding.given is None or low is None or high is None:
+        return False
+    reach = max(finding.band, 2 * finding.half_unit, _SAME * abs(high)) * (1 + _SAME)
+    return low - reach <= finding.given <= high + reach
+
+
+def _slip(finding: Finding) -> str:
+    is_method = finding.outcome is Outcome.SLIP and not finding.slip.startswith(_USED)
+    return finding.slip if is_method else ""

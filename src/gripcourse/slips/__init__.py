@@ -1,0 +1,1 @@
+"""Wrong methods: what a student may have computed instead."""

@@ -1,0 +1,334 @@
+"""What each kind of generic slip makes of a formula.
+
+A generator is one record of `GENERATORS`: from a formula's surroundings to rewritten trees, each
+with a detail that tells it from the others of its kind and with what fills the places of the hint.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from itertools import combinations
+from types import MappingProxyType
+from typing import Final, TypeAlias
+
+from gripcourse.course.model import Quantity
+from gripcourse.course.slip_policy import GenericSlip, SlipKind
+from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
+from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
+from gripcourse.solver.plan import Plan
+from gripcourse.units import dimension, factor
+
+# A declaration stands for itself; so do a number, a unit, a piece of the formula.
+Place: TypeAlias = Quantity | Node | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """A formula with what a generator may look at.
+
+    Attributes:
+        earlier: ids of the quantities that are known before this one.
+    """
+
+    plan: Plan
+    quantity: Quantity
+    formula: Formula
+    slip: GenericSlip
+    earlier: frozenset[str]
+
+    def named(self, node: Node) -> Quantity | None:
+        """Return the quantity that a node names, if it is one that this kind concerns."""
+        if not isinstance(node, Name) or node.id not in self.plan.quantities:
+            return None
+        concerned = not self.slip.names or any(fnmatchcase(node.id, p) for p in self.slip.names)
+        return self.plan.quantities[node.id] if concerned else None
+
+    def dimensionless(self, node: Node) -> Quantity | None:
+        """Return the plain number that a node names: a factor such as an efficiency."""
+        found = self.named(node)
+        return found if found is not None and found.unit in {"", "%"} else None
+
+
+@dataclass(frozen=True, slots=True)
+class Rewritten:
+    """A tree with one slip in it, and what fills the places of its hint."""
+
+    detail: str
+    tree: Node
+    places: Mapping[str, Place]
+
+
+Generator: TypeAlias = Callable[[Surroundings], Iterator[Rewritten]]
+Found: TypeAlias = tuple[Node, tuple[str, Mapping[str, Place]]]
+"""What may stand in the place of a node, with its detail and places."""
+
+_HALF_TURN: Final = 180.0
+_OTHER_FUNCTIONS: Final[Mapping[str, tuple[str, ...]]] = {
+    "sin": ("cos", "tan"),
+    "cos": ("sin", "tan"),
+    "tan": ("sin", "cos"),
+    "asin": ("acos", "atan"),
+    "acos": ("asin",),
+    "atan": ("asin",),
+}
+_COMPLEMENT: Final[Mapping[str, str]] = {"sin": "cos", "cos": "sin"}
+_POWERS_OF_TEN: Final = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
+
+
+def _each(around: Surroundings, change: Callable[[Node], Iterator[Found]]) -> Iterator[Rewritten]:
+    """Apply a change to each place of the formula."""
+    for tree, (detail, places) in rewritings(around.formula.tree, change):
+        yield Rewritten(detail, tree, places)
+
+
+def _unit(around: Surroundings) -> Iterator[Rewritten]:
+    for unit, ratio in _other_units(around, around.quantity.unit):
+        places: Mapping[str, Place] = {"unit": unit, "asked": around.quantity.unit}
+        yield Rewritten(unit, scaled(around.formula.tree, 1 / ratio), places)
+
+
+def _other_units(around: Surroundings, unit: str) -> Iterator[tuple[str, float]]:
+    """Yield other units of the same kind with their size in this one; angles are no ratios."""
+    angles = {"deg", "rad"}
+    if unit not in around.slip.units:
+        return
+    for other in around.slip.units:
+        alike = dimension(other) == dimension(unit) and (other in angles) == (unit in angles)
+        if other != unit and alike:
+            yield other, factor(other) / factor(unit)
+
+
+def _power_of_ten(around: Surroundings) -> Iterator[Rewritten]:
+    for power in _POWERS_OF_TEN:
+        yield Rewritten(f"{power:g}", scaled(around.formula.tree, power), {"number": power})
+
+
+def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
+    for name in around.formula.names:
+        quantity = around.plan.quantities[name]
+        ratios = {ratio for _, ratio in _other_units(around, quantity.unit)}
+        for ratio in sorted(ratios | {1 / one for one in ratios}):
+            tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
+            yield Rewritten(f"{name},{ratio:g}", tree, {"quantity": quantity, "number": ratio})
+
+
+def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:
+    def misread(node: Node) -> Node:
+        if isinstance(node, Call) and node.function in {"sin", "cos", "tan"}:
+            return replace(node, arguments=(scaled(node.arguments[0], _HALF_TURN / math.pi),))
+        return node
+
+    def one(node: Node) -> Iterator[Found]:
+        if misread(node) is not node:
+            yield misread(node), (f"{node.span[0]}", {})
+
+    yield Rewritten("all", everywhere(around.formula.tree, misread), {})
+    yield from _each(around, one)
+
+
+def _radius_for_diameter(around: Surroundings) -> Iterator[Rewritten]:
+    for name in around.formula.names:
+        quantity = around.named(Name(name))
+        if quantity is None:
+            continue
+        for ratio in (2.0, 0.5):
+            tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
+            yield Rewritten(f"{name},{ratio:g}", tree, {"quantity": quantity})
+
+
+def _left_out(
+    around: Surroundings, is_left_out: Callable[[Node], Mapping[str, Place] | None], signs: str
+) -> Iterator[Rewritten]:
+    """Leave operands out of operations of some signs: `a*b` becomes `a`, and `b` where it may."""
+
+    def change(node: Node) -> Iterator[Found]:
+        if not isinstance(node, Operation) or node.operator not in signs:
+            return
+        after = is_left_out(node.right)
+        if after is not None:
+            yield node.left, (f"{node.right.span[0]}", after)
+        before = is_left_out(node.left)
+        if before is not None and node.operator in "+*":
+            yield node.right, (f"{node.left.span[0]}", before)
+        if before is not None and node.operator == "-":
+            yield Negation(node.right), (f"{node.left.span[0]}", before)
+        if before is not None and node.operator == "/":
+            yield Operation("/", number(1.0), node.right), (f"{node.left.span[0]}", before)
+
+    yield from _each(around, change)
+
+
+def _quantity_left_out(around: Surroundings) -> Iterator[Rewritten]:
+    def named(node: Node) -> Mapping[str, Place] | None:
+        quantity = around.named(node)
+        return None if quantity is None else {"quantity": quantity}
+
+    yield from _left_out(around, named, "+-*/")
+
+
+def _factor_left_out(around: Surroundings) -> Iterator[Rewritten]:
+    def plain(node: Node) -> Mapping[str, Place] | None:
+        quantity = around.dimensionless(node)
+        return None if quantity is None else {"quantity": quantity}
+
+    yield from _left_out(around, plain, "*/")
+
+
+def _number_left_out(around: Surroundings) -> Iterator[Rewritten]:
+    def literal(node: Node) -> Mapping[str, Place] | None:
+        if isinstance(node, Number):
+            return {"number": node.value}
+        return {"number": math.pi} if node == Name("pi") else None
+
+    yield from _left_out(around, literal, "*/")
+
+
+def _term_left_out(around: Surroundings) -> Iterator[Rewritten]:
+    yield from _left_out(around, lambda node: {"quantity": node}, "+-")
+
+
+def _multiplied_for_divided(around: Surroundings) -> Iterator[Rewritten]:
+    def change(node: Node) -> Iterator[Found]:
+        if not isinstance(node, Operation):
+            return
+        right, left = around.dimensionless(node.right), around.dimensionless(node.left)
+        if right is not None and node.operator in "*/":
+            other = Operation("/" if node.operator == "*" else "*", node.left, node.right)
+            yield other, (right.id, {"quantity": right})
+        if left is not None and node.operator == "*":
+            yield Operation("/", node.right, node.left), (left.id, {"quantity": left})
+        match node:
+            # `a/(b·c)` typed into a calculator without the brackets.
+            case Operation("/", above, Operation("*", first, last)):
+                typed = Operation("*", Operation("/", above, first), last)
+                yield typed, (f"brackets{node.span[0]}", {"quantity": last})
+
+    yield from _each(around, change)
+
+
+def _wrong_function(around: Surroundings) -> Iterator[Rewritten]:
+    def change(node: Node) -> Iterator[Found]:
+        if not isinstance(node, Call):
+            return
+        for other in _OTHER_FUNCTIONS.get(node.function, ()):
+            places = {"function": other, "right": node.function}
+            yield replace(node, function=other), (f"{node.span[0]},{other}", places)
+
+    def complement(node: Node) -> Node:
+        if isinstance(node, Call) and node.function in _COMPLEMENT:
+            return replace(node, function=_COMPLEMENT[node.function])
+        return node
+
+    yield from _each(around, change)
+    places = {"function": "cos, sin", "right": "sin, cos"}
+    yield Rewritten("all", everywhere(around.formula.tree, complement), places)
+
+
+def _power(around: Surroundings) -> Iterator[Rewritten]:
+    def change(node: Node) -> Iterator[Found]:
+        place = f"{node.span[0]}"
+        match node:
+            case Operation("**", base, _):
+                yield base, (place, {})
+            case Call("sqrt", (body,)):
+                yield body, (place, {})
+            case Call("cbrt", (body,)):
+                yield Call("sqrt", (body,)), (place, {})
+            case Call("hypot", (one, other)):
+                yield Operation("+", one, other), (place, {})
+            case Call("sin" | "cos" | "tan"):
+                yield Operation("**", node, number(2.0)), (place, {})
+
+    yield from _each(around, change)
+
+
+def _swapped(around: Surroundings) -> Iterator[Rewritten]:
+    for one, other in combinations(around.formula.names, 2):
+        first, second = around.plan.quantities[one], around.plan.quantities[other]
+        if dimension(first.unit) == dimension(second.unit):
+            tree = renamed(around.formula.tree, {one: Name(other), other: Name(one)})
+            yield Rewritten(f"{one},{other}", tree, {"quantity": first, "other": second})
+
+
+def _wrong_end(around: Surroundings) -> Iterator[Rewritten]:
+    pairs = {name: other for name in around.formula.names for other in _other_ends(around, name)}
+    for name, other in pairs.items():
+        places = {"quantity": around.plan.quantities[name], "other": around.plan.quantities[other]}
+        yield Rewritten(name, renamed(around.formula.tree, {name: Name(other)}), places)
+    if len(pairs) > 1:
+        name, other = next(iter(pairs.items()))
+        places = {"quantity": around.plan.quantities[name], "other": around.plan.quantities[other]}
+        swapped = {one: Name(another) for one, another in pairs.items()}
+        yield Rewritten("all", renamed(around.formula.tree, dict(swapped)), places)
+
+
+def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
+    """Yield the quantities that are called the same but for the ending, at most one per pair."""
+    unit = around.plan.quantities[name].unit
+    for pair in around.slip.pairs:
+        for one, another in (pair, pair[::-1]):
+            other = name.removesuffix(one) + another
+            known = other in around.earlier and around.plan.quantities[other].unit == unit
+            if name.endswith(one) and other != name and known:
+                yield other
+
+
+def _minimum_for_maximum(around: Surroundings) -> Iterator[Rewritten]:
+    others = {"min": "max", "max": "min"}
+
+    def change(node: Node) -> Iterator[Found]:
+        if isinstance(node, Call) and node.function in others:
+            yield replace(node, function=others[node.function]), (f"{node.span[0]}", {})
+
+    yield from _each(around, change)
+
+
+def _sign(around: Surroundings) -> Iterator[Rewritten]:
+    def change(node: Node) -> Iterator[Found]:
+        place = f"{node.span[0]}"
+        match node:
+            case Operation("+", left, right):
+                yield Operation("-", left, right), (place, {})
+            case Operation("-", left, right):
+                yield Operation("+", left, right), (place, {})
+            case Negation(operand):
+                yield operand, (place, {})
+
+    yield Rewritten("whole", Negation(around.formula.tree), {})
+    yield from _each(around, change)
+
+
+def _other_row(around: Surroundings) -> Iterator[Rewritten]:
+    match around.formula.tree:
+        case Call("lookup", _, str(column)) as call:
+            series = around.plan.columns[column]
+            catalogue = around.plan.course.catalogues[column.partition(".")[0]]
+            unit = factor(next(iter(catalogue.units.values())))
+            for size in series.sizes:
+                tree = replace(call, arguments=(number(float(size)),))
+                yield Rewritten(f"{size:.6g}", tree, {"number": float(size) / unit})
+
+
+GENERATORS: Final[Mapping[SlipKind, Generator]] = MappingProxyType(
+    {
+        SlipKind.UNIT: _unit,
+        SlipKind.POWER_OF_TEN: _power_of_ten,
+        SlipKind.INPUT_UNIT: _input_unit,
+        SlipKind.ANGLE_UNIT: _angle_unit,
+        SlipKind.RADIUS_FOR_DIAMETER: _radius_for_diameter,
+        SlipKind.GRAVITY_LEFT_OUT: _quantity_left_out,
+        SlipKind.SAFETY_LEFT_OUT: _quantity_left_out,
+        SlipKind.FACTOR_LEFT_OUT: _factor_left_out,
+        SlipKind.NUMBER_LEFT_OUT: _number_left_out,
+        SlipKind.TERM_LEFT_OUT: _term_left_out,
+        SlipKind.MULTIPLIED_FOR_DIVIDED: _multiplied_for_divided,
+        SlipKind.WRONG_FUNCTION: _wrong_function,
+        SlipKind.POWER: _power,
+        SlipKind.SWAPPED: _swapped,
+        SlipKind.WRONG_END: _wrong_end,
+        SlipKind.MINIMUM_FOR_MAXIMUM: _minimum_for_maximum,
+        SlipKind.SIGN: _sign,
+        SlipKind.OTHER_ROW: _other_row,
+    }
+)

@@ -1,0 +1,237 @@
+"""The audit of a table of variants: feasible, far from the results of slips, fair, apart.
+
+The result is a value: whoever prints it computes nothing.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gripcourse.course.model import Course, Kind
+from gripcourse.course.policy import Policy, VariantRules
+from gripcourse.marking.bands import SLACK
+from gripcourse.variants.answers import (
+    Group,
+    given_items,
+    items_of,
+    mean_share,
+    section_totals,
+    solve_groups,
+)
+from gripcourse.variants.apart import Apartness, limits_of, measure
+from gripcourse.variants.explain import in_short
+from gripcourse.variants.fair import (
+    Margin,
+    Spread,
+    Steps,
+    near_steps,
+    spreads_of,
+    steps_of,
+    steps_ratio,
+)
+from gripcourse.variants.feasible import Mask
+from gripcourse.variants.model import Variant
+from gripcourse.variants.pairs import Answered, Pair, describe
+from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
+from gripcourse.variants.space import Space
+from gripcourse.words import Message
+
+CLOSEST = 20  # pairs that are told of a table that keeps its limits
+COUNTED = 300  # variants that slips of all kinds are counted in; a larger table gives that many
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """One variant.
+
+    Attributes:
+        variant: as the table has it.
+        broken: what does not hold.
+        slips: quantity and id of the slips that give nearly the right result.
+        edges: the decisions whose size lies at the edge of its step.
+        nearest: what its student would get with the answers that bring most; None for one that
+            shares nothing with any other.
+        above: whether that is more than a limit allows, whole or in a section.
+    """
+
+    variant: Variant
+    broken: tuple[Message, ...]
+    slips: tuple[tuple[str, str], ...]
+    edges: tuple[str, ...]
+    nearest: Pair | None
+    above: bool
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is nothing to look at."""
+        return not (self.broken or self.slips or self.edges or self.above)
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """What one student gets with another's answers on average, 0 to 1: no limit counts these.
+
+    Attributes:
+        computed: of the points of computed quantities, for comparison.
+        sizes: of the points of sizes picked from a series and of what is read from a table by them.
+        verdicts: of the points of verdicts.
+        given: share of the given numbers that are the same.
+    """
+
+    computed: float
+    sizes: float
+    verdicts: float
+    given: float
+
+
+@dataclass(frozen=True, slots=True)
+class Audit:
+    """Everything that was found out about a table.
+
+    Attributes:
+        rules: what was demanded.
+        variants: one by one, in the order of the table.
+        slips: of all kinds, the most frequent first, counted in `slips_counted` variants.
+        steps: what each scheme with its options asks for.
+        ratio: answers of the longest assignment over those of the shortest.
+        margins: decisions, and how often a size lies at the edge of its step.
+        spreads: answers to computed quantities, scheme by scheme.
+        apart: how far the variants are apart.
+        beside: what counts for no limit.
+        pairs: those that are farthest above a limit; without any, the nearest there are.
+    """
+
+    rules: VariantRules
+    variants: tuple[Checked, ...]
+    slips: tuple[SlipCount, ...]
+    slips_counted: int
+    steps: tuple[Steps, ...]
+    ratio: float
+    margins: tuple[Margin, ...]
+    spreads: tuple[Spread, ...]
+    apart: Apartness
+    beside: Beside
+    pairs: tuple[Pair, ...]
+
+    @property
+    def weak_items(self) -> tuple[Spread, ...]:
+        """Quantities that hardly differ in a scheme, the least different first."""
+        weak = (one for one in self.spreads if one.equal > self.rules.weak_item)
+        return tuple(sorted(weak, key=lambda one: (-one.equal, one.scheme, one.quantity)))
+
+    @property
+    def alike_steps(self) -> bool:
+        """Whether the longest assignment asks for no more than the rules allow."""
+        return self.ratio <= self.rules.steps_ratio
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is nothing to look at."""
+        return self.alike_steps and all(one.passed for one in self.variants)
+
+
+def audit(
+    course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
+) -> Audit:
+    """Audit a table.
+
+    Args:
+        course: whose variants they are.
+        policy: the rules for variants, bands and points.
+        variants: the table.
+        spaces: whose constraints the variants must satisfy as well.
+    """
+    groups = solve_groups(course, variants, spaces)
+    size, sections = len(variants), len(course.sections)
+    answered = Answered(
+        computed=items_of(groups, policy, Kind.FORMULA),
+        sizes=items_of(groups, policy, Kind.CHOICE, Kind.PICK),
+        verdicts=items_of(groups, policy, Kind.VERDICT),
+        given=given_items(groups),
+    )
+    totals = section_totals(answered.computed, size, sections)
+    apart = measure(answered.computed, totals, limits_of(policy))
+    nearest = _nearest(apart)
+    told = (*nearest.values(), *(apart.beyond or _closest(apart)))
+    pairs = describe(told, groups, answered, totals, policy)
+    counted = _sample(variants)
+    steps = steps_of(groups)
+    edges = [near_steps(group, policy.variants.step_margin) for group in groups]
+    return Audit(
+        rules=policy.variants,
+        variants=_checked(variants, groups, edges, policy, apart,
+                          dict(zip(nearest, pairs, strict=False))),
+        slips=count_slips(solve_groups(course, counted), policy),
+        slips_counted=len(counted),
+        steps=steps,
+        ratio=steps_ratio(steps),
+        margins=_margins(edges),
+        spreads=spreads_of(groups, answered.computed),
+        apart=apart,
+        beside=Beside(*(mean_share(items, size) for items in (
+            answered.computed, answered.sizes, answered.verdicts, answered.given))),
+        pairs=pairs[len(nearest) :],
+    )  # fmt: skip
+
+
+def _nearest(apart: Apartness) -> dict[int, tuple[int, int]]:
+    """Return by position whose answers would bring a variant's student most."""
+    return {row: (row, int(other)) for row, other in enumerate(apart.whole.nearest) if other >= 0}
+
+
+def _closest(apart: Apartness) -> tuple[tuple[int, int], ...]:
+    """Return the nearest pairs of a table, each once."""
+    found: dict[frozenset[int], tuple[int, int]] = {}
+    for row in np.argsort(-apart.whole.share, kind="stable"):
+        if apart.whole.nearest[row] >= 0:
+            pair = (int(row), int(apart.whole.nearest[row]))
+            found.setdefault(frozenset(pair), pair)
+        if len(found) == CLOSEST:
+            break
+    return tuple(found.values())
+
+
+def _checked(
+    variants: Sequence[Variant],
+    groups: Sequence[Group],
+    edges: Sequence[Mapping[str, Mask]],
+    policy: Policy,
+    apart: Apartness,
+    nearest: Mapping[int, Pair],
+) -> tuple[Checked, ...]:
+    limits = limits_of(policy)
+    above = apart.whole.share > limits.whole * SLACK
+    for section in apart.sections:
+        above |= section.share > limits.section * SLACK
+    found: dict[int, Checked] = {}
+    for group, near in zip(groups, edges, strict=True):
+        slips = too_near(group, policy)
+        for place, row in enumerate(group.rows):
+            found[int(row)] = Checked(
+                variants[row],
+                tuple(in_short(group.plan, one) for one, at in group.refused.items() if at[place]),
+                tuple(key for key, at in slips.items() if at[place]),
+                tuple(quantity for quantity, at in near.items() if at[place]),
+                nearest.get(int(row)),
+                bool(above[row]),
+            )
+    return tuple(found[row] for row in range(len(variants)))
+
+
+def _margins(edges: Sequence[Mapping[str, Mask]]) -> tuple[Margin, ...]:
+    counts: dict[str, Margin] = {}
+    for near in edges:
+        for quantity, where in near.items():
+            before = counts.get(quantity, Margin(quantity, 0, 0))
+            counts[quantity] = Margin(
+                quantity, before.near + int(where.sum()), before.variants + len(where)
+            )
+    return tuple(sorted(counts.values(), key=lambda one: (-one.near / one.variants, one.quantity)))
+
+
+def _sample(variants: Sequence[Variant]) -> tuple[Variant, ...]:
+    """Take variants at equal distances from a table that is larger than what is counted."""
+    if len(variants) <= COUNTED:
+        return tuple(variants)
+    return tuple(variants[int(row)] for row in np.linspace(0, len(variants) - 1, COUNTED))

@@ -1,0 +1,113 @@
+"""Root causes are told from consequences; one wrong number behind several answers costs once."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from gripcourse.grading.model import Outcome
+from gripcourse.solver.solve import solve_variant
+from gripcourse.submission.model import Answer
+
+if TYPE_CHECKING:
+    from conftest import Case
+
+Typed = Callable[[str, float, int], Answer]
+
+
+class TestRoots:
+    def test_what_follows_a_wrong_answer_names_it(self, hydraulic: "Case") -> None:
+        answers = hydraulic.following(lifting_load=1.37 * hydraulic.reference["lifting_load"])
+        findings = hydraulic.findings(answers)
+        assert findings["lifting_load"].roots == ()
+        assert findings["grip_force"].roots == ("lifting_load",)
+        assert findings["drive_force"].roots == ("lifting_load",)
+
+    def test_the_report_counts_what_a_root_explains(self, hydraulic: "Case") -> None:
+        answers = hydraulic.following(lifting_load=1.37 * hydraulic.reference["lifting_load"])
+        report = hydraulic.judge(answers)
+        cause = report.causes[0]
+        carried = {one.quantity for one in report.findings if one.outcome is Outcome.CARRIED}
+        assert cause.quantity == "lifting_load"
+        # A size that is sound for the right numbers too is no fault, nor is what follows from it.
+        assert carried > set(cause.explains) > {"grip_force", "drive_force", "pin_force"}
+        assert f"explains {len(cause.explains)} later answers" in str(cause.message)
+
+    def test_a_step_that_was_left_out_passes_the_root_on(self, hydraulic: "Case") -> None:
+        answers = hydraulic.following(lifting_load=1.37 * hydraulic.reference["lifting_load"])
+        findings = hydraulic.findings({**answers, "grip_force": None})
+        assert findings["drive_force"].roots == ("lifting_load",)
+
+    def test_two_wrong_answers_may_be_at_the_root(self, hydraulic: "Case") -> None:
+        answers = hydraulic.following(
+            grip_force=1.37 * hydraulic.reference["grip_force"],
+            force_ratio=1.21 * hydraulic.reference["force_ratio"],
+        )
+        assert set(hydraulic.findings(answers)["drive_force"].roots) == {
+            "grip_force",
+            "force_ratio",
+        }
+
+    def test_right_answers_have_no_root(self, hydraulic: "Case") -> None:
+        report = hydraulic.judge(hydraulic.answers)
+        assert report.causes == ()
+        assert {one.roots for one in report.findings} == {()}
+
+
+class TestOneWrongNumber:
+    def test_a_given_value_read_wrongly_explains_the_answers_that_use_it(
+        self, table: "tuple[Case, ...]", typed: Typed
+    ) -> None:
+        found = 0
+        for case in table[:24]:
+            shared = _shared_given(case)
+            if shared is None:
+                continue
+            wrong = solve_variant(case.plan, {**case.given, shared: 1.37 * case.given[shared]})
+            answers = {
+                one.id: typed(one.id, wrong[one.id], 5) if one.kind == "formula" else wrong[one.id]
+                for one in case.plan.answered
+            }
+            report = case.judge(answers)
+            causes = [one for one in report.causes if one.quantity == shared]
+            if not causes:
+                continue
+            found += 1
+            first, *others = causes[0].explains
+            findings = {one.quantity: one for one in report.findings}
+            assert findings[first].outcome is Outcome.SLIP
+            assert {findings[name].outcome for name in others} == {Outcome.CARRIED}
+            assert {findings[name].roots for name in others} == {(first,)}
+        assert found >= 5
+
+    def test_answers_that_are_wrong_each_in_its_own_way_have_no_common_cause(
+        self, hydraulic: "Case", typed: Typed
+    ) -> None:
+        wrong = {
+            name: typed(name, factor * hydraulic.reference[name], 4)
+            for name, factor in {
+                "jaw_travel": 1.3137,
+                "gear_torque": 0.7719,
+                "tooth_force": 1.0911,
+            }.items()
+        }
+        report = hydraulic.judge({**hydraulic.answers, **wrong})
+        assert report.causes == ()
+
+    def test_nothing_is_explained_in_another_students_workbook(self, hydraulic: "Case") -> None:
+        identity = replace(hydraulic.submission({}).identity, student="s02")
+        answers = hydraulic.following(lifting_load=1.37 * hydraulic.reference["lifting_load"])
+        report = hydraulic.judge(answers, identity=identity)
+        assert report.causes == ()
+
+
+def _shared_given(case: "Case") -> str | None:
+    """A given value that at least two computed answers use directly."""
+    for given in case.plan.givens:
+        users = [
+            one.id
+            for one in case.plan.answered
+            if given.id in case.plan.inputs[one.id] and one.kind == "formula"
+        ]
+        if len(users) > 1 and not given.integer and case.given[given.id] > 0:
+            return given.id
+    return None

@@ -1,0 +1,165 @@
+"""Naming a slip: at the precision that was typed, weighed against chance, two where they tie."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
+from gripcourse.grading.model import Against, Finding, Outcome
+from gripcourse.submission.model import Answer
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from conftest import Case
+
+    Typed = Callable[[str, float, int], Answer]
+
+
+@pytest.fixture
+def answer(read_answer: "Callable[..., Answer]") -> "Callable[..., Answer]":
+    """An answer as it is read from a cell."""
+    return read_answer
+
+
+def finding(case: "Case", name: str, answer: Answer) -> Finding:
+    """Judge one wrong answer among right ones."""
+    return case.findings({**case.answers, name: answer})[name]
+
+
+class TestTypedPrecision:
+    def test_a_slip_is_matched_at_the_precision_that_was_typed(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        slip = 2 * hydraulic.reference["grip_force"]
+        near = slip * 1.004  # inside the band of the grade, far outside the last digit
+        assert finding(hydraulic, "grip_force", typed("grip_force", slip, 5)).slip
+        assert not finding(hydraulic, "grip_force", typed("grip_force", near, 5)).slip
+
+    def test_cutting_digits_off_is_typing_too(self, hydraulic: "Case", typed: "Typed") -> None:
+        slip = 2 * hydraulic.reference["grip_force"]
+        cut = float(np.floor(slip / 10) * 10)
+        assert cut != slip
+        assert finding(hydraulic, "grip_force", typed("grip_force", cut, 3)).slip
+
+    def test_the_rounding_of_earlier_answers_widens_the_match(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        """The slip was computed from the load in the calculator, the load typed with 3 figures."""
+        load = hydraulic.reference["lifting_load"]
+        slip = 2 * hydraulic.reference["grip_force"]
+        answers = {
+            **hydraulic.answers,
+            "lifting_load": typed("lifting_load", load, 3),
+            "grip_force": typed("grip_force", slip, 5),
+        }
+        assert hydraulic.findings(answers)["grip_force"].slip == "one_jaw_only"
+
+    def test_zeros_that_a_cell_has_lost_do_not_hide_a_slip(
+        self, hydraulic: "Case", answer: "Callable[..., Answer]"
+    ) -> None:
+        """The cell shows 102, the student computed 102.00: module times teeth, not half of it."""
+        whole = 2 * hydraulic.reference["pitch_radius"]
+        assert whole == int(whole)
+        shown = replace(answer("pitch_radius", whole), half_unit=0.5)
+        assert finding(hydraulic, "pitch_radius", shown).slip == "diameter_for_radius"
+
+    def test_a_zero_is_explained_by_nothing(
+        self, hydraulic: "Case", answer: "Callable[..., Answer]"
+    ) -> None:
+        found = finding(hydraulic, "drive_force", answer("drive_force", 0.0))
+        assert (found.outcome, found.slip) == (Outcome.WRONG, "")
+
+
+class TestCertainty:
+    def test_few_wrong_numbers_are_taken_for_a_slip_by_chance(
+        self, table: "tuple[Case, ...]", typed: "Typed"
+    ) -> None:
+        """At the band of the grade one in seven would be; at the last digit hardly any is."""
+        random = np.random.default_rng(20260907)
+        names = ("drive_force", "grip_force", "pin_diameter_required", "lever_bending_moment")
+        named = total = 0
+        for case in table[:24]:
+            for name in names:
+                if name not in case.answers:
+                    continue
+                wrong = case.reference[name] * float(np.exp(random.normal()))
+                found = finding(case, name, typed(name, wrong, 4))
+                named += found.outcome is Outcome.SLIP
+                total += 1
+        assert total > 40
+        assert named <= 0.03 * total
+
+    def test_two_methods_that_no_number_tells_apart_are_both_named(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        quantity = hydraulic.plan.quantities["grip_force"]
+        text = "2*(dynamic_factor*lifting_load/(2*friction))"
+        twin = replace(quantity.slips[0], id="twin", formula=Formula(text, parse(text), {}))
+        plan = replace(
+            hydraulic.plan,
+            quantities={
+                **hydraulic.plan.quantities,
+                "grip_force": replace(quantity, slips=(*quantity.slips, twin)),
+            },
+        )
+        slip = 2 * hydraulic.reference["grip_force"]
+        found = finding(replace(hydraulic, plan=plan), "grip_force", typed("grip_force", slip, 5))
+        assert {found.slip, *found.tied} == {"one_jaw_only", "twin"}
+        assert "Or:" in str(found.message)
+
+    def test_a_coarse_number_decides_nothing(
+        self, hydraulic: "Case", answer: "Callable[..., Answer]"
+    ) -> None:
+        slip = 2 * hydraulic.reference["grip_force"]
+        coarse = replace(answer("grip_force", float(round(slip, -3))), half_unit=500.0)
+        assert finding(hydraulic, "grip_force", coarse).outcome is Outcome.WRONG
+
+    def test_a_shortened_pi_does_not_hide_a_slip(self, hydraulic: "Case", typed: "Typed") -> None:
+        """A diameter taken for a radius, with 3.14."""
+        slip = hydraulic.reference["bore_required"] / 2 * (np.pi / 3.14) ** 0.5
+        found = finding(hydraulic, "bore_required", typed("bore_required", float(slip), 6))
+        assert found.outcome is Outcome.SLIP
+
+    def test_what_was_computed_on_from_a_slip_makes_it_more_certain(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        """Three figures were typed, but the next answer shows the digits of the calculator."""
+        wrong = hydraulic.reference["lifting_load"] * 1.62
+        slip = hydraulic.given["dynamic_factor"] * wrong / hydraulic.given["friction"]
+        later = hydraulic.following(lifting_load=wrong, grip_force=slip)
+        answers = {
+            name: typed(name, value, 6) if name in {"drive_force", "gear_torque"} else value
+            for name, value in later.items()
+        }
+        answers |= {"lifting_load": wrong, "grip_force": typed("grip_force", slip, 3)}
+        assert hydraulic.findings(answers)["grip_force"].slip == "one_jaw_only"
+
+
+class TestLeftOutSteps:
+    def test_a_slip_in_a_blank_step_shows_in_the_next_answer_and_costs_once(
+        self, hydraulic: "Case", typed: "Typed"
+    ) -> None:
+        slip = 2 * hydraulic.reference["grip_force"]
+        later = hydraulic.following(grip_force=slip)
+        answers = {
+            **later,
+            "grip_force": None,
+            "drive_force": typed("drive_force", later["drive_force"], 5),
+        }
+        found = hydraulic.findings(answers)["drive_force"]
+        assert found.outcome is Outcome.CARRIED
+        assert (found.slip, found.roots) == ("one_jaw_only", ("grip_force",))
+        assert found.points == pytest.approx(found.max_points)
+
+    def test_a_sound_size_that_was_not_written_down_may_be_used(self, hydraulic: "Case") -> None:
+        sizes = hydraulic.plan.columns["flange.bolt_circle"].sizes * 1000
+        size = float(sizes[np.searchsorted(sizes, hydraulic.reference["flange_size"]) + 1])
+        later = hydraulic.following(flange_size=size)
+        findings = hydraulic.findings({**later, "flange_size": None})
+        assert findings["flange_size"].outcome is Outcome.BLANK
+        assert findings["flange_bolt_circle"].outcome is Outcome.CARRIED
+        assert findings["flange_bolt_circle"].against is Against.OWN_INPUTS

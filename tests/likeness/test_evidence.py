@@ -1,0 +1,205 @@
+"""Who copied is told with its odds; who did not is left alone."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from gripcourse.course.policy import LikenessRule
+from gripcourse.likeness.evidence import find_evidence
+from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.model import Evidence, Kind, Typed, Work
+
+if TYPE_CHECKING:
+    from .conftest import School
+
+RULE = LikenessRule(1e3, 3, 3)
+SEEDS = (1, 2, 3, 4)
+
+
+def told(found: tuple[Evidence, ...]) -> dict[str, set[str]]:
+    """Whom each student's work is like."""
+    alike: dict[str, set[str]] = {}
+    for one in found:
+        alike.setdefault(one.students[0], set()).update(one.students[1:])
+    return alike
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_nobody_of_an_honest_cohort_is_told(school: "School", seed: int) -> None:
+    works = school.honest(seed)
+    assert len(works) == 300
+    wrong = sum(not one.explained for work in works for one in work.numbers)
+    assert wrong > 1000  # misread values, common errors, slips: enough to be mistaken for copies
+    assert find_evidence(works, school.issued, RULE) == ()
+
+
+def test_nobody_is_told_even_at_even_odds(school: "School") -> None:
+    works = [work for seed in SEEDS for work in school.honest(seed)[:150]]
+    first = {work.student: work for work in works}
+    assert find_evidence(list(first.values()), school.issued, LikenessRule(1.0, 3, 3)) == ()
+
+
+@pytest.mark.parametrize(("share", "least"), [(1.0, 0.99), (0.8, 0.99), (0.5, 0.95)])
+def test_who_copied_is_told_with_the_source(school: "School", share: float, least: float) -> None:
+    found, copiers, accused = 0, 0, set()
+    for seed in SEEDS[:2]:
+        works, sources = school.copying(seed, share, 0.25)
+        alike = told(find_evidence(works, school.issued, RULE))
+        found += sum(source in alike.get(student, set()) for student, source in sources.items())
+        copiers += len(sources)
+        # Who was copied from shares wrong answers with the copy, and so do two copies of one work.
+        involved = set(sources) | set(sources.values())
+        accused |= set(alike) - involved
+    assert copiers > 100
+    assert found >= least * copiers
+    assert accused == set()
+
+
+def three(
+    values: list[list[float]], *, students: tuple[str, ...] = ("a", "b", "c")
+) -> IssuedValues:
+    """Issued values of a few students: five quantities each."""
+    table = np.array(values)
+    names = tuple(f"q{column}" for column in range(table.shape[1]))
+    families = np.tile(np.arange(table.shape[1]), (len(table), 1))
+    return IssuedValues(students, names, table, families, np.zeros(table.shape[1], bool))
+
+
+ISSUED = three(
+    [
+        [1234.0, 56.7, 8.91, 0.2345, 67.8],
+        [2345.0, 78.9, 1.23, 0.4567, 89.1],
+        [3456.0, 91.2, 3.45, 0.6789, 12.3],
+    ]
+)
+
+
+def work(student: str, values: list[float], *, explained: bool = False, slip: str = "") -> Work:
+    numbers = (
+        Typed(f"q{column}", value, 10.0 ** (np.floor(np.log10(value)) - 2) / 2, explained, slip)
+        for column, value in enumerate(values)
+    )
+    return Work(student, tuple(numbers), "")
+
+
+def odds(works: list[Work], kind: Kind, issued: IssuedValues = ISSUED) -> float:
+    found = find_evidence(works, issued, LikenessRule(1e-12, 1, 0))
+    return max((one.odds for one in found if one.kind is kind), default=0.0)
+
+
+RIGHT = {name: list(ISSUED.values[row]) for row, name in enumerate(ISSUED.owners)}
+
+
+def test_the_values_of_another_variant_are_told_though_its_owner_handed_in_nothing() -> None:
+    [found] = find_evidence([work("a", RIGHT["b"])], ISSUED, RULE)
+    assert found.kind is Kind.OTHER_VARIANT
+    assert found.students == ("a", "b")
+    assert found.odds > 1e6
+    assert set(found.rests_on) == set(ISSUED.quantities)
+
+
+def test_what_is_right_for_oneself_says_nothing() -> None:
+    same = three([RIGHT["a"], RIGHT["a"], RIGHT["c"]])
+    works = [work("a", RIGHT["a"], explained=True), work("b", RIGHT["a"], explained=True)]
+    assert find_evidence(works, same, LikenessRule(1e-12, 1, 0)) == ()
+
+
+def test_equal_wrong_answers_count_for_both() -> None:
+    wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
+    found = find_evidence([work("a", wrong), work("b", wrong)], ISSUED, RULE)
+    assert {one.students for one in found} == {("a", "b"), ("b", "a")}
+    assert {one.kind for one in found} == {Kind.SAME_ANSWERS}
+
+
+def test_own_right_answers_beside_copied_ones_weaken_the_evidence() -> None:
+    mixed = work("a", RIGHT["b"])
+    own = [
+        replace(one, value=value, explained=True)
+        for one, value in zip(mixed.numbers, RIGHT["a"], strict=True)
+    ]
+    halves = [replace(mixed, numbers=(*mixed.numbers[:n], *own[n:])) for n in (5, 4, 3, 2)]
+    all_odds = [odds([one], Kind.OTHER_VARIANT) for one in halves]
+    assert all_odds == sorted(all_odds, reverse=True)
+    assert len(set(all_odds)) == len(all_odds)
+
+
+def test_the_same_wrong_method_where_the_right_value_is_the_same_says_little() -> None:
+    wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
+    works = [work("a", wrong), work("b", wrong)]
+    twins = three([RIGHT["a"], RIGHT["a"], RIGHT["c"]])
+    assert odds(works, Kind.SAME_ANSWERS, twins) < 1e-3 * odds(works, Kind.SAME_ANSWERS)
+
+
+def test_common_slips_weigh_less_than_rare_ones() -> None:
+    many = tuple(f"s{number}" for number in range(40))
+    rng = np.random.default_rng(7)
+    issued = three((rng.lognormal(3, 1, (40, 5))).tolist(), students=many)
+    wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
+
+    def among(others: str) -> float:
+        rest = [work(name, rng.lognormal(3, 1, 5).tolist(), slip=others) for name in many[2:]]
+        pair = [work(name, wrong, slip="radius") for name in many[:2]]
+        return odds([*pair, *rest], Kind.SAME_ANSWERS, issued)
+
+    assert among("radius") < among("other")
+
+
+def test_proportional_answers_count_once() -> None:
+    apart = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT)
+    together = replace(ISSUED, families=np.zeros_like(ISSUED.families))
+    once = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT, together)
+    assert once < 1e-4 * apart
+
+
+def test_sizes_from_a_series_say_little() -> None:
+    from_series = replace(ISSUED, discrete=np.ones(5, bool))
+    sizes = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT, from_series)
+    assert sizes < 1e-3 * odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT)
+
+
+def test_cells_filled_with_one_number_are_no_answers() -> None:
+    works = [work(name, [11.1] * 5) for name in ("a", "b")]
+    assert find_evidence(works, ISSUED, LikenessRule(1e-12, 1, 0)) == ()
+
+
+def test_two_files_of_one_student_are_not_compared() -> None:
+    wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
+    assert find_evidence([work("a", wrong), work("a", wrong)], ISSUED, RULE) == ()
+
+
+def test_one_or_two_coincidences_are_not_evidence() -> None:
+    mixed = [*RIGHT["b"][:2], 5.55, 0.999, 44.4]
+    assert find_evidence([work("a", mixed)], ISSUED, LikenessRule(1e-12, 3, 0)) == ()
+
+
+def test_zeros_and_numbers_beyond_reason_are_passed_over() -> None:
+    numbers = tuple(Typed(f"q{n}", value, 0.0, False, "") for n, value in enumerate((0.0, np.inf)))
+    assert find_evidence([Work("a", numbers, "")], ISSUED, LikenessRule(1e-12, 1, 0)) == ()
+
+
+def test_a_policy_can_switch_the_search_off() -> None:
+    assert find_evidence([work("a", RIGHT["b"])], ISSUED, LikenessRule(0.0, 3, 3)) == ()
+
+
+def signed(*creators: str) -> list[Work]:
+    return [Work(f"s{number}", (), name) for number, name in enumerate(creators)]
+
+
+def test_a_few_workbooks_with_one_author_are_told() -> None:
+    found = find_evidence(signed("Petrov", " petrov", "Ivanova", "", ""), ISSUED, RULE)
+    assert [one.students for one in found] == [("s0", "s1"), ("s1", "s0")]
+    assert {one.kind for one in found} == {Kind.SAME_CREATOR}
+    assert found[0].rests_on == ("Petrov",)
+
+
+@pytest.mark.parametrize(
+    "creators", [("User",) * 4 + ("Ivanova",), ("User", "User"), ("A", "B", "C"), ()]
+)
+def test_an_author_of_many_or_of_all_says_nothing(creators: tuple[str, ...]) -> None:
+    assert find_evidence(signed(*creators), ISSUED, RULE) == ()
+
+
+def test_an_empty_batch_has_no_evidence(school: "School") -> None:
+    assert find_evidence([], school.issued, RULE) == ()

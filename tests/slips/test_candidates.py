@@ -1,0 +1,255 @@
+"""What a student may have computed instead: from the tree of any formula, and as declared."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import TypeAlias
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Course, Kind
+from gripcourse.course.policy import Policy
+from gripcourse.course.slip_policy import SlipKind
+from gripcourse.formula.evaluate import evaluate
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.slips.generic import GENERATORS
+from gripcourse.slips.model import DECLARED, Candidate
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.draw import draw
+from gripcourse.variants.space import load_spaces
+from gripcourse.words import LANGUAGES
+
+Slips: TypeAlias = Callable[..., dict[str, Candidate]]
+
+
+@pytest.fixture(scope="session")
+def slips_of(plan: Plan, policy: Policy) -> Slips:
+    """Candidates of a quantity of the plan whose formula is replaced, by id."""
+
+    def slips(formula: str, quantity: str = "drive_force") -> dict[str, Candidate]:
+        declared = replace(
+            plan.quantities[quantity],
+            formula=Formula(formula, parse(formula), {}),
+            slips=(),
+            as_printed=(),
+        )
+        changed = replace(plan, quantities={**plan.quantities, quantity: declared})
+        return {one.id: one for one in candidates_of(changed, quantity, policy.slips)}
+
+    return slips
+
+
+def value(candidate: Candidate, **values: float) -> float:
+    known = {name: np.asarray(one) for name, one in values.items()}
+    return float(evaluate(candidate.formula, "", known, {}))
+
+
+class TestGenericSlips:
+    @pytest.mark.parametrize(
+        ("formula", "slip", "values", "wrong"),
+        [
+            ("grip_force*force_ratio", "power_of_ten:10", {"grip_force": 3, "force_ratio": 2}, 60),
+            ("grip_force*force_ratio", "unit:kN", {"grip_force": 3, "force_ratio": 2}, 0.006),
+            ("grip_force*force_ratio", "factor_left_out:11", {"grip_force": 3}, 3),
+            (
+                "grip_force/mechanism_efficiency",
+                "multiplied_for_divided:mechanism_efficiency",
+                {"grip_force": 3, "mechanism_efficiency": 0.5},
+                1.5,
+            ),
+            ("4*grip_force", "number_left_out:0", {"grip_force": 3}, 3),
+            ("grip_force/pi", "number_left_out:11", {"grip_force": 3}, 3),
+            ("sqrt(grip_force)", "power:0", {"grip_force": 9}, 9),
+            ("grip_force**2", "power:0", {"grip_force": 9}, 9),
+            (
+                "hypot(grip_force, tooth_force)",
+                "power:0",
+                {"grip_force": 3, "tooth_force": 4},
+                7,
+            ),
+            (
+                "grip_force + tooth_force",
+                "term_left_out:13",
+                {"grip_force": 3},
+                3,
+            ),
+            ("grip_force - tooth_force", "sign:0", {"grip_force": 3, "tooth_force": 4}, 7),
+            (
+                "max(grip_force, tooth_force)",
+                "minimum_for_maximum:0",
+                {"grip_force": 3, "tooth_force": 4},
+                3,
+            ),
+            (
+                "grip_force/tooth_force",
+                "swapped:grip_force,tooth_force",
+                {"grip_force": 3, "tooth_force": 4},
+                4 / 3,
+            ),
+            (
+                "grip_force*sin(arm_angle_open)",
+                "wrong_function:11,cos",
+                {"grip_force": 3, "arm_angle_open": 0.5},
+                3 * np.cos(0.5),
+            ),
+            (
+                "grip_force*sin(arm_angle_open)",
+                "angle_unit:all",
+                {"grip_force": 3, "arm_angle_open": 0.5},
+                3 * np.sin(np.degrees(0.5)),
+            ),
+            (
+                "grip_force*diameter_max",
+                "radius_for_diameter:diameter_max,0.5",
+                {"grip_force": 3, "diameter_max": 0.2},
+                0.3,
+            ),
+            (
+                "grip_force*diameter_max",
+                "wrong_end:diameter_max",
+                {"grip_force": 3, "diameter_min": 0.1},
+                0.3,
+            ),
+            ("mass*gravity", "gravity_left_out:5", {"mass": 12}, 12),
+            (
+                "mass*(gravity + acceleration)",
+                "gravity_left_out:6",
+                {"mass": 2, "acceleration": 3},
+                6,
+            ),
+            ("dynamic_factor*mass", "safety_left_out:0", {"mass": 2}, 2),
+            (
+                "mass/(acceleration*friction)",
+                "multiplied_for_divided:brackets0",
+                {"mass": 12, "acceleration": 2, "friction": 0.5},
+                3,
+            ),
+            (
+                "mass*diameter_max",
+                "input_unit:diameter_max,1000",
+                {"mass": 2, "diameter_max": 0.2},
+                400,
+            ),
+        ],
+    )
+    def test_each_kind_makes_its_mistake(
+        self,
+        slips_of: Slips,
+        formula: str,
+        slip: str,
+        values: Mapping[str, float],
+        wrong: float,
+    ) -> None:
+        found = slips_of(formula)
+        assert slip in found, sorted(found)
+        assert value(found[slip], **values) == pytest.approx(wrong)
+
+    def test_a_table_may_be_read_in_another_row(self, plan: Plan, policy: Policy) -> None:
+        found = candidates_of(plan, "flange_bolt_circle", policy.slips)
+        rows = [one for one in found if one.kind == SlipKind.OTHER_ROW]
+        assert len(rows) == plan.columns["flange.bolt_circle"].sizes.size
+        values = {name: np.asarray(1.0) for name in plan.quantities}
+        read = {float(evaluate(one.formula, "mm", values, plan.columns)) for one in rows}
+        assert read == set(plan.columns["flange.bolt_circle"].values.tolist())
+
+    def test_a_plain_product_has_no_slip_of_angles_or_roots(self, slips_of: Slips) -> None:
+        kinds = {one.kind for one in slips_of("grip_force*force_ratio").values()}
+        assert kinds.isdisjoint({SlipKind.ANGLE_UNIT, SlipKind.POWER, SlipKind.WRONG_FUNCTION})
+
+    def test_a_kind_that_the_course_leaves_out_is_not_made(
+        self, plan: Plan, policy: Policy
+    ) -> None:
+        kinds = {k: v for k, v in policy.slips.kinds.items() if k is not SlipKind.POWER_OF_TEN}
+        without = replace(policy.slips, kinds=kinds)
+        found = candidates_of(plan, "drive_force", without)
+        assert SlipKind.POWER_OF_TEN not in {one.kind for one in found}
+
+    def test_every_kind_has_a_generator(self) -> None:
+        assert set(GENERATORS) == set(SlipKind)
+
+
+class TestCandidates:
+    def test_every_kind_of_the_course_finds_a_place_in_some_scheme(
+        self, course: Course, policy: Policy
+    ) -> None:
+        kinds = {
+            one.kind
+            for scheme in course.schemes.values()
+            for plan in [_first_plan(course, scheme.id)]
+            for quantity in plan.answered
+            for one in candidates_of(_without_declared(plan), quantity.id, policy.slips)
+        }
+        assert kinds == set(policy.slips.kinds)
+
+    def test_declared_slips_come_first(self, plan: Plan, policy: Policy) -> None:
+        found = candidates_of(plan, "drive_force", policy.slips)
+        declared = [slip.id for slip in plan.quantities["drive_force"].slips]
+        assert [one.id for one in found[: len(declared)]] == declared
+
+    def test_none_is_the_right_formula_and_none_is_made_twice(
+        self, course: Course, policy: Policy
+    ) -> None:
+        for scheme in course.schemes:
+            plan = _first_plan(course, scheme)
+            for quantity in plan.answered:
+                found = candidates_of(plan, quantity.id, policy.slips)
+                trees = [one.formula.tree for one in found]
+                formula = plan.reference_formula(quantity.id)
+                assert formula is not None
+                assert formula.tree not in trees
+                assert len(set(trees)) == len(trees)
+
+    def test_decisions_and_verdicts_have_only_declared_ones(
+        self, plan: Plan, policy: Policy
+    ) -> None:
+        for one in plan.answered:
+            if one.kind in {Kind.CHOICE, Kind.VERDICT}:
+                kinds = {c.kind for c in candidates_of(plan, one.id, policy.slips)}
+                assert kinds <= {DECLARED}
+
+    def test_the_prior_of_a_kind_is_shared_among_its_ways(
+        self, slips_of: Slips, policy: Policy
+    ) -> None:
+        found = [
+            one
+            for one in slips_of("grip_force*force_ratio").values()
+            if one.kind == SlipKind.POWER_OF_TEN
+        ]
+        total = sum(one.prior for one in found)
+        assert total == pytest.approx(policy.slips.kinds[SlipKind.POWER_OF_TEN].prior)
+
+    def test_hints_have_no_open_place_in_any_language(self, course: Course, policy: Policy) -> None:
+        for scheme in course.schemes:
+            plan = _first_plan(course, scheme)
+            for quantity in plan.answered:
+                for one in candidates_of(plan, quantity.id, policy.slips):
+                    for language in LANGUAGES:
+                        said = one.hint.of(language)
+                        assert said
+                        assert not set("{}") & set(said)
+
+    def test_every_candidate_can_be_computed_wherever_the_formula_can(
+        self, course: Course, policy: Policy
+    ) -> None:
+        """A candidate that never has a value is no candidate."""
+        for space in load_spaces(course):
+            variant = draw(course, [space], 1, 7).variants[0]
+            plan = make_plan(course, variant.scheme, variant.options)
+            values = {name: np.asarray(0.4) for name in plan.quantities}
+            for quantity in plan.answered:
+                for one in candidates_of(plan, quantity.id, policy.slips):
+                    result = evaluate(one.formula, quantity.unit, values, plan.columns)
+                    assert result.shape == ()
+
+
+def _without_declared(plan: Plan) -> Plan:
+    """The same formulas, for which nobody has thought of a mistake."""
+    bare = {name: replace(one, slips=()) for name, one in plan.quantities.items()}
+    return replace(plan, quantities=bare)
+
+
+def _first_plan(course: Course, scheme: str) -> Plan:
+    options = {option.id: option.choices[0].id for option in course.schemes[scheme].options}
+    return make_plan(course, scheme, options)
