@@ -2,14 +2,17 @@
 
 from collections.abc import Callable
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from gripcourse.course.load import load_course
 from gripcourse.drawing.diagram import kinematic_diagram
 from gripcourse.drawing.layout import lay_out
 from gripcourse.resources import course_root
 from gripcourse.solver.plan import make_plan
-from gripcourse.variants.model import Variant
 from gripcourse.variants.table import read_table
+
+if TYPE_CHECKING:
+    from gripcourse.variants.model import Variant
 
 RUNS = 3
 LANGUAGE = "ru"

@@ -2,13 +2,13 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from io import BytesIO
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 from ezdxf import recover
 
 from gripcourse.course.diagram_words import VOCABULARY
@@ -18,16 +18,43 @@ from gripcourse.drawing.layout import HIGHEST, SYMBOLS, WIDEST, Layout, lay_out
 from gripcourse.drawing.letters import covered_length, lines_of
 from gripcourse.drawing.marks import Fill, Point, Ring, chain
 from gripcourse.solver.motion import coordinates, drive_at
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
+from gripcourse.variants.table import read_table
 from gripcourse.words import LANGUAGES, Texts
 
-if TYPE_CHECKING:
-    from conftest import Drawn
-
+LANGUAGE = "ru"
 NEAR = 1e-6  # mm of paper
 SEEN_UNDER_A_LETTER = 2.0  # mm of line that may touch a symbol where there is no better place
 HOSTILE = '<b>&"_"<i>'
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A variant's plan and given values, and its diagram in Russian."""
+
+    name: str
+    plan: Plan
+    given: Mapping[str, float]
+    layout: Layout
+
+
+@pytest.fixture(scope="module")
+def drawn(course: Course) -> tuple[Drawn, ...]:
+    """Every variant of the course's table."""
+    found = []
+    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+        plan = make_plan(course, variant.scheme, variant.options)
+        layout = lay_out(plan, variant.given, LANGUAGE)
+        assert layout is not None, f"{variant.scheme} {variant.id} has no diagram"
+        found.append(Drawn(f"{variant.scheme} {variant.id}", plan, variant.given, layout))
+    return tuple(found)
+
+
+@pytest.fixture(scope="module")
+def one_of_each(drawn: tuple[Drawn, ...]) -> tuple[Drawn, ...]:
+    """The first variant of each scheme."""
+    return tuple({one.plan.scheme.id: one for one in reversed(drawn)}.values())
 
 
 def joints(plan: Plan, kinds: set[str]) -> set[str]:
@@ -42,7 +69,7 @@ def joints(plan: Plan, kinds: set[str]) -> set[str]:
     } & motion.points.keys()
 
 
-def expected_places(one: "Drawn", name: str) -> Iterator[Point]:
+def expected_places(one: Drawn, name: str) -> Iterator[Point]:
     """Yield where a joint is on the sheet, by the solver: at both ends of the range."""
     motion, diagram = one.plan.scheme.kinematics, one.plan.scheme.diagram
     assert motion is not None
@@ -61,7 +88,7 @@ def is_near(point: Point, places: list[Point]) -> bool:
     return any(math.dist(point, place) < NEAR for place in places)
 
 
-def test_every_scheme_has_a_diagram(course: Course, one_of_each: tuple["Drawn", ...]) -> None:
+def test_every_scheme_has_a_diagram(course: Course, one_of_each: tuple[Drawn, ...]) -> None:
     assert {one.plan.scheme.id for one in one_of_each} == set(course.schemes)
 
 
@@ -76,7 +103,7 @@ def test_every_word_of_the_vocabulary_is_drawn_and_used(course: Course) -> None:
     assert used == set(VOCABULARY)
 
 
-def test_joints_stand_where_the_solver_puts_them(drawn: tuple["Drawn", ...]) -> None:
+def test_joints_stand_where_the_solver_puts_them(drawn: tuple[Drawn, ...]) -> None:
     faults, tried = [], 0
     for one in drawn:
         rings = [mark.centre for mark in one.layout.marks if isinstance(mark, Ring)]
@@ -88,7 +115,7 @@ def test_joints_stand_where_the_solver_puts_them(drawn: tuple["Drawn", ...]) -> 
     assert faults == []
 
 
-def test_pins_in_slots_stand_where_the_solver_puts_them(drawn: tuple["Drawn", ...]) -> None:
+def test_pins_in_slots_stand_where_the_solver_puts_them(drawn: tuple[Drawn, ...]) -> None:
     faults, tried = [], 0
     for one in drawn:
         middles = [
@@ -104,7 +131,7 @@ def test_pins_in_slots_stand_where_the_solver_puts_them(drawn: tuple["Drawn", ..
     assert faults == []
 
 
-def test_the_other_jaw_is_drawn_too(drawn: tuple["Drawn", ...]) -> None:
+def test_the_other_jaw_is_drawn_too(drawn: tuple[Drawn, ...]) -> None:
     for one in drawn:
         middle = one.layout.origin[1]
         rings = [mark.centre for mark in one.layout.marks if isinstance(mark, Ring)]
@@ -113,7 +140,7 @@ def test_the_other_jaw_is_drawn_too(drawn: tuple["Drawn", ...]) -> None:
             assert is_near((x, 2 * middle - y), rings), one.name
 
 
-def test_every_symbol_is_one_of_the_declarations(one_of_each: tuple["Drawn", ...]) -> None:
+def test_every_symbol_is_one_of_the_declarations(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         for language in LANGUAGES:
             layout = lay_out(one.plan, one.given, language)
@@ -124,7 +151,7 @@ def test_every_symbol_is_one_of_the_declarations(one_of_each: tuple["Drawn", ...
             assert written <= declared, f"{one.name} {language}: {written - declared}"
 
 
-def test_a_gripper_with_jaws_shows_its_forces(one_of_each: tuple["Drawn", ...]) -> None:
+def test_a_gripper_with_jaws_shows_its_forces(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         written = {letter.symbol for letter in one.layout.written}
         effort = {"drive_force", "drive_torque"} & one.plan.quantities.keys()
@@ -133,7 +160,7 @@ def test_a_gripper_with_jaws_shows_its_forces(one_of_each: tuple["Drawn", ...]) 
             assert written & {one.plan.quantities[name].symbol.of("ru") for name in effort}
 
 
-def test_no_symbol_covers_another(drawn: tuple["Drawn", ...]) -> None:
+def test_no_symbol_covers_another(drawn: tuple[Drawn, ...]) -> None:
     faults = [
         f"{one.name}: {first.symbol} and {second.symbol}"
         for one in drawn
@@ -143,7 +170,7 @@ def test_no_symbol_covers_another(drawn: tuple["Drawn", ...]) -> None:
     assert faults == []
 
 
-def test_symbols_keep_clear_of_lines(drawn: tuple["Drawn", ...]) -> None:
+def test_symbols_keep_clear_of_lines(drawn: tuple[Drawn, ...]) -> None:
     touched, written = [], 0
     for one in drawn:
         lines = lines_of(one.layout.marks)
@@ -156,7 +183,7 @@ def test_symbols_keep_clear_of_lines(drawn: tuple["Drawn", ...]) -> None:
     assert len(touched) < written / 50, touched
 
 
-def test_everything_lies_on_the_sheet(drawn: tuple["Drawn", ...]) -> None:
+def test_everything_lies_on_the_sheet(drawn: tuple[Drawn, ...]) -> None:
     for one in drawn:
         assert one.layout.width <= WIDEST, one.name
         assert one.layout.height <= HIGHEST, one.name
@@ -167,7 +194,7 @@ def test_everything_lies_on_the_sheet(drawn: tuple["Drawn", ...]) -> None:
         assert all(0 <= y <= one.layout.height for _, y in corners), one.name
 
 
-def test_a_narrower_page_gets_a_smaller_diagram(one_of_each: tuple["Drawn", ...]) -> None:
+def test_a_narrower_page_gets_a_smaller_diagram(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         smaller = lay_out(one.plan, one.given, "ru", 112.0)
         assert smaller is not None
@@ -175,7 +202,7 @@ def test_a_narrower_page_gets_a_smaller_diagram(one_of_each: tuple["Drawn", ...]
         assert smaller.scale <= one.layout.scale
 
 
-def test_files_are_sound_and_the_same_each_time(one_of_each: tuple["Drawn", ...]) -> None:
+def test_files_are_sound_and_the_same_each_time(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         first = kinematic_diagram(one.plan, one.given, "uk")
         again = kinematic_diagram(one.plan, one.given, "uk")
@@ -190,7 +217,7 @@ def test_files_are_sound_and_the_same_each_time(one_of_each: tuple["Drawn", ...]
         assert (first.svg(), first.dxf()) == (again.svg(), again.dxf())
 
 
-def test_the_title_says_what_the_symbols_stand_for(one_of_each: tuple["Drawn", ...]) -> None:
+def test_the_title_says_what_the_symbols_stand_for(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         diagram = kinematic_diagram(one.plan, one.given, "en")
         assert diagram is not None
@@ -203,7 +230,7 @@ def test_the_title_says_what_the_symbols_stand_for(one_of_each: tuple["Drawn", .
         assert len(named) == len({letter.symbol for letter in one.layout.written})
 
 
-def test_a_symbol_is_text_and_never_markup(plan: Plan, drawn: tuple["Drawn", ...]) -> None:
+def test_a_symbol_is_text_and_never_markup(plan: Plan, drawn: tuple[Drawn, ...]) -> None:
     one = next(one for one in drawn if one.plan.scheme.id == plan.scheme.id)
     force = replace(
         one.plan.quantities["grip_force"], symbol=Texts(dict.fromkeys(LANGUAGES, HOSTILE))
@@ -218,19 +245,19 @@ def test_a_symbol_is_text_and_never_markup(plan: Plan, drawn: tuple["Drawn", ...
     assert not [tag for tag in picture.iter() if tag.tag.endswith(("}b", "}i"))]
 
 
-def test_a_scheme_without_a_diagram_has_none(plan: Plan, drawn: tuple["Drawn", ...]) -> None:
+def test_a_scheme_without_a_diagram_has_none(plan: Plan, drawn: tuple[Drawn, ...]) -> None:
     one = next(one for one in drawn if one.plan.scheme.id == plan.scheme.id)
     bare = replace(one.plan, scheme=replace(one.plan.scheme, diagram=None))
     assert kinematic_diagram(bare, one.given, "ru") is None
 
 
-def test_joints_that_have_no_place_are_not_drawn(drawn: tuple["Drawn", ...]) -> None:
+def test_joints_that_have_no_place_are_not_drawn(drawn: tuple[Drawn, ...]) -> None:
     one = next(one for one in drawn if one.plan.scheme.id == "rack_parallelogram")
     impossible = {**one.given, "arm_length": 1.0}  # shorter than the jaws must travel
     assert kinematic_diagram(one.plan, impossible, "ru") is None
 
 
-def test_the_scale_is_one_of_the_standard(drawn: tuple["Drawn", ...]) -> None:
+def test_the_scale_is_one_of_the_standard(drawn: tuple[Drawn, ...]) -> None:
     def is_standard(layout: Layout) -> bool:
         ratio = 1 / layout.scale if layout.scale < 1 else layout.scale
         return float(f"{ratio:.3g}") in {1, 2, 2.5, 4, 5, 10, 15, 20, 25, 40, 50, 75, 100}

@@ -141,6 +141,8 @@ def _best(letter: Letter, lines: Lines, sheet: Box, others: Sequence[Written]) -
         covered = _covered([box.wider(_GAP) for box in boxes], lines)
         for box, line in zip(boxes, covered, strict=True):
             cost = float(line) if line > _FREE else 0.0
+            if best is not None and cost + _FAR * distance >= best[0]:
+                continue
             cost += _COVERED * sum(box.wider(_GAP).overlap(one.box) for one in others)
             cost += 0.0 if sheet.holds(box) else _OUTSIDE
             ranked = cost + _FAR * distance
@@ -193,6 +195,7 @@ def _covered(boxes: Sequence[Box], lines: Lines) -> NDArray[np.float64]:
     still = np.broadcast_to(along == 0, first.shape)
     enter = np.where(still, np.where(inside, -np.inf, np.inf), np.minimum(first, second))
     leave = np.where(still, np.where(inside, np.inf, -np.inf), np.maximum(first, second))
-    share = np.clip(leave.min(axis=2), 0, 1) - np.clip(enter.max(axis=2), 0, 1)
+    last = np.minimum(leave[:, :, 0], leave[:, :, 1])
+    share = np.clip(last, 0, 1) - np.clip(np.maximum(enter[:, :, 0], enter[:, :, 1]), 0, 1)
     length = np.hypot(along[:, 0], along[:, 1]) * weights
     return np.asarray((np.maximum(share, 0) * length).sum(axis=1))
