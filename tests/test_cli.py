@@ -176,7 +176,11 @@ class TestHappyPaths:
         refused(gripcourse("validate", home=course), "course.toml", "corected")
 
     def test_the_program_runs_as_a_module_and_starts_without_heavy_libraries(self) -> None:
-        heavy = "{'numpy', 'pandas', 'weasyprint', 'matplotlib', 'openpyxl', 'scipy', 'pint'}"
+        libraries = (
+            *("numpy", "pandas", "weasyprint", "matplotlib", "openpyxl", "scipy", "pint"),
+            "sqlalchemy",
+        )
+        heavy = set(libraries)
         code = f"import gripcourse.cli, sys; print(sorted({heavy} & set(sys.modules)))"
         done = subprocess.run(  # noqa: S603 (our own interpreter)
             [sys.executable, "-c", code], capture_output=True, text=True, check=True
@@ -232,6 +236,16 @@ class TestWrongUse:
             pytest.param(["variants", "import", "own.csv"], ["own.csv"], id="no table to import"),
             pytest.param(["grade", "no.xlsx", "--out", "out"], ["no.xlsx"], id="nothing to grade"),
             pytest.param(["check", "no.xlsx"], ["no.xlsx"], id="nothing to check"),
+            pytest.param(["mark"], ["--table", "--list"], id="nothing to mark"),
+            pytest.param(["mark", "s01"], ["a student and an item"], id="no item"),
+            pytest.param(
+                ["mark", "--list", "--table", "marks.csv"], ["--list"], id="two marks at once"
+            ),
+            pytest.param(
+                ["mark", "--list", "--gradebook", "no.sqlite"],
+                ["no.sqlite", "gripcourse grade"],
+                id="no gradebook",
+            ),
             pytest.param(
                 ["issue", "--roster", "no.csv", "--out", "out"], ["no.csv"], id="no roster"
             ),
@@ -255,6 +269,7 @@ class TestWrongUse:
             ["grade", "a.xlsx"],
             ["grade", "a.xlsx", "--out", "out", "--date", "2026-13-01"],
             ["variants", "draw", "--count", "0", "--seed", "1"],
+            ["mark", "s01", "general_view_drawing", "--points", "viel"],
         ],
     )
     def test_the_parsers_own_refusals_have_the_same_code(
@@ -309,6 +324,18 @@ class TestWrongUse:
         refused(run, "roster.csv", *said)
         assert not out.exists()
         assert not register_path(course).exists()
+
+    def test_a_damaged_gradebook_is_refused_before_anything_is_graded(
+        self, gripcourse: Command, course: Path, tmp_path: Path
+    ) -> None:
+        file, book = tmp_path / "s01.xlsx", tmp_path / "book.sqlite"
+        file.write_bytes(b"")
+        book.write_text("student;points\n" * 100, encoding="utf-8")
+        run = gripcourse(
+            *("grade", file, "--course", course, "--gradebook", book, "--out", tmp_path / "out")
+        )
+        refused(run, "book.sqlite", "not a database", "backup")
+        assert not (tmp_path / "out").exists()
 
     def test_a_place_that_cannot_be_written_is_named(
         self, gripcourse: Command, tmp_path: Path
@@ -397,3 +424,43 @@ def test_what_is_no_number_cannot_be_traced(gripcourse: Command) -> None:
     both = gripcourse("trace", "12", "--table", "a.csv", "--issued", ".")
     assert both.code == 2
     assert "exclude each other" in both.err
+
+
+def test_a_drawing_from_waiting_to_marked(
+    gripcourse: Command, course: Path, tmp_path: Path
+) -> None:
+    """Grade, look what waits, mark, grade again: the codes say whether somebody must look."""
+    handed_out, graded = tmp_path / "assignments", tmp_path / "graded"
+    place = ("--course", course, "--workers", 1)
+    roster = course / "variants" / "roster.csv"
+    gripcourse("issue", *place, "--roster", roster, "--out", handed_out)
+    own = handed_out / "s01" / "s01.xlsx"
+    assert gripcourse("grade", *place, own, "--out", graded).code == cli.DONE
+
+    listed = gripcourse("mark", "--list", "--course", course)
+    assert listed.code == cli.NEEDS_PERSON
+    assert all(part in listed.out for part in ("s01", "general_view_drawing", "s01.xlsx"))
+
+    order = ("mark", "s01", "general_view_drawing", "--course", course, "--by", "Петров")
+    refused(gripcourse(*order, "--points", "99,5"), "--points", "99.5", "from 0 to")
+    lines = ("--line", "sizes=1", "--line", "assembly=0,5", "--line", "standards=1")
+    marked = gripcourse(*order, *lines, "--comment", "Нет масштаба")
+    assert marked.code == cli.DONE
+    assert "s01, general_view_drawing: " in marked.out
+    assert "just so already" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
+
+    again = gripcourse("grade", *place, own, "--out", graded, "--json")
+    assert again.code == cli.DONE
+    (report,) = json.loads(again.out)
+    drawing = next(o for o in report["findings"] if o["quantity"] == "general_view_drawing")
+    assert drawing["decision"]["marker"] == "Петров"
+    assert report["score"] == pytest.approx(0.85 * drawing["max_points"])
+
+    table = tmp_path / "marks.csv"
+    other = next(o["quantity"] for o in report["findings"] if o["outcome"] == "manual")
+    table.write_text(f"student,quantity,credit\ns01,{other},1.5\n", encoding="utf-8")
+    refused(gripcourse("mark", "--table", table, "--course", course), "row 2, column credit", "1.5")
+    table.write_text(f'student,quantity,credit\ns01,{other},"0,5"\n', encoding="utf-8")
+    assert gripcourse("mark", "--table", table, "--course", course).code == cli.DONE
+    nothing = gripcourse("mark", "--list", "--course", course)
+    assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for a person.")

@@ -6,13 +6,13 @@ Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid cou
 import sys
 import traceback
 from collections.abc import Callable
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from gripcourse import cli_text, cli_trace, cli_variants
+from gripcourse import cli_mark, cli_text, cli_trace, cli_variants, cli_virtual
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -21,6 +21,7 @@ from gripcourse.cli_options import (
     WRONG_USE,
     CourseOption,
     DateOption,
+    GradebookOption,
     LanguageOption,
     OutOption,
     TableOption,
@@ -29,6 +30,7 @@ from gripcourse.cli_options import (
     course_folder,
     day_of,
     document_language,
+    gradebook_place,
     main_table,
     words_for,
 )
@@ -45,7 +47,9 @@ app = typer.Typer(
     help="Course assignments for robot gripper design: issue variants, check, grade, report.",
 )
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_virtual.app)
 app.command()(cli_trace.trace)
+app.command()(cli_mark.mark)
 
 
 @app.command()
@@ -153,24 +157,24 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
+    gradebook: GradebookOption = None,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
-    from gripcourse.assignment.register import read_register, register_path
-    from gripcourse.cohort.one import Desk
     from gripcourse.commands import grade as command
-    from gripcourse.course.load import load_course
-    from gripcourse.course.policy_load import load_policy
+    from gripcourse.commands.desk import open_desk
+    from gripcourse.commands.gradebook import check_gradebook, keep
 
     words = words_for(language)
     files = command.find_files(paths)
-    loaded = load_course(course_folder(course))
-    register = read_register(register_path(loaded.root), loaded.id).by_student()
-    desk = Desk(loaded, load_policy(loaded), register)
+    desk = open_desk(course_folder(course))
+    place = gradebook_place(gradebook, desk.course.root)
+    check_gradebook(place)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, desk, workers, lambda _: tick())
+        graded = keep(graded, desk, place, datetime.now(UTC))
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(graded, desk, out, day_of(on), workers, lambda _: tick())
     if json:

@@ -36,6 +36,12 @@ WorkersOption = Annotated[
     int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
 ]
 PROCESSORS = os.cpu_count() or 1
+GradebookOption = Annotated[
+    str | None,
+    typer.Option(
+        "--gradebook", help="File or database URL; default: private/gradebook.sqlite of the course."
+    ),
+]
 
 
 def chosen_words() -> Words:
@@ -60,6 +66,28 @@ def main_table(root: Path) -> Path:
 def day_of(chosen: datetime | None) -> date:
     """Return the chosen day, else today."""
     return chosen.date() if chosen else datetime.now().astimezone().date()
+
+
+def gradebook_place(chosen: str | None, root: Path) -> str:
+    """Return the gradebook to use: the named one, else the course's."""
+    from gripcourse.gradebook.opening import gradebook_path  # noqa: PLC0415 (not for --help)
+
+    return chosen or str(gradebook_path(root))
+
+
+def decimal_number(written: str) -> float:
+    """Read a number with a decimal point or comma.
+
+    Raises:
+        BadParameter: it is none.
+    """
+    from gripcourse.variants.cells import exact_number  # noqa: PLC0415 (not for --help)
+
+    value = exact_number(written, decimal_comma=True)
+    if value is None:
+        said = message("'{text}' is no number.", text=written)
+        raise typer.BadParameter(chosen_words().say(said))
+    return value
 
 
 def words_for(language: str | None) -> Words:

@@ -4,6 +4,7 @@
     ├── CourseError             a declaration, a catalogue or the policy of a course
     ├── TableError              a variant table or a roster
     ├── RegisterError           the register of issued variants, or its key
+    ├── GradebookError          the gradebook of attempts and marks
     └── UsageError              a command called with something that cannot be used
 
 A student's mistake is never an exception: it is a `Finding` or a `Rejected` file.
@@ -59,6 +60,10 @@ class TableError(GripcourseError):
 
 class RegisterError(GripcourseError):
     """The register of issued variants or its key cannot be used."""
+
+
+class GradebookError(GripcourseError):
+    """The gradebook cannot be read or written."""
 
 
 class UsageError(GripcourseError):

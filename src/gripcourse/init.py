@@ -16,7 +16,7 @@ _PURPOSES = {
     "grader": message("points, tolerances, credits and the rubrics"),
 }
 _IGNORED = """\
-# the key that signs workbooks and the register of what was issued never leave your machine
+# the key that signs workbooks, the register and the gradebook never leave your machine
 private/
 # what gripcourse makes
 out/

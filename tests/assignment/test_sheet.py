@@ -184,3 +184,24 @@ def test_every_scheme_fits_one_sheet_of_paper(policy: Policy, course: Course) ->
         entry = Issued(student, variant, date(2025, 2, 10), date(2025, 5, 19), "0" * 64)
         sheet = assignment_sheet(entry, plan, policy, course, Words("ru"))
         assert len(pages(sheet)) <= 2, scheme
+
+
+LONGEST = {
+    "grip_model": "contact_exact",
+    "object_position": "pairs_between",
+    "jaw_shape": "prism",
+    "mounting": "flange",
+}
+
+
+@pytest.mark.parametrize("scheme", ["rack_parallelogram", "wedge_slide", "pinion_racks", "screw"])
+def test_the_longest_assignments_are_one_sheet_of_paper_too(
+    issued: Issued, policy: Policy, course: Course, scheme: str
+) -> None:
+    example = course.schemes[scheme].example
+    assert example is not None
+    long = make_plan(course, scheme, {**example.options, **LONGEST})
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    variant = Variant("17", scheme, dict(long.options), given)
+    named = replace(issued, student=replace(issued.student, name=LONG_NAME), variant=variant)
+    assert len(pages(assignment_sheet(named, long, policy, course, Words("ru")))) == 2

@@ -12,7 +12,7 @@ from gripcourse.assignment.issue import workbook_path
 from gripcourse.assignment.register import read_register, register_path
 from gripcourse.cohort.one import Desk
 from gripcourse.commands.issue import Issuing, Order, issue_order
-from gripcourse.commands.students import Behaviour, fill
+from gripcourse.commands.students import Behaviour
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
@@ -20,6 +20,7 @@ from gripcourse.init import init_course
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.table import write_table
+from gripcourse.virtual.write import fill
 from gripcourse.words import Words
 
 KEY = bytes(range(32))

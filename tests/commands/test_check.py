@@ -9,12 +9,13 @@ from openpyxl import Workbook, load_workbook
 
 from gripcourse.cli_text import check_text
 from gripcourse.commands.check import check_file
-from gripcourse.commands.students import early_slip, fill
+from gripcourse.commands.students import early_slip
 from gripcourse.course.model import Kind
 from gripcourse.errors import UsageError
 from gripcourse.grading.self_check import State
 from gripcourse.number_text import format_number
 from gripcourse.solver.solve import solve_variant
+from gripcourse.virtual.write import fill
 from gripcourse.words import LANGUAGES, Words
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.cli_text import demo_text
-from gripcourse.commands.demo import Demo, run_demo
+from gripcourse.commands.demo import MARKED_STORY, Demo, run_demo
 from gripcourse.commands.students import COPIED
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.resources import course_root
@@ -58,6 +58,24 @@ def test_an_early_slip_costs_one_item(by_story: dict[str, Report]) -> None:
     assert lost(by_story["early_slip"]) == {"grip_force"}
 
 
+def test_the_drawing_of_one_student_is_marked_by_a_person(
+    demo: Demo, by_story: dict[str, Report]
+) -> None:
+    decided = {
+        story: [one.quantity for one in report.findings if one.decision is not None]
+        for story, report in by_story.items()
+    }
+    (item,) = demo.marking.items
+    assert {story: names for story, names in decided.items() if names} == {
+        MARKED_STORY: [item.mark.quantity]
+    }
+    assert len(item.mark.lines) > 1
+    report = by_story[MARKED_STORY]
+    drawing = next(one for one in report.findings if one.quantity == item.mark.quantity)
+    assert drawing.points == item.points
+    assert 0 < drawing.points < drawing.max_points
+
+
 def test_a_blank_workbook_gets_nothing_and_no_flag(by_story: dict[str, Report]) -> None:
     assert by_story["blank"].score == 0
     assert by_story["blank"].judged
@@ -95,6 +113,7 @@ def test_everything_that_is_promised_is_there(demo: Demo) -> None:
     assert len(folders) == 12
     assert all(len(list((demo.assignments / one).iterdir())) == 2 for one in folders)
     assert (demo.course / "private" / "register.json").exists()
+    assert (demo.course / "private" / "gradebook.sqlite").exists()
     assert all(path.stat().st_size > 10_000 for path in demo.graded.rglob("*.pdf"))
 
 

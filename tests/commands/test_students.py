@@ -10,7 +10,6 @@ from gripcourse.commands.students import (
     blank,
     correct,
     early_slip,
-    fill,
     fill_workbooks,
     printed,
     rounded_down,
@@ -23,6 +22,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Reading, Submission
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
+from gripcourse.virtual.write import fill
 
 if TYPE_CHECKING:
     from conftest import Classroom

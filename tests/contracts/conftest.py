@@ -255,7 +255,7 @@ def _composition(
     if scheme.example is not None and _is_complete(plan, scheme.example.given):
         given = {
             name: value
-            for name, value in (*scheme.example.given.items(),
+            for name, value in (*of_the_plan(plan, scheme.example.given).items(),
                                 *scheme.example.chosen[convention].items())
             if name in plan.quantities
         }  # fmt: skip
@@ -266,6 +266,12 @@ def _composition(
         for name, given, is_example in known
     )
     return Composition(plan, references)
+
+
+def of_the_plan(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
+    """Leave out what is computed with these options, and what they do not have."""
+    known = {one.id for one in (*plan.givens, *plan.constants)}
+    return {name: value for name, value in given.items() if name in known}
 
 
 def _is_complete(plan: Plan, given: Mapping[str, float]) -> bool:

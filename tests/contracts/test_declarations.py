@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gripcourse.course.compose import formulas
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate
@@ -92,7 +91,7 @@ def test_formulas_measure_what_their_units_do(composition: "Composition") -> Non
     checked = 0
     for one in plan.quantities.values():
         conditions = (one.valid, one.choice.condition if one.choice else None)
-        for formula in formulas(one):
+        for formula in one.formulas():
             is_condition = formula in conditions or one.kind is Kind.VERDICT
             check_dimension(formula, "" if is_condition else one.unit, dimensions, columns)
             checked += 1

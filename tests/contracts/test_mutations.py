@@ -2,11 +2,14 @@
 
 import dataclasses
 import math
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity
@@ -43,6 +46,12 @@ FLIPPED: Mapping[Operator, Operator] = {
     ">": "<",
     ">=": "<=",
 }
+CASES = Path(__file__).parents[2] / "variants" / "published_cases.toml"
+OF_ANOTHER_METHOD = [
+    case
+    for case in tomllib.loads(CASES.read_text(encoding="utf-8"))["case"]
+    if case["source"]["work"] == "derived"
+]
 STUDENTS = 60  # for each set of reference numbers
 # Flips that change no number, and why.
 EQUIVALENT: Mapping[str, str] = {
@@ -193,6 +202,29 @@ def test_a_flipped_operator_breaks_the_worked_example(course: Course) -> None:
                     if _all_as_expected(changed, expected):
                         unseen.add(name)
         assert unseen == HIDDEN_BY_THE_EXAMPLE.get(scheme.id, {}).keys(), scheme.id
+
+
+@pytest.mark.parametrize("case", OF_ANOTHER_METHOD, ids=[case["id"] for case in OF_ANOTHER_METHOD])
+def test_a_flipped_operator_breaks_a_case_of_another_method(
+    course: Course, case: dict[str, Any]
+) -> None:
+    """Of every quantity that the case gives a number for."""
+    example = course.schemes[case["scheme"]].example
+    assert example is not None
+    plan = make_plan(course, case["scheme"], {**example.options, **case["options"]})
+    known = {one.id for one in (*plan.givens, *plan.constants)}
+    given = {name: value for name, value in example.given.items() if name in known}
+    given |= case.get("given", {})
+    tried = [mutant for mutant in named_mutants(plan) if mutant[1].id in case["expected"]]
+    unseen = {
+        name
+        for name, one, formula in tried
+        if _all_as_expected(
+            solve_variant(_with(plan, one, formula, Convention.CORRECTED), given), case["expected"]
+        )
+    }
+    assert tried
+    assert unseen == set()
 
 
 def _with(plan: Plan, one: Quantity, formula: Formula, convention: Convention) -> Plan:

@@ -74,3 +74,10 @@ def test_every_column_is_found_by_catalogue_and_name(course: Course) -> None:
     column = columns_of(course.catalogues)["bore_pneumatic.rod"]
     assert np.array_equal(column.sizes, course.catalogues["bore_pneumatic"].columns["bore"])
     assert np.array_equal(column.values, course.catalogues["bore_pneumatic"].columns["rod"])
+
+
+def test_allowed_stresses_of_steels_follow_from_their_yield(course: Course) -> None:
+    steel = course.catalogues["steel"].columns
+    # the guide's ranges: 0.4 to 0.5 in bending, 0.2 to 0.3 in shear, 0.4 to 0.6 in bearing
+    for name, share in (("bending", 0.4), ("shear", 0.2), ("bearing", 0.4)):
+        assert steel[f"{name}_allowed"] == pytest.approx(share * steel["yield"], rel=1e-12)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.compose import compose, option_sets, part_ids
 from gripcourse.course.model import Convention, Course, Kind
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
 
 
 def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
-    file = "variants/options/grip_model.toml"
+    file = "variants/options/parallel_grip_model.toml"
     found = [(one.file, one.key) for one in draft.append(file, "[quantity").problems()]
     assert found == [(file, ""), (SCHEME, "options")]
 
@@ -99,9 +99,17 @@ def test_a_scheme_changes_single_keys_of_a_shared_declaration(course: Course) ->
 
 def test_every_combination_of_options_is_known(course: Course) -> None:
     found = list(option_sets(course.schemes["rack_parallelogram"]))
-    assert len(found) == 2 * 2 * 6 * 5 * 2
+    assert len(found) == 2 * 5 * 6 * 5 * 2 * 2
     assert len({tuple(options.items()) for options in found}) == len(found)
     assert {options["drive"] for options in found} == {"hydraulic", "pneumatic"}
+
+
+def test_a_part_that_two_choices_bring_is_there_once(course: Course) -> None:
+    scheme = course.schemes["rack_parallelogram"]
+    both = {"grip_model": "prism_across", "jaw_shape": "prism"}
+    assert part_ids(scheme, both).count("prism_angle") == 1
+    assert compose(course, scheme, both)["jaw_angle"].kind is Kind.GIVEN
+    assert scheme.overrides["finger_force_right"].source.work == "derived"  # of two choices
 
 
 def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course) -> None:

@@ -48,6 +48,7 @@ def plan(course: Course) -> Plan:
         "object_position": "friction_pair",
         "jaw_shape": "flat",
         "mounting": "flange",
+        "tooth_form": "guide",
     }
     return make_plan(course, "rack_parallelogram", options)
 

@@ -29,7 +29,7 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 # More quantities, or a diagram that takes more of the page's height, ask for smaller letters.
-_MANY, _HIGH = 85, 58.0
+_MANY, _VERY_MANY, _HIGH = 85, 120, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -108,8 +108,9 @@ def sheet_values(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
-    dense = _listed(plan) > _MANY
-    diagram = drawn_diagram(plan, issued.variant.given, words, _NARROW if dense else WIDEST)
+    listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
+    widest = _NARROW if listed > _MANY else WIDEST
+    diagram = drawn_diagram(plan, issued.variant.given, words, widest)
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
@@ -121,21 +122,19 @@ def sheet_values(
         "task": plan.scheme.task.of(words.language),
         "data": given_data(plan.givens, issued.variant.given, words),
         "constants": given_data(plan.constants, issued.variant.given, words),
-        "dense": dense or _is_high(diagram),
+        "density": _density(listed, diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
         "rules": [words.say(sentence) for sentence in _rules(plan, policy, words)],
     }
 
 
-def _listed(plan: Plan) -> int:
-    """Count the quantities on the sheet."""
-    return sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
-
-
-def _is_high(diagram: Drawn | None) -> bool:
-    """Tell whether a diagram takes much height for itself."""
-    return diagram is not None and not diagram.beside and diagram.height > _HIGH
+def _density(listed: int, diagram: Drawn | None) -> str:
+    """Name the print in which so many quantities, with the diagram, fit on two pages."""
+    if listed > _VERY_MANY:
+        return "dense long"
+    stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
+    return "dense" if listed > _MANY or stacked else ""
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:

@@ -1,10 +1,13 @@
-"""The whole main job on a small course, with scripted students: issue, fill in, grade, report."""
+"""The whole main job on a small course: issue, fill in, grade, mark a drawing, report.
+
+Students and teacher are scripted; everything else is the real thing.
+"""
 
 import secrets
 import shutil
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from datetime import date
+from datetime import UTC, date, datetime
 from pathlib import Path
 
 from gripcourse.assignment.issue import workbook_path
@@ -12,13 +15,19 @@ from gripcourse.assignment.register import read_register, register_path
 from gripcourse.assignment.roster import read_roster
 from gripcourse.cohort.one import Desk
 from gripcourse.commands.grade import Outcome, grade, write_results
+from gripcourse.commands.gradebook import keep
 from gripcourse.commands.issue import Issuing, Order, issue_order
+from gripcourse.commands.mark import Marking, enter_mark
 from gripcourse.commands.students import fill_workbooks
 from gripcourse.course.load import load_course
 from gripcourse.course.policy_load import load_policy
+from gripcourse.course.rubric import RubricLine
 from gripcourse.errors import Problem, UsageError
 from gripcourse.files import write_text
+from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.opening import gradebook_path
 from gripcourse.init import init_course
+from gripcourse.solver.plan import make_plan
 from gripcourse.variants.model import Issued
 from gripcourse.words import Words, message
 
@@ -26,6 +35,10 @@ from gripcourse.words import Words, message
 ISSUED_ON = date(2026, 9, 7)
 DEADLINE = date(2026, 12, 1)
 GRADED_ON = date(2026, 12, 2)
+MARKED_AT = datetime(2026, 12, 2, 9, tzinfo=UTC)
+# Whose drawing the teacher marks, and how: the lines of its rubric in turn.
+MARKED_STORY = "early_slip"
+_CREDITS = (1.0, 0.5)
 # Tells a folder of the demo, which may be made again, from a folder of somebody's own.
 _MARK = ".gripcourse-demo"
 
@@ -40,6 +53,7 @@ class Demo:
     graded: Path
     students: Mapping[str, str]
     issuing: Issuing
+    marking: Marking
     outcome: Outcome
 
 
@@ -84,12 +98,17 @@ def run_demo(
         course, register, workbooks(folders["assignments"], register), folders["submissions"]
     )
     files = sorted(folders["submissions"].glob("*.xlsx"))
-    desk = Desk(course, policy, register)
     tick = step(words.say(message("Grading")), len(files))
+    desk = Desk(course, policy, register)
     graded = grade(files, desk, workers, lambda _: tick())
+    place = str(gradebook_path(course.root))
+    keep(graded, desk, place, MARKED_AT)
+    marked = next(student for student, story in stories.items() if story == MARKED_STORY)
+    marking = mark_drawing(marked, desk, place)
+    graded = keep(graded, desk, place, MARKED_AT)
     tick = step(words.say(message("Writing reports")), len(files))
     outcome = write_results(graded, desk, folders["graded"], GRADED_ON, workers, lambda _: tick())
-    return Demo(students=stories, issuing=issuing, outcome=outcome, **folders)
+    return Demo(students=stories, issuing=issuing, marking=marking, outcome=outcome, **folders)
 
 
 def _clear(out: Path, folders: Iterable[Path]) -> None:
@@ -107,3 +126,27 @@ def _clear(out: Path, folders: Iterable[Path]) -> None:
 def workbooks(assignments: Path, register: Mapping[str, Issued]) -> dict[str, Path]:
     """Return the issued workbook of every student."""
     return {student: workbook_path(assignments, student) for student in register}
+
+
+def mark_drawing(student: str, desk: Desk, place: str) -> Marking:
+    """Let a teacher mark the last item of a student that a person marks, line by line."""
+    issued = desk.register[student]
+    plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
+    item = plan.manual[-1]
+    words = Words(issued.student.language or desk.course.language)
+    draft = Draft(
+        student=student,
+        quantity=item.id,
+        lines={
+            line.id: _credit(line, _CREDITS[number % len(_CREDITS)])
+            for number, line in enumerate(desk.policy.rubrics[item.rubric].lines)
+        },
+        comment=words.say(message("One more view is needed.")),
+    )
+    return enter_mark(draft, desk, place, words.say(message("the teacher")), MARKED_AT)
+
+
+def _credit(line: RubricLine, wanted: float) -> float:
+    """Return the credit, or that of the nearest level where the line has levels."""
+    levels = [level.credit for level in line.levels]
+    return min(levels, key=lambda level: abs(level - wanted), default=wanted)

@@ -16,7 +16,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.errors import Problem, UsageError
 from gripcourse.files import write_bytes, write_text
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Decision, Flag, Report
 from gripcourse.report.grades import grades_csv
 from gripcourse.solver.plan import make_plan
 from gripcourse.words import Message, Words, message
@@ -158,9 +158,24 @@ def report_json(report: Report, words: Words) -> dict[str, object]:
                 "slip": finding.slip,
                 "message": words.say(finding.message),
                 "remarks": [words.say(remark) for remark in finding.remarks],
+                "decision": _decision_json(finding.decision),
             }
             for finding in report.findings
         ],
+    }
+
+
+def _decision_json(decision: Decision | None) -> dict[str, object] | None:
+    if decision is None:
+        return None
+    return {
+        "automatic": decision.automatic.value,
+        "credit": decision.credit,
+        "lines": dict(decision.lines),
+        "marker": decision.marker,
+        "decided_at": decision.decided_at.isoformat(),
+        "comment": decision.comment,
+        "outdated": decision.outdated,
     }
 
 

@@ -14,11 +14,8 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.units import factor, unit_text
 from gripcourse.variants.model import Issued
+from gripcourse.virtual.write import Typed, fill
 from gripcourse.words import Message, message
-from gripcourse.workbook.names import cell_name
-
-Typed = Mapping[str, float | str]
-"""What a student types, by quantity id: numbers, or text."""
 
 Behaviour = Callable[[Plan, Issued], Typed]
 
@@ -123,18 +120,6 @@ def fill_workbooks(
     shutil.copyfile(out / f"{students[0]}.xlsx", out / f"{copier}.xlsx")
     stories[copier] = COPIED
     return stories
-
-
-def fill(workbook: Path, typed: Typed, target: Path) -> None:
-    """Type answers into a copy of an issued workbook, found by the names of the cells."""
-    from openpyxl import load_workbook  # noqa: PLC0415 (120 ms, only for this)
-
-    book = load_workbook(workbook)
-    for quantity, value in typed.items():
-        for sheet, address in book.defined_names[cell_name("answer", quantity)].destinations:
-            book[sheet][address] = value
-    target.parent.mkdir(parents=True, exist_ok=True)
-    book.save(target)
 
 
 def _typed(plan: Plan, values: Mapping[str, float]) -> dict[str, float | str]:

@@ -9,6 +9,7 @@ from gripcourse.course.policy_load import read_policy
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
+from gripcourse.virtual.mix import mix_path, read_mix
 
 
 def all_problems(root: Path) -> list[Problem]:
@@ -16,9 +17,14 @@ def all_problems(root: Path) -> list[Problem]:
     course, problems = read_course(root)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course), *read_policy(course)[1]]
+    problems = [*problems, *check_course(course), *read_policy(course)[1], *_mix_problems(course)]
     # Spaces and tables are about the course: judging them against a broken one only adds noise.
     return problems or [*_space_problems(course), *_table_problems(course)]
+
+
+def _mix_problems(course: Course) -> list[Problem]:
+    """A course that nobody measures needs no virtual students."""
+    return read_mix(course)[1] if mix_path(course.root).exists() else []
 
 
 def _space_problems(course: Course) -> tuple[Problem, ...]:

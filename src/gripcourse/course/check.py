@@ -5,13 +5,14 @@ fault of a shared part shows in many compositions and is reported once.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
-from gripcourse.course.check_kinematics import check_kinematics
+from gripcourse.course.check_kinematics import check_kinematics, kinematic_names
 from gripcourse.course.check_series import check_series
 from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
@@ -39,19 +40,19 @@ def check_course(course: Course) -> list[Problem]:
         found += _check_parts(course, scheme)
         if not _all_parts(scheme) <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
-        runs_in_circles = _has_circle(_all_inputs(course, scheme))
+        motion = sorted(kinematic_names(scheme))
+        knot = _knot(_all_inputs(course, scheme))
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
             new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
             found += _check_use(course, quantities)
             found += check_formulas(new, quantities, columns, dimensions)
-            if runs_in_circles:
-                found += _check_graph(scheme, quantities)
+            found += _check_graph(scheme, quantities, knot, seen)
             found += check_series(new, columns, dimensions)
             found += _check_symbols(scheme, quantities, seen)
+            found += _check_motion(scheme, quantities, motion, seen)
             if all(known_unit(one.unit) for one in quantities.values()):
-                found += check_kinematics(scheme, quantities)
                 found += check_diagram(scheme, quantities, options, seen)
         found += check_diagram_use(scheme)
         found += check_example(course, scheme)
@@ -65,13 +66,11 @@ def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> l
     Shared parts come back in dozens of compositions; their formulas need one look.
     """
     new: list[Quantity] = []
+    units = {name: one.unit for name, one in quantities.items()}
     for one in quantities.values():
-        used = sorted(used_names([one]))
-        units = tuple(
-            (name, quantities[name].unit if name in quantities else None) for name in used
-        )
-        if (one.id, one.file, units) not in seen:
-            seen.add((one.id, one.file, units))
+        key = (one.id, one.file, tuple(map(units.get, one.uses)))
+        if key not in seen:
+            seen.add(key)
             new.append(one)
     return new
 
@@ -108,7 +107,8 @@ def _doubled(file: str, name: str) -> Problem:
 
 def _all_parts(scheme: Scheme) -> set[str]:
     """Return the parts that a scheme uses with any of its options."""
-    return {part for options in option_sets(scheme) for part in part_ids(scheme, options)}
+    choices = (choice for option in scheme.options for choice in option.choices)
+    return {*scheme.parts, *(part for choice in choices for part in choice.parts)}
 
 
 def _check_used_parts(course: Course) -> Iterator[Problem]:
@@ -128,16 +128,18 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
 def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
     """Yield the givens of a composition that nothing in it uses."""
     used = used_names(quantities.values())
+    idle = [one for one in quantities.values() if one.kind is Kind.GIVEN and one.id not in used]
+    if not idle:
+        return
     if not (_is_readable(quantities.values()) and used <= {*quantities, *course.constants}):
         return
-    for one in quantities.values():
-        if one.kind is Kind.GIVEN and one.id not in used:
-            yield Problem(
-                one.file,
-                f"quantity.{one.id}",
-                message("No formula uses the given '{name}'.", name=one.id),
-                message("Use it, or remove it: students would look for its purpose."),
-            )
+    for one in idle:
+        yield Problem(
+            one.file,
+            f"quantity.{one.id}",
+            message("No formula uses the given '{name}'.", name=one.id),
+            message("Use it, or remove it: students would look for its purpose."),
+        )
 
 
 def _check_declarations(course: Course, declared: Iterable[Quantity]) -> Iterator[Problem]:
@@ -197,16 +199,39 @@ def _all_inputs(course: Course, scheme: Scheme) -> dict[str, set[str]]:
     return inputs
 
 
-def _has_circle(inputs: Mapping[str, Iterable[str]]) -> bool:
-    """Tell whether some composition may run in a circle; mostly none can: one look is enough."""
-    try:
-        TopologicalSorter(inputs).prepare()
-    except CycleError:
-        return True
-    return False
+def _knot(inputs: Mapping[str, Iterable[str]]) -> frozenset[str]:
+    """Return the ids that circles may run through; mostly none: one look at a scheme is enough.
+
+    What needs nothing of the rest is left out, and then what nothing of the rest needs.
+    """
+    behind = _stuck(inputs)
+    users: dict[str, set[str]] = {name: set() for name in behind}
+    for name in behind:
+        for used in behind.intersection(inputs.get(name, ())):
+            users[used].add(name)
+    return _stuck(users)
 
 
-def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _stuck(inputs: Mapping[str, Iterable[str]]) -> frozenset[str]:
+    """Return the ids that no order of calculation reaches."""
+    sorter = TopologicalSorter(inputs)
+    with suppress(CycleError):  # it goes on with what is not part of a circle
+        sorter.prepare()
+    reached: set[str] = set()
+    while ready := sorter.get_ready():
+        reached.update(ready)
+        sorter.done(*ready)
+    return frozenset({*inputs, *(name for used in inputs.values() for name in used)} - reached)
+
+
+def _check_graph(
+    scheme: Scheme, quantities: Mapping[str, Quantity], knot: frozenset[str], seen: set[object]
+) -> Iterator[Problem]:
+    """Yield the circle of a composition; the same declarations of the knot are judged once."""
+    tied = tuple(id(quantities[name]) for name in sorted(knot) if name in quantities)
+    if not tied or (scheme.id, tied) in seen:
+        return
+    seen.add((scheme.id, tied))
     for convention in Convention:
         graph = {name: direct_inputs(one, convention) for name, one in quantities.items()}
         try:
@@ -226,12 +251,27 @@ def _check_graph(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator
             )
 
 
+def _check_motion(
+    scheme: Scheme, quantities: Mapping[str, Quantity], used: Iterable[str], seen: set[object]
+) -> Iterator[Problem]:
+    """Yield the problems of the kinematics, once for the same units of what it uses."""
+    units = tuple(quantities[name].unit if name in quantities else None for name in used)
+    if (scheme.id, units) in seen:
+        return
+    seen.add((scheme.id, units))
+    if all(known_unit(one.unit) for one in quantities.values()):
+        yield from check_kinematics(scheme, quantities)
+
+
 def _check_symbols(
     scheme: Scheme, quantities: Mapping[str, Quantity], told: set[object]
 ) -> Iterator[Problem]:
     """Yield every symbol that two quantities share; `told` are those of earlier compositions."""
     doubled: dict[tuple[str, str, str], list[str]] = {}
     for language in LANGUAGES:
+        shown = [one.symbol.of(language) for one in quantities.values()]
+        if len(set(shown)) == len(shown) - max(shown.count("") - 1, 0):
+            continue  # mostly all differ but those that are empty
         seen: dict[str, str] = {}
         for one in quantities.values():
             symbol = one.symbol.of(language)

@@ -30,6 +30,17 @@ def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iter
     yield from _reference_faults(scheme, motion, quantities)
 
 
+def kinematic_names(scheme: Scheme) -> set[str]:
+    """Return every id that a scheme's kinematics mentions, its own coordinates among them."""
+    motion = scheme.kinematics
+    if motion is None:
+        return set()
+    formulas = (motion.jaws, *motion.at.values(), *(one.formula for one in motion.coordinates))
+    found = {name for formula in formulas for name in names(formula.tree)}
+    states = (name for state in motion.state.values() for name in state)
+    return found | {*motion.ratio.values(), *states, *motion.lossless}
+
+
 def _formula_faults(
     scheme: Scheme, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:

@@ -8,14 +8,17 @@ from gripcourse.formula.tree import Formula
 
 
 def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
-    """Return the parts that a scheme uses with these options, in order."""
+    """Return the parts that a scheme uses with these options, in order.
+
+    A part that two choices bring, as the angle of a prism, is there once.
+    """
     chosen = (
         choice.parts
         for option in scheme.options
         for choice in option.choices
         if options.get(option.id) == choice.id
     )
-    return (*scheme.parts, *(part for parts in chosen for part in parts))
+    return tuple(dict.fromkeys((*scheme.parts, *(part for parts in chosen for part in parts))))
 
 
 def option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
@@ -43,21 +46,7 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:
     """Return every id that some formula of some quantity uses."""
-    return {name for one in quantities for formula in formulas(one) for name in formula.names}
-
-
-def formulas(quantity: Quantity) -> Iterator[Formula]:
-    """Yield every formula that a declaration holds."""
-    for one in (quantity.formula, quantity.valid):
-        if one is not None:
-            yield one
-    if quantity.choice is not None and quantity.choice.condition is not None:
-        yield quantity.choice.condition
-    for slip in quantity.slips:
-        yield slip.formula
-    for printed in quantity.as_printed:
-        if printed.formula is not None:
-            yield printed.formula
+    return {name for one in quantities for name in one.uses}
 
 
 def reference_formula(quantity: Quantity, convention: Convention) -> Formula | None:

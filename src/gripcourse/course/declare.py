@@ -71,9 +71,20 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         integer=table.flag("integer"),
         slips=tuple(_slip(slip, units) for slip in table.tables("slip")),
         as_printed=tuple(_as_printed(printed, units) for printed in table.tables("as_printed")),
-        rubric=table.text("rubric") if kind is Kind.MANUAL else "",
+        rubric=_rubric(table) if kind is Kind.MANUAL else "",
         file=table.file,
     )
+
+
+def _rubric(table: Table) -> str:
+    name = table.text("rubric")
+    if not name and table.values.get("rubric") == "":
+        table.add(
+            "rubric",
+            message("A person needs a rubric to mark this item."),
+            message("Write the name of a file in grader/rubric, without .toml."),
+        )
+    return name
 
 
 def source(table: Table) -> Source:

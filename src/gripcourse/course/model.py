@@ -3,8 +3,8 @@
 Values of quantities are kept in the declared unit (as people wrote them); the solver works in SI.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
@@ -143,6 +143,8 @@ class Quantity:
         as_printed: errata of the sources.
         rubric: id of the rubric of a MANUAL item, empty for the others.
         file: the file that declares it, for messages.
+        uses: ids that any of its formulas uses, sorted. Kept, because a course has thousands of
+            compositions and each asks for them.
     """
 
     id: str
@@ -164,6 +166,25 @@ class Quantity:
     as_printed: tuple[AsPrinted, ...]
     rubric: str
     file: str
+    uses: tuple[str, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Find the names once."""
+        found = {name for formula in self.formulas() for name in formula.names}
+        object.__setattr__(self, "uses", tuple(sorted(found)))
+
+    def formulas(self) -> Iterator[Formula]:
+        """Yield every formula that the declaration holds."""
+        for one in (self.formula, self.valid):
+            if one is not None:
+                yield one
+        if self.choice is not None and self.choice.condition is not None:
+            yield self.choice.condition
+        for slip in self.slips:
+            yield slip.formula
+        for printed in self.as_printed:
+            if printed.formula is not None:
+                yield printed.formula
 
 
 @dataclass(frozen=True, slots=True)

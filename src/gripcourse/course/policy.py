@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Tolerance
+from gripcourse.course.rubric import Rubric
 from gripcourse.course.slip_policy import SlipPolicy
 
 
@@ -99,6 +100,7 @@ class Policy:
         variants: when variants may be handed out side by side.
         figure_rule: how many figures answers should be typed with.
         likeness: when copying is suspected.
+        rubrics: by which a person marks manual items, by id.
     """
 
     total: float
@@ -120,3 +122,4 @@ class Policy:
     variants: VariantRules
     figure_rule: FigureRule
     likeness: LikenessRule
+    rubrics: Mapping[str, Rubric]

@@ -1,4 +1,4 @@
-"""Loading the policy of a head of course from `grader/policy.toml`."""
+"""Loading the policy of a head of course: `grader/policy.toml` and the rubrics beside it."""
 
 import math
 from collections.abc import Mapping
@@ -8,6 +8,7 @@ from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.policy import Policy, Reveal
 from gripcourse.course.policy_rules import read_figure_rule, read_likeness_rule
+from gripcourse.course.rubric_load import read_rubrics
 from gripcourse.course.slip_policy_load import read_slip_policy
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.course.variant_rules import read_variant_rules
@@ -38,6 +39,7 @@ def load_policy(course: Course) -> Policy:
 def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
+    rubrics = read_rubrics(course.root, problems)
     table = read_toml(policy_path(course.root), course.root, problems)
     slips = read_slip_policy(course.root, problems)
     if table is None or slips is None:
@@ -69,6 +71,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         variants=read_variant_rules(table.required_table("variants")),
         figure_rule=read_figure_rule(table.table("figures")),
         likeness=read_likeness_rule(table.table("likeness")),
+        rubrics=rubrics,
     )
     credit.known_keys({"carried", "printed", "wrong_unit"})
     rounding.known_keys({"last_digit", "figures", "habits", "widest"})

@@ -76,7 +76,8 @@ def _overrides(
     """
     declared: dict[str, Quantity] = {}
     for name, changes in table.named_tables("override").items():
-        shared = [raw_parts[part][name] for part in part_ids if name in raw_parts.get(part, {})]
+        parts = dict.fromkeys(part_ids)  # several choices may bring the same part
+        shared = [raw_parts[part][name] for part in parts if name in raw_parts.get(part, {})]
         if len(shared) == 1:
             declared[name] = _override(name, shared[0], changes)
         elif shared:

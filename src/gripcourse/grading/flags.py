@@ -12,6 +12,9 @@ from gripcourse.words import message
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
 _SAME = 1e-12
 
+NOT_JUDGED = "not_judged"
+"""Code of the flag of answers that a person must judge."""
+
 
 def flags_of(
     submission: Submission, issued: Issued, findings: Sequence[Finding]
@@ -20,7 +23,7 @@ def flags_of(
     return (
         *_identity_flags(submission, issued),
         *_given_flags(submission, issued),
-        *_finding_flags(findings),
+        *not_judged_flags(findings),
     )
 
 
@@ -77,10 +80,11 @@ def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
         )
 
 
-def _finding_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
+def not_judged_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
+    """Yield the flag of the answers that a person must judge, if there are any."""
     not_judged = [one.quantity for one in findings if one.outcome is Outcome.NOT_JUDGED]
     if not_judged:
         yield Flag(
-            "not_judged",
+            NOT_JUDGED,
             message("A person must judge: {names}.", names=", ".join(not_judged)),
         )

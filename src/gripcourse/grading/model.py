@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import datetime
 from enum import StrEnum
 
 from gripcourse.words import Message
@@ -17,7 +18,7 @@ class Outcome(StrEnum):
     BLANK = "blank"
     UNREADABLE = "unreadable"
     NOT_JUDGED = "not_judged"  # ours; a person decides
-    MANUAL = "manual"  # marked by a person from a rubric
+    MANUAL = "manual"  # a person marks it from a rubric, or has decided about it
 
 
 OPEN = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
@@ -31,6 +32,29 @@ class Against(StrEnum):
     OWN_INPUTS = "own_inputs"
     PRINTED = "printed"  # an erratum of a source, accepted by policy
     NOTHING = "nothing"
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """What a person decided about an item.
+
+    Attributes:
+        automatic: what the program had found by itself.
+        credit: share of the item's points that the person gave, 0…1.
+        lines: share of its points that each line of the rubric earned; empty without a rubric.
+        marker: who decided.
+        decided_at: when.
+        comment: for the student, in the marker's words; empty for none.
+        outdated: whether the file or the automatic results are others than the person saw.
+    """
+
+    automatic: Outcome
+    credit: float
+    lines: Mapping[str, float]
+    marker: str
+    decided_at: datetime
+    comment: str
+    outdated: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +81,7 @@ class Finding:
         roots: ids of the quantities whose wrong answers explain this one.
         half_unit: half a unit of the last typed digit, in the declared unit.
         low, high: the range of `expected` that the rounding of earlier answers leaves.
+        decision: a person's, whose points count; the outcome is MANUAL then. None for none.
     """
 
     quantity: str
@@ -80,6 +105,12 @@ class Finding:
     half_unit: float = 0.0
     low: float | None = None
     high: float | None = None
+    decision: Decision | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a person still has to decide about the item."""
+        return self.outcome in OPEN and self.decision is None
 
 
 @dataclass(frozen=True, slots=True)

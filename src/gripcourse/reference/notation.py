@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Final
 
-from gripcourse.course.compose import formulas, used_names
+from gripcourse.course.compose import used_names
 from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.formula.boxes import Box, Row, Text
 from gripcourse.formula.tree import Call, Formula, walk
@@ -21,7 +21,7 @@ def symbols_for(one: Occurrence, content: Content, language: str) -> Symbols:
         name: symbol_of(content.meant(name, one)[0].quantity, language)
         for name in used_names([one.quantity])
     }
-    for formula in formulas(one.quantity):
+    for formula in one.quantity.formulas():
         found |= {column: column_box(column) for column in columns_in(formula)}
     return found
 

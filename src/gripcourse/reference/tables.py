@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.compose import formulas
 from gripcourse.course.model import Catalogue, Quantity
 from gripcourse.reference.entry import Link, link_to
 from gripcourse.reference.notation import columns_in
@@ -48,7 +47,7 @@ def tables_of(content: Content, words: Words) -> tuple[Table, ...]:
 
 
 def _catalogues(quantity: Quantity) -> Iterator[str]:
-    columns = [column for formula in formulas(quantity) for column in columns_in(formula)]
+    columns = [column for formula in quantity.formulas() for column in columns_in(formula)]
     if quantity.choice is not None:
         columns += [quantity.choice.column, *quantity.choice.also]
     yield from (column.partition(".")[0] for column in columns)

@@ -5,9 +5,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.policy import Policy, Reveal
 from gripcourse.formula.boxes import Box
 from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.pdf import NO_BREAK_SPACE, amount_text, points_text
+from gripcourse.report.marked import MarkedItem, marked_item
 from gripcourse.report.totals import is_open
 from gripcourse.report.verdicts import AGAINST_WORDS, OUTCOME_WORDS, SIGNS
 from gripcourse.report.worked import entering_units, worked_line
@@ -39,6 +41,7 @@ class AnswerRow:
         line: the calculation, None for none.
         units: symbol and unit of each of its numbers, empty where they carry their units.
         remarks: hints and notes.
+        marked: what a person decided, None for nothing.
     """
 
     symbol: str
@@ -54,15 +57,16 @@ class AnswerRow:
     line: Box | None
     units: tuple[tuple[str, str], ...]
     remarks: tuple[str, ...]
+    marked: MarkedItem | None
 
     @property
     def detailed(self) -> bool:
         """Whether anything stands below the row."""
-        return bool(self.message or self.line or self.remarks)
+        return bool(self.message or self.line or self.remarks or self.marked)
 
 
 def answer_row(
-    finding: Finding, plan: Plan, own: Mapping[str, float], words: Words, *, reveal: bool
+    finding: Finding, plan: Plan, own: Mapping[str, float], policy: Policy, words: Words
 ) -> AnswerRow:
     """Put one finding into words.
 
@@ -70,10 +74,11 @@ def answer_row(
         finding: the judgement of the answer.
         plan: declarations of the quantities.
         own: the student's own numbers and given values, from `own_numbers`.
+        policy: whether the reference may be printed, and the rubrics.
         words: the reader's language.
-        reveal: whether the reference may be printed.
     """
     quantity = plan.quantities[finding.quantity]
+    reveal = policy.reveal is Reveal.REFERENCE
     line = _line(finding, plan, own, words, reveal=reveal)
     return AnswerRow(
         symbol=quantity.symbol.of(words.language),
@@ -89,6 +94,7 @@ def answer_row(
         line=line,
         units=entering_units(quantity, plan, words) if line is not None else (),
         remarks=_remarks(finding, words),
+        marked=marked_item(finding, quantity, policy, words),
     )
 
 

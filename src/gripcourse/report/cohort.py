@@ -12,6 +12,7 @@ from gripcourse.course.policy import Policy
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.pdf import Document, percent_text, picture, points_text, render_pdf
 from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.report.marked import decision_rows, marked_tables
 from gripcourse.report.totals import (
     QuantityTotal,
     quantity_totals,
@@ -112,6 +113,8 @@ def cohort_values(
             for total in totals
             if any(total.outcomes.get(outcome) for outcome in COUNTED)
         ],
+        "marked": marked_tables(reports, declared, policy, words),
+        "decided": decision_rows(reports, declared, words),
         "flagged": [_flagged(report, words) for report in reports if report.flags],
     }
 

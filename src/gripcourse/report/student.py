@@ -100,7 +100,7 @@ def student_values(
         "open_points": report.open_points,
         "reveal": reveal,
         "remarks": [words.say(remark) for remark in report.remarks],
-        "sections": list(_sections(report, plan, course, words, reveal=reveal)),
+        "sections": list(_sections(report, plan, policy, course, words)),
         "losses": [_loss(finding, plan, words) for finding in _costly(report)],
         "blank": list(_missing(report, Outcome.BLANK, plan, words)),
         "unreadable": list(_missing(report, Outcome.UNREADABLE, plan, words)),
@@ -120,12 +120,12 @@ LEGEND = (
     (Outcome.BLANK, message("the cell is empty; it was not read as zero")),
     (Outcome.UNREADABLE, message("the cell holds something that is not a number")),
     (Outcome.NOT_JUDGED, message("could not be judged automatically; a person decides")),
-    (Outcome.MANUAL, message("marked by a person from a rubric")),
+    (Outcome.MANUAL, message("marked or decided by a person")),
 )
 
 
 def _sections(
-    report: Report, plan: Plan, course: Course, words: Words, *, reveal: bool
+    report: Report, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> Iterator[SectionBlock]:
     totals, own = section_totals(report), own_numbers(report, plan)
     for section in course.sections:
@@ -133,7 +133,7 @@ def _sections(
             continue
         total = totals[section.id]
         rows = tuple(
-            answer_row(finding, plan, own, words, reveal=reveal)
+            answer_row(finding, plan, own, policy, words)
             for finding in report.findings
             if finding.section == section.id
         )

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.grading.model import OPEN, Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Outcome, Report
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ def section_totals(report: Report) -> dict[str, SectionTotal]:
 
 def is_open(finding: Finding) -> bool:
     """Whether a person still has to decide about an item."""
-    return finding.outcome in OPEN
+    return finding.is_open
 
 
 def shares(reports: Sequence[Report]) -> list[float]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from graphlib import TopologicalSorter
+from heapq import heappop, heappush
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.compose import compose, direct_inputs, reference_formula
@@ -130,14 +130,25 @@ def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:
 
 
 def _stable_order(inputs: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """Order by dependency; among those that are ready, by order of declaration."""
-    rank = {name: number for number, name in enumerate(inputs)}
-    sorter = TopologicalSorter(inputs)
-    sorter.prepare()
+    """Order by dependency; among those that are ready, by order of declaration.
+
+    A checked course has no circles: then every quantity becomes ready.
+    """
+    names = list(inputs)
+    rank = {name: number for number, name in enumerate(names)}
+    users: list[list[int]] = [[] for _ in names]
+    missing = [0] * len(names)
+    for number, used in enumerate(inputs.values()):
+        for name in used:
+            users[rank[name]].append(number)
+            missing[number] += 1
+    ready = [number for number, count in enumerate(missing) if not count]  # a heap: ascending
     ordered: list[str] = []
-    ready: list[str] = []
-    while sorter.is_active():
-        ready = sorted([*ready, *sorter.get_ready()], key=rank.__getitem__)
-        ordered.append(ready.pop(0))
-        sorter.done(ordered[-1])
+    while ready:
+        done = heappop(ready)
+        ordered.append(names[done])
+        for number in users[done]:
+            missing[number] -= 1
+            if not missing[number]:
+                heappush(ready, number)
     return tuple(ordered)

@@ -57,11 +57,12 @@ def check_constraint(place: Table, constraint: Formula, plans: Sequence[Plan]) -
         )
         return
     wanted = set(names(constraint.tree))
-    meant = [plan for plan in plans if wanted <= set(plan.quantities)]
+    meant = [plan for plan in plans if wanted <= plan.quantities.keys()]
     if not meant:
         _report_unknown(place, wanted, {id_ for plan in plans for id_ in plan.quantities})
         return
-    for plan in meant:
+    alike = {tuple(plan.quantities[name].unit for name in sorted(wanted)): plan for plan in meant}
+    for plan in alike.values():  # one look is enough where all units are the same
         if _has_problem(place, constraint, plan):
             return
 

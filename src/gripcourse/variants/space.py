@@ -11,7 +11,7 @@ from itertools import product
 from gripcourse.course.model import Course, Option, Scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.errors import CourseError, Problem
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.constraint import check_constraint, read_constraints
 from gripcourse.variants.ranges import Follower, Range, RangeReader
@@ -150,9 +150,10 @@ def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[Case, .
                 message("Write low, high and step, or values, or catalogue, or follows."),
             )
     known = {id_: written for id_, written in ranges.items() if id_ in givens}
-    options = {
-        name: {plan.options[name] for plan in plans} for plan in plans for name in plan.options
-    }
+    options: dict[str, set[str]] = {}
+    for plan in plans:
+        for name, choice in plan.options.items():
+            options.setdefault(name, set()).add(choice)
     constraints = read_constraints(table)
     for place, constraint in constraints:
         check_constraint(place, constraint, plans)
@@ -173,5 +174,5 @@ def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula])
         plan.options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
-        tuple(one for one in constraints if set(names(one.tree)) <= set(plan.quantities)),
+        tuple(one for one in constraints if plan.quantities.keys() >= set(one.names)),
     )

@@ -1,0 +1,98 @@
+"""Letting the marks of persons enter a report: pure, over what the program found by itself."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from gripcourse.gradebook.model import Entry, is_outdated, latest_marks, results_of
+from gripcourse.grading.flags import NOT_JUDGED, not_judged_flags
+from gripcourse.grading.model import Against, Decision, Finding, Flag, Outcome, Report
+from gripcourse.words import message
+
+OUTDATED = "mark_outdated"
+"""Code of the flag of marks that a person should look at again."""
+
+
+def with_marks(report: Report, entries: Iterable[Entry]) -> Report:
+    """Return the report with what persons decided.
+
+    The latest mark of each item counts, whatever was graded since. Where the file or the automatic
+    results are others than when it was entered, the report is flagged.
+
+    Args:
+        report: as the program judged it, without any mark.
+        entries: all marks of the report's student, in any order.
+
+    Returns:
+        The report with decided items, and with score, open points and flags to match. A report that
+        was not judged comes back as it is: it has no items.
+    """
+    entered = latest_marks(entries)
+    if not report.judged or not entered:
+        return report
+    results = results_of(report)
+    outdated = {
+        name for name, entry in entered.items() if is_outdated(entry, report.digest, results)
+    }
+    findings = tuple(
+        _decided(one, entered[one.quantity], is_old=one.quantity in outdated)
+        if one.quantity in entered
+        else one
+        for one in report.findings
+    )
+    closed = [one for one in findings if not one.is_open]
+    return replace(
+        report,
+        score=sum(one.points for one in closed),
+        max_score=sum(one.max_points for one in closed),
+        open_points=sum(one.max_points for one in findings if one.is_open),
+        flags=(
+            *(flag for flag in report.flags if flag.code != NOT_JUDGED),
+            *not_judged_flags(findings),
+            *_flags(report, entered, outdated),
+        ),
+        findings=findings,
+    )
+
+
+def _decided(finding: Finding, entry: Entry, *, is_old: bool) -> Finding:
+    mark = entry.mark
+    # A withdrawn mark, the only one without a credit, is not among the latest.
+    credit = mark.credit or 0.0
+    decision = Decision(
+        automatic=finding.outcome,
+        credit=credit,
+        lines=mark.lines,
+        marker=mark.marker,
+        decided_at=mark.marked_at,
+        comment=mark.comment,
+        outdated=is_old,
+    )
+    return replace(
+        finding,
+        outcome=Outcome.MANUAL,
+        against=Against.NOTHING,
+        points=credit * finding.max_points,
+        message=message("A person decided about this item."),
+        decision=decision,
+    )
+
+
+def _flags(report: Report, entered: Mapping[str, Entry], outdated: set[str]) -> Iterator[Flag]:
+    asked = {one.quantity for one in report.findings}
+    if again := [one.quantity for one in report.findings if one.quantity in outdated]:
+        yield Flag(
+            OUTDATED,
+            message(
+                "Look again at {names}: the file or its other results have changed since a person "
+                "marked. The marks count.",
+                names=", ".join(again),
+            ),
+        )
+    if lost := [name for name in entered if name not in asked]:
+        yield Flag(
+            OUTDATED,
+            message(
+                "The assignment no longer asks for {names}, which a person marked.",
+                names=", ".join(lost),
+            ),
+        )

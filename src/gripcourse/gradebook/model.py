@@ -1,0 +1,188 @@
+"""What the gradebook keeps: attempts with their automatic results, and marks of persons."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from gripcourse.grading.model import Outcome, Report
+
+# Points of one policy are the same number on each machine but for the last bits.
+_POINTS_DECIMALS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Fingerprints:
+    """Which course and which policy graded: SHA-256 over their files, hexadecimal."""
+
+    course: str
+    policy: str
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What the program found out about one item by itself, before any person's mark.
+
+    Attributes:
+        quantity: id.
+        outcome: what was found.
+        points, max_points: earned and possible.
+    """
+
+    quantity: str
+    outcome: Outcome
+    points: float
+    max_points: float
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """One file of one student, graded to one set of results.
+
+    Attributes:
+        student: id.
+        number: counts the student's attempts from 1; 0 before it is kept.
+        variant, scheme: ids.
+        file: path under which it was graded first.
+        digest: SHA-256 of the file's bytes, hexadecimal.
+        graded_at: when these results were found first.
+        fingerprints: of course and policy at that time.
+        judged: False for a file that could not be judged; it has no results.
+        results: one for each item, in the order of the report.
+    """
+
+    student: str
+    number: int
+    variant: str
+    scheme: str
+    file: str
+    digest: str
+    graded_at: datetime
+    fingerprints: Fingerprints
+    judged: bool
+    results: tuple[Result, ...]
+
+    @property
+    def by_quantity(self) -> Mapping[str, Result]:
+        """Return the results by quantity."""
+        return {one.quantity: one for one in self.results}
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """What a person decided about one item; it is never changed, only superseded by the next.
+
+    Attributes:
+        student, quantity: ids.
+        number: counts the marks of this item from 1, the highest counts; 0 before it is kept.
+        attempt: number of the attempt that it was entered against.
+        credit: share of the item's points, 0…1; None withdraws the marks before it.
+        lines: share of its points that each line of the rubric earns; empty without a rubric.
+        marker: who decided.
+        marked_at: when.
+        comment: for the student, in the marker's words; empty for none.
+    """
+
+    student: str
+    quantity: str
+    number: int
+    attempt: int
+    credit: float | None
+    lines: Mapping[str, float]
+    marker: str
+    marked_at: datetime
+    comment: str
+
+    @property
+    def supersedes(self) -> int | None:
+        """Return the number of the mark that this one replaces; None for the first."""
+        return self.number - 1 if self.number > 1 else None
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A mark with the attempt that it was entered against."""
+
+    mark: Mark
+    attempt: Attempt
+
+
+def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) -> Attempt | None:
+    """Return what the gradebook keeps of a report without persons' marks.
+
+    Returns:
+        The attempt; None where nobody knows whose file it is, or where its bytes could not be read.
+    """
+    if not report.student or not report.digest:
+        return None
+    return Attempt(
+        student=report.student,
+        number=0,
+        variant=report.variant,
+        scheme=report.scheme,
+        file=report.file,
+        digest=report.digest,
+        graded_at=graded_at,
+        fingerprints=fingerprints,
+        judged=report.judged,
+        results=results_of(report),
+    )
+
+
+def results_of(report: Report) -> tuple[Result, ...]:
+    """Return the automatic results of a report that no mark of a person has entered yet."""
+    return tuple(
+        Result(one.quantity, one.outcome, one.points, one.max_points) for one in report.findings
+    )
+
+
+def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
+    """Tell whether two sets of results say the same, whatever their order."""
+    return _comparable(some) == _comparable(others)
+
+
+def latest_marks(entries: Iterable[Entry]) -> dict[str, Entry]:
+    """Return the entry that counts for each quantity of one student; withdrawn ones are left out.
+
+    Args:
+        entries: of one student, in any order.
+    """
+    latest: dict[str, Entry] = {}
+    for entry in entries:
+        before = latest.get(entry.mark.quantity)
+        if before is None or before.mark.number < entry.mark.number:
+            latest[entry.mark.quantity] = entry
+    return {name: entry for name, entry in latest.items() if entry.mark.credit is not None}
+
+
+def latest_judged(attempts: Iterable[Attempt]) -> dict[str, Attempt]:
+    """Return the last attempt of each student that could be judged, by student."""
+    latest: dict[str, Attempt] = {}
+    for attempt in attempts:
+        before = latest.get(attempt.student)
+        if attempt.judged and (before is None or before.number < attempt.number):
+            latest[attempt.student] = attempt
+    return latest
+
+
+def is_outdated(entry: Entry, digest: str, results: Sequence[Result]) -> bool:
+    """Tell whether the automatic part is another one than when the mark was entered.
+
+    Args:
+        entry: the mark.
+        digest: of the file that is graded now.
+        results: automatic results of that file.
+    """
+    attempt = entry.attempt
+    return attempt.digest != digest or not same_results(attempt.results, results)
+
+
+def _comparable(results: Sequence[Result]) -> frozenset[tuple[str, Outcome, float, float]]:
+    return frozenset(
+        (
+            one.quantity,
+            one.outcome,
+            round(one.points, _POINTS_DECIMALS),
+            round(one.max_points, _POINTS_DECIMALS),
+        )
+        for one in results
+    )

@@ -1,0 +1,94 @@
+"""The tables of the gradebook, in words that every database knows. Rows are added, never changed.
+
+Each row is named by what it is about (`student`, `number`), so two graders who number the same row
+meet in the primary key: the later one is refused, reads again and takes the next number.
+"""
+
+from sqlalchemy import (
+    Boolean,
+    Column,
+    DateTime,
+    Double,
+    ForeignKeyConstraint,
+    Integer,
+    MetaData,
+    String,
+    Table,
+)
+
+VERSION = 1
+"""Of the tables below; a program that knows another one must not touch them."""
+
+metadata = MetaData()
+
+# One row, written in the transaction that makes the tables.
+format_table = Table(
+    "gradebook_format",
+    metadata,
+    Column("version", Integer, primary_key=True, autoincrement=False),
+)
+
+attempts = Table(
+    "gradebook_attempt",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("variant", String, nullable=False),
+    Column("scheme", String, nullable=False),
+    Column("file", String, nullable=False),
+    Column("digest", String(64), nullable=False),
+    Column("graded_at", DateTime, nullable=False),  # UTC
+    Column("course", String(64), nullable=False),  # fingerprint
+    Column("policy", String(64), nullable=False),  # fingerprint
+    Column("judged", Boolean, nullable=False),
+)
+
+results = Table(
+    "gradebook_result",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("attempt", Integer, primary_key=True, autoincrement=False),
+    Column("place", Integer, primary_key=True, autoincrement=False),  # in the report
+    Column("quantity", String, nullable=False),
+    Column("outcome", String, nullable=False),
+    Column("points", Double, nullable=False),
+    Column("max_points", Double, nullable=False),
+    ForeignKeyConstraint(
+        ("student", "attempt"), ("gradebook_attempt.student", "gradebook_attempt.number")
+    ),
+)
+
+marks = Table(
+    "gradebook_mark",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("quantity", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("supersedes", Integer),  # number of the mark before, none for the first
+    Column("attempt", Integer, nullable=False),
+    Column("credit", Double),  # none: the marks before are withdrawn
+    Column("marker", String, nullable=False),
+    Column("marked_at", DateTime, nullable=False),  # UTC
+    Column("comment", String, nullable=False),
+    ForeignKeyConstraint(
+        ("student", "attempt"), ("gradebook_attempt.student", "gradebook_attempt.number")
+    ),
+    ForeignKeyConstraint(
+        ("student", "quantity", "supersedes"),
+        ("gradebook_mark.student", "gradebook_mark.quantity", "gradebook_mark.number"),
+    ),
+)
+
+mark_lines = Table(
+    "gradebook_mark_line",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("quantity", String, primary_key=True),
+    Column("mark", Integer, primary_key=True, autoincrement=False),
+    Column("line", String, primary_key=True),
+    Column("credit", Double, nullable=False),
+    ForeignKeyConstraint(
+        ("student", "quantity", "mark"),
+        ("gradebook_mark.student", "gradebook_mark.quantity", "gradebook_mark.number"),
+    ),
+)

@@ -1,0 +1,227 @@
+"""Keeping attempts and marks for good: rows are added, none is ever changed or removed.
+
+A writer reads which number comes next and adds its rows in one transaction. Where somebody else was
+faster, the primary key refuses the whole transaction, and it is tried again with the next numbers:
+nothing is lost, and nothing is half-written.
+"""
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from typing import Any, TypeAlias, TypeVar
+
+from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
+from sqlalchemy.exc import IntegrityError
+
+from gripcourse.errors import GradebookError, Problem
+from gripcourse.gradebook import rows, schema
+from gripcourse.gradebook.model import Attempt, Entry, Mark, same_results
+from gripcourse.gradebook.opening import open_engine, shown, told
+from gripcourse.words import message
+
+# Each refusal means that somebody else got through, so a few tries per rival are enough.
+_TRIES = 50
+_ASKED_AT_ONCE = 500  # students in one question; databases bound how many
+
+_Kept = TypeVar("_Kept", Attempt, Mark)
+_Writing: TypeAlias = list[tuple[Table, list[rows.Row]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Gradebook:
+    """An open gradebook.
+
+    Attributes:
+        engine: of its database; each call takes a connection of its own.
+    """
+
+    engine: Engine
+
+    @property
+    def place(self) -> str:
+        """Where it is, for a person."""
+        return shown(self.engine.url)
+
+    def add_attempts(self, attempts: Sequence[Attempt]) -> tuple[Attempt, ...]:
+        """Keep attempts; the same bytes with the same results again are no new attempt.
+
+        Args:
+            attempts: of any students, in the order in which they were graded.
+
+        Returns:
+            Those that are new, with their numbers.
+
+        Raises:
+            GradebookError: the database failed; nothing was kept.
+        """
+        students = {one.student for one in attempts}
+        return self._add(
+            lambda: _new_attempts(attempts, self.attempts(students)),
+            lambda fresh: [
+                (schema.attempts, [rows.attempt_row(one) for one in fresh]),
+                (schema.results, [row for one in fresh for row in rows.result_rows(one)]),
+            ],
+        )
+
+    def add_marks(self, marks: Sequence[Mark]) -> tuple[Mark, ...]:
+        """Keep marks, all or none; what already counts just so is not kept twice.
+
+        Args:
+            marks: each against an attempt that is kept.
+
+        Returns:
+            Those that are new, with their numbers.
+
+        Raises:
+            GradebookError: the database failed; nothing was kept.
+        """
+        students = {one.student for one in marks}
+        return self._add(
+            lambda: _new_marks(marks, [entry.mark for entry in self.entries(students)]),
+            lambda fresh: [
+                (schema.marks, [rows.mark_row(one) for one in fresh]),
+                (schema.mark_lines, [row for one in fresh for row in rows.line_rows(one)]),
+            ],
+        )
+
+    def attempts(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
+        """Return the attempts of these students (all where None), oldest first for each."""
+        one, result = schema.attempts.c, schema.results.c
+        question = (
+            select(
+                schema.attempts, result.quantity, result.outcome, result.points, result.max_points
+            )
+            .outerjoin(
+                schema.results, and_(one.student == result.student, one.number == result.attempt)
+            )
+            .order_by(one.student, one.number, result.place)
+        )
+        with told(self.place), self.engine.connect() as connection:
+            found = _answers(connection, question, schema.attempts, students)
+        return tuple(
+            rows.attempt_of_rows(list(group))
+            for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
+        )
+
+    def entries(self, students: Collection[str] | None = None) -> tuple[Entry, ...]:
+        """Return the marks of these students (all where None), oldest first for each item."""
+        one, line = schema.marks.c, schema.mark_lines.c
+        question = (
+            select(schema.marks, line.line, line.credit.label("line_credit"))
+            .outerjoin(
+                schema.mark_lines,
+                and_(
+                    one.student == line.student,
+                    one.quantity == line.quantity,
+                    one.number == line.mark,
+                ),
+            )
+            .order_by(one.student, one.quantity, one.number)
+        )
+        with told(self.place), self.engine.connect() as connection:
+            found = _answers(connection, question, schema.marks, students)
+        marks = [
+            rows.mark_of_rows(list(group))
+            for _, group in groupby(
+                found, key=lambda row: (row["student"], row["quantity"], row["number"])
+            )
+        ]
+        marked = {mark.student for mark in marks}
+        kept = {(one.student, one.number): one for one in self.attempts(marked)}
+        return tuple(Entry(mark, kept[mark.student, mark.attempt]) for mark in marks)
+
+    def _add(
+        self,
+        fresh: Callable[[], tuple[_Kept, ...]],
+        writing: Callable[[tuple[_Kept, ...]], _Writing],
+    ) -> tuple[_Kept, ...]:
+        for _ in range(_TRIES):
+            found = fresh()
+            if not found:
+                return ()
+            try:
+                with told(self.place), self.engine.begin() as connection:
+                    _insert(connection, writing(found))
+            except GradebookError as fault:
+                if not isinstance(fault.__cause__, IntegrityError):
+                    raise
+                continue
+            return found
+        raise GradebookError(
+            [
+                Problem(
+                    self.place,
+                    "",
+                    message("Others write to the gradebook all the time."),
+                    message("Nothing was written; try again in a minute."),
+                )
+            ]
+        )
+
+
+def open_gradebook(place: str) -> Gradebook:
+    """Open a gradebook, made where there is none yet; see `opening.open_engine`."""
+    return Gradebook(open_engine(place))
+
+
+def _insert(connection: Connection, writing: _Writing) -> None:
+    for table, values in writing:
+        if values:
+            connection.execute(insert(table), values)
+
+
+def _answers(
+    connection: Connection, question: Select[Any], table: Table, students: Collection[str] | None
+) -> list[RowMapping]:
+    """Ask in portions of students, in the order of their ids; all at once where None."""
+    if students is None:
+        return list(connection.execute(question).mappings())
+    names = sorted(students)
+    portions = [
+        names[start : start + _ASKED_AT_ONCE] for start in range(0, len(names), _ASKED_AT_ONCE)
+    ]
+    return [
+        row
+        for portion in portions
+        for row in connection.execute(question.where(table.c.student.in_(portion))).mappings()
+    ]
+
+
+def _new_attempts(attempts: Sequence[Attempt], known: Sequence[Attempt]) -> tuple[Attempt, ...]:
+    """Number the attempts that differ from the last one of the same bytes."""
+    last: dict[str, int] = {}
+    last_of_bytes: dict[tuple[str, str], Attempt] = {}
+    for one in known:
+        last[one.student] = max(last.get(one.student, 0), one.number)
+        last_of_bytes[one.student, one.digest] = one
+    fresh: list[Attempt] = []
+    for one in attempts:
+        before = last_of_bytes.get((one.student, one.digest))
+        if before is not None and _says_the_same(before, one):
+            continue
+        last[one.student] = last.get(one.student, 0) + 1
+        fresh.append(replace(one, number=last[one.student]))
+        last_of_bytes[one.student, one.digest] = fresh[-1]
+    return tuple(fresh)
+
+
+def _says_the_same(one: Attempt, other: Attempt) -> bool:
+    return one.judged == other.judged and same_results(one.results, other.results)
+
+
+def _new_marks(marks: Sequence[Mark], known: Sequence[Mark]) -> tuple[Mark, ...]:
+    """Number the marks that differ from the one that counts."""
+    counting: dict[tuple[str, str], Mark] = {}
+    for one in known:
+        before = counting.get((one.student, one.quantity))
+        if before is None or before.number < one.number:
+            counting[one.student, one.quantity] = one
+    fresh: list[Mark] = []
+    for one in marks:
+        before = counting.get((one.student, one.quantity))
+        number = before.number if before else 0
+        if before is not None and replace(one, number=number, marked_at=before.marked_at) == before:
+            continue
+        fresh.append(replace(one, number=number + 1))
+        counting[one.student, one.quantity] = fresh[-1]
+    return tuple(fresh)

@@ -1,0 +1,186 @@
+"""A table of marks that a person filled in: a row for each item, a column for each rubric line."""
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.course.rubric_load import TABLE_COLUMNS
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem, TableError
+from gripcourse.gradebook.enter import Draft
+from gripcourse.variants.cells import exact_number
+from gripcourse.variants.sheet import Row, Sheet, column_name, read_sheet
+from gripcourse.words import Message, message
+
+_REQUIRED = ("student", "quantity")
+_YES = {"yes", "да", "так", "1", "x", "+"}
+_NO = {"", "no", "нет", "ні", "0", "-"}
+
+
+@dataclass(frozen=True, slots=True)
+class DraftRow:
+    """A draft and the row that it was written in, as a spreadsheet counts."""
+
+    draft: Draft
+    row: int
+
+
+@dataclass(frozen=True, slots=True)
+class MarksTable:
+    """What a table of marks says.
+
+    Attributes:
+        file: the path, as the user typed it.
+        rows: those with marks.
+        empty: how many rows name an item and give it nothing.
+    """
+
+    file: str
+    rows: tuple[DraftRow, ...]
+    empty: int
+
+
+def read_marks(path: Path, lines: Collection[str]) -> MarksTable:
+    """Read a table of marks, `.csv` or `.xlsx`.
+
+    Args:
+        path: the file; its first row names the columns: `student`, `quantity`, lines of rubrics,
+            and `points`, `credit`, `comment`, `override` where they are needed. A comma in a number
+            is a decimal one.
+        lines: ids of all lines of all rubrics.
+
+    Raises:
+        TableError: with all problems at once, each with row and column.
+    """
+    sheet = read_sheet(path)
+    problems = list(_heading_problems(sheet, lines))
+    if problems:
+        raise TableError(problems)
+    rows: list[DraftRow] = []
+    seen: dict[tuple[str, str], int] = {}
+    empty = 0
+    for row in sheet.rows:
+        cells = _Cells(sheet, row, problems)
+        draft = _draft(cells)
+        if _is_empty(draft):
+            empty += 1
+            continue
+        before = seen.setdefault((draft.student, draft.quantity), row.number)
+        if before != row.number:
+            cells.add(
+                "quantity",
+                message("Row {row} marks the same item.", row=before),
+                message("Leave one of them."),
+            )
+        rows.append(DraftRow(draft, row.number))
+    if problems:
+        raise TableError(problems)
+    return MarksTable(sheet.file, tuple(rows), empty)
+
+
+def place(row: int, column: str) -> str:
+    """Name a cell as a person finds it."""
+    return f"row {row}, column {column}"
+
+
+@dataclass(frozen=True, slots=True)
+class _Cells:
+    """One row, and the list that its faults go to."""
+
+    sheet: Sheet
+    row: Row
+    problems: list[Problem]
+
+    def text(self, column: str) -> str:
+        """Return a cell; empty where there is no such column."""
+        if column not in self.sheet.header:
+            return ""
+        return self.row.cells[self.sheet.header.index(column)]
+
+    def number(self, column: str) -> float | None:
+        """Read a number; None where the cell is blank, or no number and a fault."""
+        text = self.text(column)
+        value = exact_number(text, decimal_comma=True) if text else None
+        if text and value is None:
+            self.add(
+                column,
+                message("'{text}' is no number.", text=text),
+                message("Write a number like 0.5 or 0,5."),
+            )
+        return value
+
+    def flag(self, column: str) -> bool:
+        """Read yes or no."""
+        text = self.text(column).lower()
+        if text not in _YES | _NO:
+            self.add(
+                column,
+                message("'{text}' is neither yes nor no.", text=text),
+                message("Write yes, or leave the cell empty."),
+            )
+        return text in _YES
+
+    def add(self, column: str, what: Message, remedy: Message) -> None:
+        """Record a fault of a cell."""
+        self.problems.append(Problem(self.sheet.file, place(self.row.number, column), what, remedy))
+
+
+def _draft(cells: _Cells) -> Draft:
+    for name in _REQUIRED:
+        if not cells.text(name):
+            cells.add(name, message("The cell is empty."), message("Write whose mark it is."))
+    lines = {
+        name: value
+        for name in cells.sheet.header
+        if name and name not in TABLE_COLUMNS and (value := cells.number(name)) is not None
+    }
+    return Draft(
+        student=cells.text("student"),
+        quantity=cells.text("quantity"),
+        lines=lines,
+        points=cells.number("points"),
+        credit=cells.number("credit"),
+        comment=cells.text("comment"),
+        override=cells.flag("override"),
+    )
+
+
+def _is_empty(draft: Draft) -> bool:
+    return not (draft.lines or draft.comment or draft.override) and (
+        draft.points is None and draft.credit is None
+    )
+
+
+def _heading_problems(sheet: Sheet, lines: Collection[str]) -> Iterator[Problem]:
+    known = (*TABLE_COLUMNS, *lines)
+    counts: Mapping[str, int] = {name: sheet.header.count(name) for name in sheet.header if name}
+    for name in _REQUIRED:
+        if name not in counts:
+            yield _heading(
+                sheet,
+                name,
+                message("The column '{name}' is missing.", name=name),
+                message("Write its name into the first row."),
+            )
+    for name, count in counts.items():
+        if name not in known:
+            what = message("No rubric has a line '{name}'.", name=name)
+            yield _heading(sheet, name, what, did_you_mean(name, known))
+        if count > 1:
+            what = message("Two columns are called '{name}'.", name=name)
+            yield _heading(sheet, name, what, message("Leave one of them."))
+    for position, name in enumerate(sheet.header):
+        if not name:
+            yield _heading(
+                sheet,
+                column_name(position, sheet.header),
+                message("The column has cells, but no heading."),
+                message(
+                    "Write one; where commas separate the cells, put a number with a decimal comma "
+                    "in quotation marks."
+                ),
+            )
+
+
+def _heading(sheet: Sheet, column: str, what: Message, remedy: Message) -> Problem:
+    return Problem(sheet.file, place(1, column), what, remedy)

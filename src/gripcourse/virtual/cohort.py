@@ -1,0 +1,86 @@
+"""A virtual cohort: variants of all schemes, issued to students who do not exist."""
+
+from collections.abc import Sequence
+from datetime import date
+from typing import Final
+
+import numpy as np
+
+from gripcourse.assignment.signature import KEY_BYTES, sign
+from gripcourse.cohort.one import Desk
+from gripcourse.course.model import Course
+from gripcourse.course.policy import Policy
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.errors import Problem, UsageError
+from gripcourse.variants.draw import draw
+from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.space import Space, load_spaces
+from gripcourse.virtual.behaviour import draw_behaviours, drawn
+from gripcourse.virtual.model import Mix
+from gripcourse.virtual.student import Classroom
+from gripcourse.words import message
+
+ISSUED_ON: Final = date(2026, 9, 7)
+"""The same cohort has the same workbooks, whatever day it is."""
+
+
+def make_classroom(
+    course: Course, policy: Policy, mix: Mix, count: int, seed: int, scheme: str | None = None
+) -> Classroom:
+    """Make up a cohort.
+
+    Args:
+        course: whose variants are drawn.
+        policy: by which answers are marked.
+        mix: how students work.
+        count: how many students.
+        seed: the same seed gives the same cohort.
+        scheme: only this one; None for all.
+
+    Raises:
+        GripcourseError: there is no such scheme, or too few variants can be drawn.
+    """
+    variants = draw(course, _spaces(course, scheme), count, seed).variants
+    entries = issue_to_nobody(course, mix, variants, seed)
+    register = {entry.student.id: entry for entry in entries}
+    return Classroom(Desk(course, policy, register), mix, draw_behaviours(entries, mix, seed))
+
+
+def virtual_key(seed: int) -> bytes:
+    """Return the key of a virtual cohort; it protects nothing, so a seed may tell it."""
+    return np.random.default_rng([seed, KEY_BYTES]).bytes(KEY_BYTES)
+
+
+def issue_to_nobody(
+    course: Course, mix: Mix, variants: Sequence[Variant], seed: int
+) -> tuple[Issued, ...]:
+    """Issue each variant to a student who does not exist."""
+    rng = np.random.default_rng([seed, 0])
+    key = virtual_key(seed)
+    return tuple(
+        Issued(
+            student=Student(
+                id=f"v{variant.id}",
+                name=f"Virtual student {variant.id}",
+                group="virtual",
+                email="",
+                language=drawn(mix.language, rng),
+                variant=variant.id,
+            ),
+            variant=variant,
+            issued_on=ISSUED_ON,
+            deadline=None,
+            signature=sign(key, course.id, f"v{variant.id}", variant),
+        )
+        for variant in variants
+    )
+
+
+def _spaces(course: Course, scheme: str | None) -> list[Space]:
+    spaces = load_spaces(course)
+    chosen = [one for one in spaces if scheme in {None, one.scheme}]
+    if not chosen:
+        what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
+        known = [one.scheme for one in spaces]
+        raise UsageError([Problem("", "--scheme", what, did_you_mean(scheme or "", known))])
+    return chosen
