@@ -7,6 +7,7 @@ fault of a shared part shows in many compositions and is reported once.
 from collections.abc import Iterable, Iterator, Mapping
 
 from gripcourse.course.catalogue import columns_of
+from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
@@ -67,6 +68,9 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
                 ("motion", scheme.id, *units), seen
             ):
                 found += check_kinematics(scheme, quantities)
+            if all(known_unit(one.unit) for one in quantities.values()):
+                found += check_diagram(scheme, quantities, options, seen)
+        found += check_diagram_use(scheme)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())

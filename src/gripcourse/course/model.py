@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
 from gripcourse.formula.tree import Formula
@@ -257,6 +258,7 @@ class Scheme:
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
+    diagram: Diagram | None
     example: WorkedExample | None
     file: str
 

@@ -1,9 +1,10 @@
-"""Reading the folder of a scheme: `scheme.toml` and `worked_example.toml`."""
+"""Reading the folder of a scheme: `scheme.toml`, `worked_example.toml` and `diagram.toml`."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
+from gripcourse.course.diagram import read_diagram
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import (
     Convention,
@@ -54,6 +55,7 @@ def read_scheme(
         },
         overrides=read_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=_motion(table, optional, raw_parts),
+        diagram=read_diagram(folder, root, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )

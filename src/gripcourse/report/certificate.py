@@ -13,8 +13,8 @@ import numpy as np
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity
 from gripcourse.course.policy import Policy
-from gripcourse.pdf import Document, amount_text, percent_text, points_text, render_pdf
-from gripcourse.report.figures import picture, share_plot
+from gripcourse.pdf import Document, amount_text, percent_text, picture, points_text, render_pdf
+from gripcourse.report.figures import share_plot
 from gripcourse.slips.model import DECLARED
 from gripcourse.variants.apart import Shares
 from gripcourse.variants.audit import Audit, Checked
