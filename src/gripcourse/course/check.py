@@ -13,6 +13,7 @@ from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_kinematics import check_kinematics, kinematic_names
 from gripcourse.course.check_series import check_series
+from gripcourse.course.check_view import check_view
 from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.course.toml_table import did_you_mean
@@ -41,8 +42,10 @@ def check_course(course: Course) -> list[Problem]:
             continue  # else all that uses the missing part would be reported too
         motion = sorted(kinematic_names(scheme))
         knot = _knot(_all_inputs(course, scheme))
+        every: dict[str, Quantity] = dict(course.constants)
         for options in option_sets(scheme):
             quantities = compose(course, scheme, options)
+            every |= quantities
             new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
             found += _check_use(course, quantities)
@@ -51,6 +54,8 @@ def check_course(course: Course) -> list[Problem]:
             found += check_series(new, columns, dimensions)
             found += _check_symbols(scheme, quantities, seen)
             found += _check_motion(scheme, quantities, motion, seen)
+        if all(known_unit(one.unit) for one in every.values()):
+            found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())

@@ -20,6 +20,7 @@ from gripcourse.course.model import (
 from gripcourse.course.options import read_options
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.view import View, read_shared
 from gripcourse.errors import CourseError, Problem
 from gripcourse.words import LANGUAGES, message
 
@@ -119,8 +120,9 @@ def _schemes(
     folder: Path, root: Path, raw: Mapping[str, Mapping[str, Table]], problems: list[Problem]
 ) -> dict[str, Scheme]:
     shared = read_options(folder / "options", root, problems)
+    drawings = _drawings(folder / "drawing", root, problems)
     paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, raw, shared, problems) for path in paths)
+    found = (read_scheme(path, root, raw, shared, drawings, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not paths:
         problems.append(
@@ -132,6 +134,12 @@ def _schemes(
             )
         )
     return schemes
+
+
+def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View]:
+    """Read what the general views of several schemes share, by the names of the files."""
+    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    return {name: read_shared(table) for name, table in found if table is not None}
 
 
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:

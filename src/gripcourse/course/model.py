@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
@@ -244,6 +245,7 @@ class Scheme:
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Quantity]
     kinematics: Kinematics | None
+    view: View | None
     example: WorkedExample | None
     file: str
 

@@ -14,6 +14,7 @@ from gripcourse.course.model import (
 )
 from gripcourse.course.options import scheme_options
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.view import View, read_view
 from gripcourse.errors import Problem
 from gripcourse.words import message
 
@@ -23,6 +24,7 @@ def read_scheme(
     root: Path,
     raw_parts: Mapping[str, Mapping[str, Table]],
     shared: Mapping[str, Option],
+    drawings: Mapping[str, View],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
@@ -55,10 +57,21 @@ def read_scheme(
         },
         overrides=_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=None if motion is None else read_kinematics(motion),
+        view=_view(folder / "drawing.toml", root, drawings, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
     return None if all_options is None else scheme
+
+
+def _view(
+    path: Path, root: Path, drawings: Mapping[str, View], problems: list[Problem]
+) -> View | None:
+    """Read the general view of a scheme; a scheme may do without."""
+    if not path.exists():
+        return None
+    table = read_toml(path, root, problems)
+    return None if table is None else read_view(table, drawings)
 
 
 def _overrides(
