@@ -6,7 +6,7 @@ view declares itself. x points along the gripper's axis towards the object, y ac
 dimension that needs a quantity which the options of a variant do not bring is not drawn.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -171,6 +171,8 @@ class View:
 
     Attributes:
         position: of the kinematics, in which the gripper is drawn.
+        upright: whether the gripper's axis stands upright in the main face, the object below; else it
+            lies, the object on the right.
         other: position that moving parts are shown in by thin lines too; empty for none.
         measures: by name.
         parts, dimensions, labels: in order.
@@ -179,6 +181,7 @@ class View:
     """
 
     position: str
+    upright: bool
     other: str
     measures: Mapping[str, Measure]
     parts: tuple[ViewPart, ...]
@@ -189,19 +192,13 @@ class View:
 
 
 def read_view(table: Table, shared: Mapping[str, View]) -> View:
-    """Read the view of a scheme; what the shared files bring comes first and lies behind."""
-    table.known_keys({"uses", "position", "other", "characteristics", *_SHARED_KEYS})
-    used = []
-    for name in table.strings("uses"):
-        if name in shared:
-            used.append(shared[name])
-            continue
-        what = message("There is no shared drawing '{name}'.", name=name)
-        table.add("uses", what, did_you_mean(name, shared))
-    own = _read(table)
-    views = (*used, own)
+    """Read the view of a scheme: what `behind` names lies behind its parts, `before` before them."""
+    keys = {"behind", "before", "position", "upright", "other", "characteristics"}
+    table.known_keys(keys | _SHARED_KEYS)
+    views = (*_named(table, "behind", shared), _read(table), *_named(table, "before", shared))
     return View(
         position=_one_of(table, "position", ("", *POSITIONS), ""),
+        upright=table.flag("upright"),
         other=_one_of(table, "other", ("", *POSITIONS), ""),
         measures={name: one for view in views for name, one in view.measures.items()},
         parts=tuple(one for view in views for one in view.parts),
@@ -210,6 +207,15 @@ def read_view(table: Table, shared: Mapping[str, View]) -> View:
         characteristics=table.strings("characteristics"),
         file=table.file,
     )
+
+
+def _named(table: Table, key: str, shared: Mapping[str, View]) -> Iterator[View]:
+    for name in table.strings(key):
+        if name in shared:
+            yield shared[name]
+            continue
+        what = message("There is no shared drawing '{name}'.", name=name)
+        table.add(key, what, did_you_mean(name, shared))
 
 
 def read_shared(table: Table) -> View:
@@ -224,6 +230,7 @@ _SHARED_KEYS = {"length", "angle", "count", "part", "dimension", "label"}
 def _read(table: Table) -> View:
     return View(
         position="",
+        upright=False,
         other="",
         measures=_measures(table),
         parts=tuple(_part(one) for one in table.tables("part")),

@@ -59,7 +59,7 @@ def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLa
     bare = Box(
         extent.left * scale, extent.bottom * scale, extent.right * scale, extent.top * scale
     )
-    axes = tuple(_axes(face, bare))
+    axes = tuple(_axes(face, bare, upright=shown.upright))
     outline = bare
     for axis in axes:
         outline = outline.joined(Box(*axis.start, *axis.end))
@@ -122,10 +122,11 @@ def _notes(shown: Figure, face: Face, scale: float, words: Words) -> Iterator[No
             yield Note(text, TEXT_HEIGHT, at_place(label.at, scale, _ORIGIN))
 
 
-def _axes(face: Face, outline: Box) -> Iterator[Line]:
-    """Yield the gripper's axis, and in a face along the axis the one across it."""
-    yield Line((outline.left - _AXIS_BEYOND, 0.0), (outline.right + _AXIS_BEYOND, 0.0))
-    if face is not Face.MAIN:
+def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
+    """Yield the gripper's axis; where it is looked along, it shows as a cross."""
+    if face is not Face.MAIN or not upright:
+        yield Line((outline.left - _AXIS_BEYOND, 0.0), (outline.right + _AXIS_BEYOND, 0.0))
+    if face is not Face.MAIN or upright:
         yield Line((0.0, outline.bottom - _AXIS_BEYOND), (0.0, outline.top + _AXIS_BEYOND))
 
 

@@ -61,12 +61,14 @@ class Figure:
     """All that a general view shows, in millimetres of the gripper itself.
 
     Attributes:
+        upright: whether the gripper's axis stands upright in the main face.
         seen: strokes that nothing covers, by face.
         cuts: faces to be hatched, by face.
-        positions: parts with numbers, in the order of the list.
+        positions: parts with numbers, from left to right, as they are numbered.
         measured, labelled: dimensions and labels of all faces.
     """
 
+    upright: bool
     seen: Mapping[Face, Sequence[Seen]]
     cuts: Mapping[Face, Sequence[Cut]]
     positions: Sequence[Position]
@@ -92,9 +94,10 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     moving = [part for part in view.parts if part.moves and view.other]
     ghosts = [as_other(one) for part in moving for one in shown(part, other)]
     return Figure(
+        upright=view.upright,
         seen={face: list(_visible([*ghosts, *shapes], face)) for face in Face},
         cuts={face: list(_cut_faces(shapes, face)) for face in Face},
-        positions=list(_positions(drawn, main)),
+        positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=list(_measured(view, main, other)),
         labelled=list(_labelled(view, main)),
     )

@@ -70,7 +70,7 @@ def general_view(
     scale = f"{words.number(over)}:{words.number(under)}"
     draw_sheet(layout, arranged.sheet, block, scale, words)
     draw_list(layout, arranged.sheet, rows, words)
-    draw_characteristics(layout, arranged.sheet, len(rows), lines, words)
+    draw_characteristics(layout, arranged.lines, lines, words)
     for face, origin in arranged.origins.items():
         draw_face(layout, shown, face, faces[face], over / under, origin)
     return GeneralView(shown, faces, arranged, rows, lines, document)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.sheet import FORMATS, Format, block_box, corner_box
+from gripcourse.drawing.sheet import FORMATS, Format, block_box, corner_box, lines_boxes
 from gripcourse.drawing.strokes import Box
 from gripcourse.drawing.text import Point
 
@@ -25,23 +25,30 @@ SCALES: Sequence[tuple[float, float]] = (
     (1, 75),
     (1, 100),
 )
-_BETWEEN = 12.0  # mm between two faces, and from a face to the frame
-_MARGIN = 4.0
-_STEPS = 24  # places that are tried across the free room
+_BETWEEN = 12.0  # mm between two faces
+_MARGIN = 4.0  # from a face to the frame and to the title block
+_STEPS = 10  # places that are tried across the free room
+_NOTHING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Arranged:
-    """A sheet, its scale, and where the origin of each face lies on it, mm."""
+    """How a sheet is used, mm.
+
+    Attributes:
+        sheet: its format.
+        scale: as drawing : nature.
+        origins: where the origin of each face lies.
+        lines: where the characteristics stand.
+    """
 
     sheet: Format
     scale: tuple[float, float]
     origins: Mapping[Face, Point]
+    lines: Box
 
 
-def arrange(
-    boxes: Callable[[float], Mapping[Face, Box]], rows: int, lines: int
-) -> Arranged:
+def arrange(boxes: Callable[[float], Mapping[Face, Box]], rows: int, lines: int) -> Arranged:
     """Find the largest scale at which all faces have room, on the smaller sheet if both do.
 
     Args:
@@ -53,48 +60,47 @@ def arrange(
     for over, under in SCALES:
         at_scale = boxes(over / under)
         for sheet in FORMATS:
-            origins = _origins(at_scale, sheet, rows, lines)
-            if origins is not None:
-                return Arranged(sheet, (over, under), origins)
+            for box in lines_boxes(sheet, rows, lines):
+                taken = (block_box(sheet, rows), corner_box(sheet), box)
+                origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
+                if origins is not None:
+                    return Arranged(sheet, (over, under), origins, box)
     over, under = SCALES[-1]
     sheet = FORMATS[-1]
     middle = (sheet.width / 2, sheet.height / 2)
-    return Arranged(sheet, (over, under), dict.fromkeys(boxes(over / under), middle))
+    origins = dict.fromkeys(boxes(over / under), middle)
+    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
 
 
 def _origins(
-    boxes: Mapping[Face, Box], sheet: Format, rows: int, lines: int
+    boxes: Mapping[Face, Box], room: Box, taken: Sequence[Box]
 ) -> Mapping[Face, Point] | None:
     """Place the main face, the end on its right at its height, the plan below it."""
-    taken = [block_box(sheet, rows, lines), corner_box(sheet)]
-    room = sheet.frame.grown(-_MARGIN)
     main = boxes[Face.MAIN]
-    best: tuple[float, Mapping[Face, Point]] | None = None
+    found: list[tuple[float, Mapping[Face, Point]]] = []
     for x in _places(room.left - main.left, room.right - main.right):
         for y in _places(room.bottom - main.bottom, room.top - main.top):
+            if not _is_free(main.moved((x, y)), room, taken):
+                continue
             for origins in _with_others(boxes, (x, y), room):
                 placed = [boxes[face].moved(at) for face, at in origins.items()]
-                if not _free(placed, room, taken):
-                    continue
-                badness = _badness(placed, room, taken)
-                if best is None or badness < best[0]:
-                    best = badness, origins
-    return None if best is None else best[1]
+                if all(_is_free(one, room, taken) for one in placed[1:]):
+                    found.append((_badness(placed, room, taken[0]), origins))
+    return min(found, key=lambda one: one[0])[1] if found else None
 
 
-def _with_others(
-    boxes: Mapping[Face, Box], at: Point, room: Box
-) -> Sequence[Mapping[Face, Point]]:
+def _with_others(boxes: Mapping[Face, Box], at: Point, room: Box) -> list[dict[Face, Point]]:
+    """Return where the other faces may lie: next to the main one, or half way to the frame."""
     main = boxes[Face.MAIN].moved(at)
     found: list[dict[Face, Point]] = [{Face.MAIN: at}]
     if Face.END in boxes:
-        first = main.right + _BETWEEN - boxes[Face.END].left
-        last = room.right - boxes[Face.END].right
-        found = [{**one, Face.END: (x, at[1])} for one in found for x in {first, (first + last) / 2}]
+        low = main.right + _BETWEEN - boxes[Face.END].left
+        half = (low + room.right - boxes[Face.END].right) / 2
+        found = [{**one, Face.END: (x, at[1])} for one in found for x in (half, low) if x >= low]
     if Face.PLAN in boxes:
-        first = main.bottom - _BETWEEN - boxes[Face.PLAN].top
-        last = room.bottom - boxes[Face.PLAN].bottom
-        found = [{**one, Face.PLAN: (at[0], y)} for one in found for y in {first, (first + last) / 2}]
+        high = main.bottom - _BETWEEN - boxes[Face.PLAN].top
+        half = (high + room.bottom - boxes[Face.PLAN].bottom) / 2
+        found = [{**one, Face.PLAN: (at[0], y)} for one in found for y in (half, high) if y <= high]
     return found
 
 
@@ -104,29 +110,23 @@ def _places(low: float, high: float) -> Sequence[float]:
     return [low + (high - low) * step / _STEPS for step in range(_STEPS + 1)]
 
 
-def _free(placed: Sequence[Box], room: Box, taken: Sequence[Box]) -> bool:
-    inside = all(
-        room.left <= one.left + 1e-6
-        and one.right <= room.right + 1e-6
-        and room.bottom <= one.bottom + 1e-6
-        and one.top <= room.top + 1e-6
-        for one in placed
+def _is_free(box: Box, room: Box, taken: Sequence[Box]) -> bool:
+    fits = (
+        room.left <= box.left + _NOTHING
+        and box.right <= room.right + _NOTHING
+        and room.bottom <= box.bottom + _NOTHING
+        and box.top <= room.top + _NOTHING
     )
-    apart = not any(one.grown(_MARGIN).overlaps(other) for one in placed for other in taken)
-    among = not any(
-        one.overlaps(other) for number, one in enumerate(placed) for other in placed[:number]
-    )
-    return inside and apart and among
+    return fits and not any(box.grown(_MARGIN).overlaps(other) for other in taken)
 
 
-def _badness(placed: Sequence[Box], room: Box, taken: Sequence[Box]) -> float:
-    """Prefer faces in the middle of what is left of the sheet."""
+def _badness(placed: Sequence[Box], room: Box, block: Box) -> float:
+    """Tell how far the faces lie from the middle of what the title block leaves of the sheet."""
     whole = placed[0]
     for one in placed[1:]:
         whole = whole.joined(one)
-    block = taken[0]
-    high = block.top if whole.right > block.left else room.bottom
-    wide = room.right if whole.bottom >= block.top else block.left
-    return abs((whole.left + whole.right) - (room.left + wide)) + abs(
-        (whole.bottom + whole.top) - (high + room.top)
+    low = block.top if whole.right > block.left else room.bottom
+    right = room.right if whole.bottom >= block.top else block.left
+    return abs(whole.left + whole.right - room.left - right) + abs(
+        whole.bottom + whole.top - low - room.top
     )

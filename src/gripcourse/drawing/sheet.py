@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.strokes import Box
-from gripcourse.drawing.text import Point, add_text
+from gripcourse.drawing.text import Point, add_text, wrapped
 from gripcourse.words import Message, Words, message
 
 if TYPE_CHECKING:
@@ -71,11 +71,13 @@ class Row:
 _WIDTH, _HEIGHT = 185.0, 55.0  # of the title block
 _ROW = 8.0
 _LINE = 6.0
+_TITLE_LINES = 3
 _SMALL, _NORMAL, _LARGE = 2.5, 3.5, 5.0  # mm, heights of letters
 _PAD = 1.0
 _COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
 _CORNER = (70.0, 14.0)  # the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
+_BESIDE = 4.0
 
 _CHANGES: tuple[tuple[float, Message], ...] = (
     (0.0, message("Rev.")),
@@ -96,12 +98,20 @@ _ROLES = (
 _ROLE_HEIGHT = 5.0
 
 
-def block_box(sheet: Format, rows: int, lines: int) -> Box:
-    """Return what the title block takes with a parts list and characteristics over it."""
+def block_box(sheet: Format, rows: int) -> Box:
+    """Return what the title block takes with the parts list over it."""
     frame = sheet.frame
     above = _ROW * (rows + 1) if rows else 0.0
-    notes = _ABOVE_LIST + _LINE * (lines + 1) if lines else 0.0
-    return Box(frame.right - _WIDTH, frame.bottom, frame.right, frame.bottom + _HEIGHT + above + notes)
+    return Box(frame.right - _WIDTH, frame.bottom, frame.right, frame.bottom + _HEIGHT + above)
+
+
+def lines_boxes(sheet: Format, rows: int, lines: int) -> tuple[Box, ...]:
+    """Return where characteristics may stand: over the parts list, or left of the title block."""
+    block, size = block_box(sheet, rows), _LINE * (lines + 1)
+    over = Box(block.left, block.top, block.right, block.top + _ABOVE_LIST + size)
+    left = block.left - _WIDTH - _BESIDE
+    beside = Box(left, block.bottom + _BESIDE, left + _WIDTH, block.bottom + _BESIDE + size)
+    return (over, beside) if left >= sheet.frame.left + _BESIDE else (over,)
 
 
 def corner_box(sheet: Format) -> Box:
@@ -153,19 +163,17 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[Row], words: W
 
 
 def draw_characteristics(
-    layout: "Modelspace", sheet: Format, rows: int, lines: Sequence[str], words: Words
+    layout: "Modelspace", box: Box, lines: Sequence[str], words: Words
 ) -> None:
-    """Write characteristics over the parts list."""
+    """Write characteristics to the top of a box."""
     if not lines:
         return
-    box = block_box(sheet, rows, 0)
-    cell = _Cells(_Pen(layout), box.left, box.top + _ABOVE_LIST)
-    height = _LINE * len(lines)
+    cell = _Cells(_Pen(layout), box.left, box.top)
     heading = words.say(message("Technical characteristics"))
-    cell.words(heading, (0.0, height), (_WIDTH, _LINE), _NORMAL, middle=True)
+    cell.words(heading, (0.0, -_LINE), (box.width, _LINE), _NORMAL, middle=True)
     for number, line in enumerate(lines, 1):
-        place = (0.0, height - _LINE * number)
-        cell.words(f"{number}. {line}", place, (_WIDTH, _LINE), _NORMAL)
+        place = (0.0, -_LINE * (number + 1))
+        cell.words(f"{number}. {line}", place, (box.width, _LINE), _NORMAL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -277,15 +285,18 @@ def _draw_document(
     cell: _Cells, sheet: Format, block: TitleBlock, scale: str, words: Words
 ) -> None:
     cell.words(block.designation, (65.0, 40.0), (120.0, 15.0), _LARGE, middle=True)
-    cell.words(block.title, (65.0, 26.0), (70.0, 12.0), _NORMAL, middle=True)
-    cell.words(block.document, (65.0, 16.0), (70.0, 9.0), _NORMAL, middle=True)
+    lines = wrapped(block.title, _NORMAL, 70.0 - 2 * _PAD, _TITLE_LINES)
+    top = 39.0 - (_TITLE_LINES - len(lines)) * _LINE / 2
+    for number, line in enumerate(lines, 1):
+        cell.words(line, (65.0, top - _LINE * number), (70.0, _LINE), _NORMAL, middle=True)
+    cell.words(block.document, (65.0, 15.5), (70.0, _LINE), _NORMAL, middle=True)
     for text, left, width in (
         (message("Stage"), 135.0, 15.0),
         (message("Mass"), 150.0, 17.0),
         (message("Scale"), 167.0, 18.0),
     ):
         cell.words(words.say(text), (left, 35.0), (width, 5.0), _SMALL, middle=True)
-    cell.words(words.say(message("C")), (135.0, 20.0), (5.0, 15.0), _NORMAL, middle=True)
+    cell.words(words.say(message("E")), (135.0, 20.0), (5.0, 15.0), _NORMAL, middle=True)
     cell.words("—", (150.0, 20.0), (17.0, 15.0), _NORMAL, middle=True)
     cell.words(scale, (167.0, 20.0), (18.0, 15.0), _LARGE, middle=True)
     cell.words(words.say(message("Sheet")), (135.0, 15.0), (20.0, 5.0), _SMALL)
