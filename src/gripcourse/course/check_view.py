@@ -19,7 +19,9 @@ Place = tuple[str, str, Formula, str]  # file, key, formula and the unit that it
 
 
 def check_view(
-    scheme: Scheme, quantities: Mapping[str, Quantity], columns: Mapping[str, tuple[Dimension, Dimension]]
+    scheme: Scheme,
+    quantities: Mapping[str, Quantity],
+    columns: Mapping[str, tuple[Dimension, Dimension]],
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme's view.
 
@@ -59,7 +61,9 @@ def _reference_faults(view: View, quantities: Mapping[str, Quantity]) -> Iterato
         for place, name in label.values.items():
             if name not in shown:
                 what = message("The name '{name}' is not known.", name=name)
-                yield Problem(label.file, f"{label.key}.values.{place}", what, did_you_mean(name, shown))
+                yield Problem(
+                    label.file, f"{label.key}.values.{place}", what, did_you_mean(name, shown)
+                )
     for file, key, name in named:
         if name not in quantities:
             what = message("The scheme has no quantity '{name}'.", name=name)

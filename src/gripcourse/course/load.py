@@ -20,7 +20,8 @@ from gripcourse.course.model import (
 from gripcourse.course.options import read_options
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
-from gripcourse.course.view import View, read_shared
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
 from gripcourse.words import LANGUAGES, message
 

@@ -14,7 +14,8 @@ from gripcourse.course.model import (
 )
 from gripcourse.course.options import scheme_options
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
-from gripcourse.course.view import View, read_view
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_view
 from gripcourse.errors import Problem
 from gripcourse.words import message
 

@@ -1,4 +1,4 @@
-"""Where dimensions stand: in rows outside the outline, the shorter nearer to it, nothing overlapping.
+"""Where dimensions stand: in rows outside the outline, the shorter nearer, nothing overlapping.
 
 All lengths are millimetres of paper, in the coordinates of the face.
 """
@@ -152,7 +152,7 @@ def _place_side(wanted: Sequence[Wanted], side: Side, outline: Box) -> list[Plac
 
 
 def _on_line(one: Wanted, others: Sequence[float]) -> Placed:
-    """Put the number onto the line where no extension line of a longer dimension runs through it."""
+    """Put the number where no extension line of a longer dimension runs through it."""
     (low, high), width = one.span, text_width(one.text, TEXT_HEIGHT)
     half = width / 2 + _BESIDE
 

@@ -43,8 +43,10 @@ class FaceLayout:
     def box(self) -> Box:
         """The box round all of it."""
         box = self.outline
-        for one in (*self.dimensions, *self.leaders):
-            box = box.joined(one.box)
+        for dimension in self.dimensions:
+            box = box.joined(dimension.box)
+        for leader in self.leaders:
+            box = box.joined(leader.box)
         return box
 
 
@@ -56,16 +58,12 @@ def length_text(value: float, words: Words) -> str:
 def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLayout:
     """Lay out a face at a scale: dimensions in rows round it, leaders above."""
     extent = shown.extent(face)
-    bare = Box(
-        extent.left * scale, extent.bottom * scale, extent.right * scale, extent.top * scale
-    )
+    bare = Box(extent.left * scale, extent.bottom * scale, extent.right * scale, extent.top * scale)
     axes = tuple(_axes(face, bare, upright=shown.upright))
     outline = bare
     for axis in axes:
         outline = outline.joined(Box(*axis.start, *axis.end))
-    wanted = [
-        _wanted(one, scale, words) for one in shown.measured if one.declared.face is face
-    ]
+    wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
     dimensions = place(wanted, bare)
     top = max([outline.top, *(one.box.top for one in dimensions)])
     notes = [*_notes(shown, face, scale, words)]

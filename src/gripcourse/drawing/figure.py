@@ -1,4 +1,4 @@
-"""The declared view with a variant's numbers in it: strokes in millimetres of the gripper itself."""
+"""The declared view with a variant's numbers: strokes in millimetres of the gripper itself."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,6 +11,9 @@ from gripcourse.drawing.strokes import Box, Stroke, box_of, outside, points_of
 from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor
+
+_NEVER_COVERED = {LineKind.CENTRE, LineKind.HIDDEN}
+_NEAR = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,20 +109,18 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
 def _visible(shapes: Sequence[Shown], face: Face) -> Iterator[Seen]:
     """Yield what later shapes leave to be seen of each; axes are never covered."""
     here = [one for one in shapes if one.face is face]
-    masks = [(box_of(one.outline.mask), one.outline.mask) if one.outline.mask else None for one in here]
     for number, one in enumerate(here):
         left: list[Stroke] = list(one.outline.strokes)
-        if one.kind not in {LineKind.CENTRE, LineKind.HIDDEN}:
-            for cover in masks[number + 1 :]:
-                if cover is not None:
-                    left = [piece for stroke in left for piece in _left(stroke, *cover)]
+        for cover in here[number + 1 :] if one.kind not in _NEVER_COVERED else ():
+            if cover.outline.mask:
+                left = [piece for stroke in left for piece in _left(stroke, cover)]
         yield from (Seen(stroke, one.kind) for stroke in left)
         yield from (Seen(stroke, LineKind.CENTRE) for stroke in one.outline.axes)
 
 
-def _left(stroke: Stroke, box: Box, mask: Sequence[Point]) -> Iterator[Stroke]:
-    if box_of(points_of(stroke)).overlaps(box.grown(1e-3)):
-        yield from outside(stroke, mask)
+def _left(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
+    if box_of(points_of(stroke)).overlaps(cover.box.grown(_NEAR)):
+        yield from outside(stroke, cover.outline.mask)
     else:
         yield stroke
 

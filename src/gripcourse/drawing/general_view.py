@@ -14,12 +14,12 @@ from gripcourse.drawing.figure import Figure, figure
 from gripcourse.drawing.layout import Arranged, arrange
 from gripcourse.drawing.sheet import (
     Row,
-    TitleBlock,
     draw_characteristics,
     draw_list,
     draw_sheet,
 )
 from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.title_block import TitleBlock
 from gripcourse.solver.plan import Plan
 from gripcourse.units import unit_text
 from gripcourse.words import Words
@@ -76,9 +76,7 @@ def general_view(
     return GeneralView(shown, faces, arranged, rows, lines, document)
 
 
-def _rows(
-    shown: Figure, plan: Plan, values: Mapping[str, float], words: Words
-) -> Iterator[Row]:
+def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Row]:
     """Yield the parts list: the sizes of a part that this variant has."""
     for number, one in enumerate(shown.positions, 1):
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
@@ -97,12 +95,10 @@ def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> s
     return f"{symbol} = {written}{joint}{unit}"
 
 
-def _lines(
-    view: View, plan: Plan, values: Mapping[str, float], words: Words
-) -> Iterator[str]:
+def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[str]:
     """Yield the characteristics that this variant has."""
     for name in view.characteristics:
-        if name not in values or values[name] != values[name]:  # noqa: PLR0124 (NaN)
+        if name not in values or values[name] != values[name]:
             continue
         quantity = plan.quantities[name]
         unit = unit_text(quantity.unit, words.language)

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from gripcourse.drawing.strokes import Arc, Line, Stroke, on_circle, points_of
 from gripcourse.drawing.text import Point
@@ -66,7 +67,7 @@ def _sector(needs: Mapping[str, Sequence[float]]) -> Outline:
     if arc.is_circle:
         return Outline((arc,), mask=tuple(points_of(arc)[:-1]))
     rim = points_of(arc)
-    sides = (Line(arc.centre, rim[0]), Line(rim[-1], arc.centre))
+    sides: tuple[Stroke, ...] = (Line(arc.centre, rim[0]), Line(rim[-1], arc.centre))
     return Outline((arc, *sides), mask=(arc.centre, *rim))
 
 
@@ -80,7 +81,7 @@ def _bar(needs: Mapping[str, Sequence[float]]) -> Outline:
         Arc(middle[-1], half, last - _QUARTER, last + _QUARTER),
         Arc(middle[0], half, first + _QUARTER, first + 3 * _QUARTER),
     )
-    strokes = (*_chain(left), *_chain(right), *ends)
+    strokes: tuple[Stroke, ...] = (*_chain(left), *_chain(right), *ends)
     mask = (*right, *points_of(ends[0]), *reversed(left), *points_of(ends[1]))
     return Outline(strokes, mask=mask)
 
@@ -99,7 +100,7 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
 
 def _beside(middle: Sequence[Point], distance: float) -> list[Point]:
     """Return the chain beside a chain, on its left where the distance is positive."""
-    directions = [_direction(*pair) for pair in zip(middle, middle[1:], strict=False)]
+    directions = [_direction(*pair) for pair in pairwise(middle)]
     chain = [on_circle(middle[0], distance, directions[0] + _QUARTER)]
     for corner, before, after in zip(middle[1:], directions, directions[1:], strict=False):
         bend = (after - before + _FULL_TURN / 2) % _FULL_TURN - _FULL_TURN / 2
@@ -125,7 +126,7 @@ def _closed(corners: Sequence[Point]) -> Outline:
 
 
 def _chain(points: Sequence[Point]) -> tuple[Line, ...]:
-    return tuple(Line(*pair) for pair in zip(points, points[1:], strict=False))
+    return tuple(Line(*pair) for pair in pairwise(points))
 
 
 def _points(flat: Sequence[float]) -> list[Point]:

@@ -8,7 +8,7 @@ from gripcourse.course.view import Face, Repeat, Ring, Shape, ViewPart
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.numbers import Numbers
 from gripcourse.drawing.outlines import Outline, outline
-from gripcourse.drawing.strokes import Arc, Line, Stroke, flipped, mirrored, on_circle
+from gripcourse.drawing.strokes import Arc, Box, Line, Stroke, box_of, flipped, mirrored, on_circle
 from gripcourse.drawing.text import Point
 
 _MOST = 60  # of one shape in a row: more cannot be told apart on paper
@@ -24,6 +24,7 @@ class Shown:
     kind: LineKind
     hatch: str
     face: Face
+    box: Box  # round what it covers
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,15 +42,18 @@ def shown(part: ViewPart, numbers: Numbers) -> Iterator[Shown]:
         kind = LineKind[shape.line.upper()]
         for one in _repeated(shape, numbers):
             covering = one if kind is LineKind.OUTLINE else Outline(one.strokes, one.axes)
-            yield Shown(covering, kind, shape.hatch, shape.face)
-            if part.mirrored:
-                yield Shown(_mirrored(covering), kind, shape.hatch, shape.face)
+            for found in (covering, _mirrored(covering)) if part.mirrored else (covering,):
+                yield Shown(found, kind, shape.hatch, shape.face, _box(found))
 
 
 def as_other(one: Shown) -> Shown:
     """Return a shape as it stands in the other position: thin, and covering nothing."""
     plain = Outline(one.outline.strokes)
-    return Shown(plain, LineKind.PHANTOM, hatch="", face=one.face)
+    return Shown(plain, LineKind.PHANTOM, hatch="", face=one.face, box=_box(plain))
+
+
+def _box(one: Outline) -> Box:
+    return box_of(one.mask or (_ORIGIN,))
 
 
 def _repeated(shape: Shape, numbers: Numbers) -> Iterator[Outline]:

@@ -6,6 +6,7 @@ Lengths are millimetres, angles degrees counter-clockwise from x.
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from gripcourse.drawing.text import Point
 
@@ -138,7 +139,7 @@ def outside(stroke: Stroke, mask: Sequence[Point]) -> Iterator[Stroke]:
     """Yield the pieces of a stroke that a closed polygon does not cover."""
     cuts = sorted({0.0, 1.0, *_cuts(stroke, mask)})
     kept: list[tuple[float, float]] = []
-    for low, high in zip(cuts, cuts[1:], strict=False):
+    for low, high in pairwise(cuts):
         if inside(_at(stroke, (low + high) / 2), mask):
             continue
         if kept and kept[-1][1] == low:
@@ -164,18 +165,14 @@ def _at(stroke: Stroke, share: float) -> Point:
     if isinstance(stroke, Line):
         (x0, y0), (x1, y1) = stroke.start, stroke.end
         return x0 + (x1 - x0) * share, y0 + (y1 - y0) * share
-    return on_circle(
-        stroke.centre, stroke.radius, stroke.low + (stroke.high - stroke.low) * share
-    )
+    return on_circle(stroke.centre, stroke.radius, stroke.low + (stroke.high - stroke.low) * share)
 
 
 def _piece(stroke: Stroke, low: float, high: float) -> Stroke:
     if isinstance(stroke, Line):
         return Line(_at(stroke, low), _at(stroke, high))
     turn = stroke.high - stroke.low
-    return Arc(
-        stroke.centre, stroke.radius, stroke.low + turn * low, stroke.low + turn * high
-    )
+    return Arc(stroke.centre, stroke.radius, stroke.low + turn * low, stroke.low + turn * high)
 
 
 def _cuts(stroke: Stroke, mask: Sequence[Point]) -> Iterator[float]:
