@@ -77,9 +77,11 @@ class Placed:
     @property
     def box(self) -> Box:
         """The box round its line and number."""
-        (low, high), line = self.reach, self.line
-        thin = Box(line, low, line, high) if self.wanted.upright else Box(low, line, high, line)
-        return thin.grown(ARROW / 6).joined(self.text_box)
+        (low, high), line, half = self.reach, self.line, ARROW / 6
+        arrows = Box(low, line - half, high, line + half)
+        if self.wanted.upright:
+            arrows = Box(line - half, low, line + half, high)
+        return arrows.joined(self.text_box)
 
 
 def place(wanted: Iterable[Wanted], outline: Box) -> list[Placed]:
@@ -104,7 +106,7 @@ def draw_dimensions(
             p1=_moved(wanted.start, by),
             p2=_moved(wanted.end, by),
             angle=90 if upright else 0,
-            text=f"{wanted.sign}<>",
+            text=_written(wanted, scale),
             dimstyle=DIMENSION_STYLE,
             override={"dimlfac": 1 / scale, "dimdec": 1},
             dxfattribs={"layer": LineKind.DIMENSION},
@@ -114,6 +116,14 @@ def draw_dimensions(
         dimension.set_location(_moved(middle, by), leader=False, relative=False)
         dimension.render()
         _draw_shelf(layout, one, by)
+
+
+def _written(wanted: Wanted, scale: float) -> str:
+    """Let the document measure; where it would round a half the other way, write the number."""
+    low, high = wanted.span
+    measured = f"{(high - low) / scale:.1f}".removesuffix(".0")
+    same = wanted.text.replace(",", ".") == f"{wanted.sign}{measured}"
+    return f"{wanted.sign}<>" if same else wanted.text
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:
@@ -161,12 +171,11 @@ def _on_line(one: Wanted, others: Sequence[float]) -> Placed:
 
     tail = _TAIL if high - low < 2 * ARROW + _BESIDE else 0.0
     room = high - low - 2 * half
-    if room >= 0:
-        places = [low + half + room * share for share in _TRIES]
-        middle = next((place for place in places if free(place)), places[0])
+    inside = [low + half + room * share for share in _TRIES] if room >= 0 else []
+    beside = [high + _TAIL + half, low - _TAIL - half]
+    middle = next((place for place in (*inside, *beside) if free(place)), (*inside, *beside)[0])
+    if middle in inside:
         return Placed(one, 0.0, middle, inside=True, reach=(low - tail, high + tail))
-    after, before = high + _TAIL + half, low - _TAIL - half
-    middle = after if free(after) or not free(before) else before
     reach = (min(low - _TAIL, middle - half), max(high + _TAIL, middle + half))
     return Placed(one, 0.0, middle, inside=False, reach=reach)
 

@@ -96,11 +96,8 @@ def draw_stroke(layout: "Modelspace", stroke: Stroke, kind: LineKind) -> None:
 
 
 def _wanted(one: Measured, scale: float, words: Words) -> Wanted:
-    (x0, y0), (x1, y1) = one.start, one.end
-    upright = Wanted("", "", one.start, one.end, one.declared.side).upright
-    length = abs(y1 - y0) if upright else abs(x1 - x0)
     return Wanted(
-        text=one.declared.sign + length_text(length, words),
+        text=one.declared.sign + length_text(one.value, words),
         sign=one.declared.sign,
         start=at_place(one.start, scale, _ORIGIN),
         end=at_place(one.end, scale, _ORIGIN),

@@ -43,9 +43,10 @@ class Position:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """A dimension with its two points."""
+    """A dimension with its two points, and the value of its quantity in the declared unit."""
 
     declared: ViewDimension
+    value: float
     start: Point
     end: Point
 
@@ -101,7 +102,7 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
         seen={face: list(_visible([*ghosts, *shapes], face)) for face in Face},
         cuts={face: list(_cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
-        measured=list(_measured(view, main, other)),
+        measured=list(_measured(view, main, other, solved)),
         labelled=list(_labelled(view, main)),
     )
 
@@ -143,12 +144,14 @@ def _positions(
         yield Position(part, usual if count is None else round(count), mark)
 
 
-def _measured(view: View, main: Numbers, other: Numbers) -> Iterator[Measured]:
+def _measured(
+    view: View, main: Numbers, other: Numbers, solved: Mapping[str, float]
+) -> Iterator[Measured]:
     for one in view.dimensions:
         numbers = other if one.at_other else main
         start, end = numbers.point(one.start), numbers.point(one.end)
         if start is not None and end is not None and one.quantity in numbers.values:
-            yield Measured(one, start, end)
+            yield Measured(one, solved[one.quantity], start, end)
 
 
 def _labelled(view: View, numbers: Numbers) -> Iterator[Labelled]:
