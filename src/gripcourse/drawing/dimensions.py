@@ -20,6 +20,7 @@ ROW = 8.0  # from one dimension line to the next
 _BESIDE = 1.5  # what is free beside a number
 _ABOVE = 1.0  # the number over its line
 _TAIL = 2.0 * ARROW  # the line behind an arrow that points inward
+_HALF = 1e-6
 _TRIES = (0.5, 0.3, 0.7, 0.15, 0.85)
 
 
@@ -119,11 +120,11 @@ def draw_dimensions(
 
 
 def _written(wanted: Wanted, scale: float) -> str:
-    """Let the document measure; where it would round a half the other way, write the number."""
+    """Let the document measure; half a tenth, which may be rounded either way, is written out."""
     low, high = wanted.span
-    measured = f"{(high - low) / scale:.1f}".removesuffix(".0")
-    same = wanted.text.replace(",", ".") == f"{wanted.sign}{measured}"
-    return f"{wanted.sign}<>" if same else wanted.text
+    tenths = 10 * (high - low) / scale
+    is_half = abs(tenths % 1 - 0.5) < _HALF
+    return wanted.text if is_half else f"{wanted.sign}<>"
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:
