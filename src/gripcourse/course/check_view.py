@@ -134,8 +134,11 @@ def _circle(view: View) -> Iterator[Problem]:
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as fault:
-        circle = list(reversed(fault.args[1]))
+        circle = list(dict.fromkeys(reversed(fault.args[1])))
+        turned = circle.index(min(circle))  # so that the same circle always reads the same
+        circle = circle[turned:] + circle[:turned]
         measure = view.measures[circle[0]]
-        what = message("The formulas run in a circle: {circle}.", circle=" → ".join(circle))
+        said = " → ".join([*circle, circle[0]])
+        what = message("The formulas run in a circle: {circle}.", circle=said)
         remedy = message("Express one of them without the others.")
         yield Problem(measure.file, measure.key, what, remedy)

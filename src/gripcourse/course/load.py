@@ -137,10 +137,10 @@ def _schemes(
     return schemes
 
 
-def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View]:
-    """Read what the general views of several schemes share, by the names of the files."""
+def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
+    """Read what several general views share, by the names of the files; None: cannot be read."""
     found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
-    return {name: read_shared(table) for name, table in found if table is not None}
+    return {name: None if table is None else read_shared(table) for name, table in found}
 
 
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:

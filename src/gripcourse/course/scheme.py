@@ -25,7 +25,7 @@ def read_scheme(
     root: Path,
     raw_parts: Mapping[str, Mapping[str, Table]],
     shared: Mapping[str, Option],
-    drawings: Mapping[str, View],
+    drawings: Mapping[str, View | None],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
@@ -66,7 +66,7 @@ def read_scheme(
 
 
 def _view(
-    path: Path, root: Path, drawings: Mapping[str, View], problems: list[Problem]
+    path: Path, root: Path, drawings: Mapping[str, View | None], problems: list[Problem]
 ) -> View | None:
     """Read the general view of a scheme; a scheme may do without."""
     if not path.exists():

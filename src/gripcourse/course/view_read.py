@@ -26,12 +26,16 @@ from gripcourse.formula.tree import Formula
 from gripcourse.words import Message, message
 
 
-def read_view(table: Table, shared: Mapping[str, View]) -> View:
-    """Read the view of a scheme, between the shared files that lie `behind` and `before` it."""
+def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
+    """Read the view of a scheme, between the shared files that lie `behind` and `before` it.
+
+    None where a shared file could not be read: what it brings would be called unknown.
+    """
     keys = {"behind", "before", "position", "upright", "other", "characteristics"}
     table.known_keys(keys | _SHARED_KEYS)
-    views = (*_named(table, "behind", shared), _read(table), *_named(table, "before", shared))
-    return View(
+    named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
+    views = [one for one in named if one is not None]
+    view = View(
         position=_one_of(table, "position", ("", *POSITIONS), ""),
         upright=table.flag("upright"),
         other=_one_of(table, "other", ("", *POSITIONS), ""),
@@ -42,15 +46,17 @@ def read_view(table: Table, shared: Mapping[str, View]) -> View:
         characteristics=table.strings("characteristics"),
         file=table.file,
     )
+    return view if len(views) == len(named) else None
 
 
-def _named(table: Table, key: str, shared: Mapping[str, View]) -> Iterator[View]:
+def _named(table: Table, key: str, shared: Mapping[str, View | None]) -> Iterator[View | None]:
     for name in table.strings(key):
         if name in shared:
             yield shared[name]
             continue
         what = message("There is no shared drawing '{name}'.", name=name)
         table.add(key, what, did_you_mean(name, shared))
+        yield None
 
 
 def read_shared(table: Table) -> View:

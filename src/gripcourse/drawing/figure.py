@@ -7,7 +7,7 @@ from gripcourse.course.view import Face, View, ViewDimension, ViewLabel, ViewPar
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.numbers import Numbers, numbers_at
 from gripcourse.drawing.shown import Shown, as_other, shown
-from gripcourse.drawing.strokes import Box, Stroke, box_of, outside, points_of
+from gripcourse.drawing.strokes import Box, Stroke, box_of, outside, points_of, reach_of
 from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor
@@ -120,7 +120,7 @@ def _visible(shapes: Sequence[Shown], face: Face) -> Iterator[Seen]:
 
 
 def _left(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
-    if box_of(points_of(stroke)).overlaps(cover.box.grown(_NEAR)):
+    if reach_of(stroke).overlaps(cover.box.grown(_NEAR)):
         yield from outside(stroke, cover.outline.mask)
     else:
         yield stroke

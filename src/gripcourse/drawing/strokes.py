@@ -94,6 +94,14 @@ def box_of(points: Iterable[Point]) -> Box:
     return Box(min(across), min(along), max(across), max(along))
 
 
+def reach_of(stroke: Stroke) -> Box:
+    """Return a box that a stroke does not leave; of an arc, that of its whole circle."""
+    if isinstance(stroke, Line):
+        return box_of((stroke.start, stroke.end))
+    (x, y), radius = stroke.centre, stroke.radius
+    return Box(x - radius, y - radius, x + radius, y + radius)
+
+
 def on_circle(centre: Point, radius: float, angle: float) -> Point:
     """Return the point of a circle in a direction."""
     turned = math.radians(angle)
