@@ -13,6 +13,7 @@ from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_series import check_series
+from gripcourse.course.check_view import check_view
 from gripcourse.course.compose import (
     all_part_ids,
     compose,
@@ -53,8 +54,10 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
         if not all_part_ids(scheme).keys() <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
         circular = circular_names(course, scheme)
+        every: dict[str, Quantity] = dict(course.constants)
         for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
             quantities = compose(course, scheme, options)
+            every |= quantities
             new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
             found += _check_use(course, quantities)
@@ -71,6 +74,8 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_diagram(scheme, quantities, options, seen)
         found += check_diagram_use(scheme)
+        if all(known_unit(one.unit) for one in every.values()):
+            found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())

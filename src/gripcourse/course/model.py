@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
@@ -259,6 +260,7 @@ class Scheme:
     overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
     diagram: Diagram | None
+    view: View | None
     example: WorkedExample | None
     file: str
 
