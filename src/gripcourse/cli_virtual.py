@@ -94,7 +94,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
             found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
         else:
             found = command.evaluate_folder(loaded, policy, folder, workers, tick)
-    typer.echo(cli_virtual_text.evaluation_text(found, words))
+    typer.echo(cli_virtual_text.evaluation_text(found, policy, words))
     if found.missed:
         raise typer.Exit(NEEDS_PERSON)
 
