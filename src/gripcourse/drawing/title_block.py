@@ -1,7 +1,6 @@
 """The title block by form 1 of GOST 2.104, 185 by 55 mm."""
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 from gripcourse.drawing.cells import LARGE, NORMAL, PAD, SMALL, Cells
 from gripcourse.drawing.document import LineKind
@@ -18,8 +17,8 @@ _CHANGES: tuple[tuple[float, Message], ...] = (
     (17.0, message("Document no.")),
     (40.0, message("Signed")),
     (55.0, message("Date")),
-    (65.0, message("")),
 )
+_CHANGES_END = 65.0
 _ROLES = (
     message("Drawn"),
     message("Checked"),
@@ -93,7 +92,8 @@ def _draw_grid(cell: Cells) -> None:
 
 
 def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
-    for (left, heading), (right, _) in pairwise(_CHANGES):
+    ends = [*(left for left, _ in _CHANGES[1:]), _CHANGES_END]
+    for (left, heading), right in zip(_CHANGES, ends, strict=True):
         size = (right - left, _ROLE_HEIGHT)
         cell.words(words.say(heading), (left, 30.0), size, SMALL, middle=True)
     for number, role in enumerate(_ROLES):
