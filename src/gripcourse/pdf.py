@@ -20,6 +20,7 @@ style sheets. A value that a template does not get is an error, never an empty p
 """
 
 import gc
+from base64 import b64encode
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -99,6 +100,11 @@ def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
         return bytes(
             source.write_pdf(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
         )
+
+
+def picture(svg: str) -> str:
+    """Return an SVG text as an address that a page can show without fetching anything."""
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
 
 
 def points_text(value: float, words: Words) -> str:

@@ -16,6 +16,7 @@ from gripcourse.course.policy import Policy
 from gripcourse.pdf import Document, render_html
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.table import read_table
 from gripcourse.words import Words
 
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
@@ -143,6 +144,46 @@ def test_a_name_is_text_and_never_markup(
 ) -> None:
     named = replace(issued, student=replace(issued.student, name='<b>&"Иван'))
     assert '<b>&"Иван' in pages(assignment_sheet(named, plan, policy, course, ENGLISH))[0]
+
+
+def test_it_shows_the_diagram_with_a_text_for_who_does_not_see_it(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    values = sheet_values(issued, plan, policy, course, ENGLISH)
+    page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
+    assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Kinematic')[2]
+    assert "Compute sizes, do not measure them" in page
+
+
+def test_a_scheme_without_a_diagram_has_a_sheet_without_one(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    bare = replace(plan, scheme=replace(plan.scheme, diagram=None))
+    assert "The diagram is drawn" not in read(issued, bare, policy, course, ENGLISH)
+
+
+def test_every_sheet_carries_the_code_of_its_student(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    other = replace(issued, student=replace(issued.student, id="s018"))
+    seals = [sheet_values(one, plan, policy, course, ENGLISH)["seal"] for one in (issued, other)]
+    assert seals[0] != seals[1]
+
+
+def test_every_scheme_fits_one_sheet_of_paper(policy: Policy, course: Course) -> None:
+    """The longest assignment of each scheme in the course's table, in its longest language."""
+    longest: dict[str, tuple[int, Variant, Plan]] = {}
+    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+        plan = make_plan(course, variant.scheme, variant.options)
+        size = len(plan.quantities)
+        if size > longest.get(variant.scheme, (0,))[0]:
+            longest[variant.scheme] = size, variant, plan
+    assert longest.keys() == course.schemes.keys()
+    for scheme, (_, variant, plan) in longest.items():
+        student = Student("s017", LONG_NAME, "РТ-41", "", "ru", "")
+        entry = Issued(student, variant, date(2025, 2, 10), date(2025, 5, 19), "0" * 64)
+        sheet = assignment_sheet(entry, plan, policy, course, Words("ru"))
+        assert len(pages(sheet)) <= 2, scheme
 
 
 LONGEST = {

@@ -1,11 +1,12 @@
 """Files that cannot be read, and what a loaded course holds."""
 
 import codecs
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.compose import compose, option_sets, part_ids
+from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
 from gripcourse.course.model import Convention, Course, Kind, Quantity
 
 if TYPE_CHECKING:
@@ -164,12 +165,27 @@ def test_every_combination_of_options_is_known(course: Course) -> None:
     assert {options["drive"] for options in found} == {"hydraulic", "pneumatic"}
 
 
+def test_few_combinations_show_any_two_choices_together(course: Course) -> None:
+    for scheme in course.schemes.values():
+        everything = {
+            pair for options in option_sets(scheme) for pair in combinations(options.items(), 2)
+        }
+        few = list(pair_option_sets(scheme))
+        assert {pair for options in few for pair in combinations(options.items(), 2)} == everything
+        assert {choice for options in few for choice in options.items()} == {
+            choice for options in option_sets(scheme) for choice in options.items()
+        }
+        assert len(few) <= 60
+
+
 def test_a_part_that_two_choices_bring_is_there_once(course: Course) -> None:
     scheme = course.schemes["rack_parallelogram"]
     both = {"grip_model": "prism_across", "jaw_shape": "prism"}
     assert part_ids(scheme, both).count("prism_angle") == 1
     assert compose(course, scheme, both)["jaw_angle"].kind is Kind.GIVEN
-    assert scheme.overrides["finger_force_right"].source.work == "derived"  # of two choices
+    for model in ("contact", "contact_exact"):
+        changed = compose(course, scheme, {**both, "grip_model": model})["finger_force_right"]
+        assert changed.source.work == "derived"
 
 
 def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course) -> None:

@@ -3,13 +3,17 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from gripcourse.assignment.seal import seal_of, seal_svg
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.policy import Policy
+from gripcourse.drawing.diagram import kinematic_diagram
+from gripcourse.drawing.diagram_layout import WIDEST
 from gripcourse.pdf import (
     NO_BREAK_SPACE,
     Document,
     day_text,
     percent_text,
+    picture,
     points_text,
     render_pdf,
 )
@@ -23,6 +27,9 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
+_NARROW = 112.0  # mm of a diagram that leaves room for text beside it
+# More quantities, or a diagram that takes more of the page's height, ask for smaller letters.
+_MANY, _VERY_MANY, _HIGH = 85, 120, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -34,6 +41,26 @@ class Datum:
     title: str
     value: str
     unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A diagram for a page.
+
+    Attributes:
+        address: of the picture.
+        text: what it shows, for a reader who does not see it.
+        width, height: mm.
+        beside: whether it is narrow enough for text beside it.
+        moves: whether it shows more than one position.
+    """
+
+    address: str
+    text: str
+    width: float
+    height: float
+    beside: bool
+    moves: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,19 +108,33 @@ def sheet_values(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
+    listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
+    widest = _NARROW if listed > _MANY else WIDEST
+    diagram = drawn_diagram(plan, issued.variant.given, words, widest)
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
         "variant": issued.variant.id,
         "control": issued.signature[:_CONTROL_LETTERS],
+        "seal": picture(seal_svg(seal_of(issued, course.id))),
+        "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
         "data": given_data(plan.givens, issued.variant.given, words),
         "constants": given_data(plan.constants, issued.variant.given, words),
+        "density": _density(listed, diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
         "rules": [words.say(sentence) for sentence in _rules(plan, policy, words)],
     }
+
+
+def _density(listed: int, diagram: Drawn | None) -> str:
+    """Name the print in which so many quantities, with the diagram, fit on two pages."""
+    if listed > _VERY_MANY:
+        return "dense long"
+    stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
+    return "dense" if listed > _MANY or stacked else ""
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
@@ -118,6 +159,30 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
         for choice in option.choices:
             if choice.id == plan.options.get(option.id):
                 yield label[:1].upper() + label[1:], choice.title.of(words.language)
+
+
+def drawn_diagram(
+    plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
+) -> Drawn | None:
+    """Return the diagram of a variant for a page; None where there is none.
+
+    Args:
+        plan: of the variant's scheme and options.
+        values: in declared units; the givens at least.
+        words: the language of the symbols.
+        widest: mm that it may take of the page's width.
+    """
+    diagram = kinematic_diagram(plan, values, words.language, widest)
+    if diagram is None:
+        return None
+    return Drawn(
+        address=picture(diagram.svg()),
+        text=diagram.title,
+        width=round(diagram.width, 2),
+        height=round(diagram.height, 2),
+        beside=diagram.width <= _NARROW,
+        moves=plan.scheme.kinematics is not None,
+    )
 
 
 def given_data(

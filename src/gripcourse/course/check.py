@@ -7,12 +7,21 @@ fault of a shared part shows in many compositions and is reported once.
 from collections.abc import Iterable, Iterator, Mapping
 
 from gripcourse.course.catalogue import columns_of
+from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_series import check_series
-from gripcourse.course.compose import all_part_ids, compose, option_sets, part_ids, used_names
+from gripcourse.course.check_view import check_view
+from gripcourse.course.compose import (
+    all_part_ids,
+    compose,
+    option_sets,
+    pair_option_sets,
+    part_ids,
+    used_names,
+)
 from gripcourse.course.model import Course, Kind, Quantity, Scheme
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
@@ -21,8 +30,14 @@ from gripcourse.units import known as known_unit
 from gripcourse.words import LANGUAGES, message
 
 
-def check_course(course: Course) -> list[Problem]:
-    """Return every problem that shows only when the files of a course are put together."""
+def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
+    """Return every problem that shows only when the files of a course are put together.
+
+    Args:
+        course: as read.
+        thorough: look at every combination of options, which takes seconds, and not only at enough
+            of them for any two choices to occur together.
+    """
     columns = columns_of(course.catalogues)
     dimensions = {
         f"{catalogue.id}.{name}": (
@@ -39,8 +54,10 @@ def check_course(course: Course) -> list[Problem]:
         if not all_part_ids(scheme).keys() <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
         circular = circular_names(course, scheme)
-        for options in option_sets(scheme):
+        every: dict[str, Quantity] = dict(course.constants)
+        for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
             quantities = compose(course, scheme, options)
+            every |= quantities
             new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
             found += _check_use(course, quantities)
@@ -54,6 +71,11 @@ def check_course(course: Course) -> list[Problem]:
                 ("motion", scheme.id, *units), seen
             ):
                 found += check_kinematics(scheme, quantities)
+            if all(known_unit(one.unit) for one in quantities.values()):
+                found += check_diagram(scheme, quantities, options, seen)
+        found += check_diagram_use(scheme)
+        if all(known_unit(one.unit) for one in every.values()):
+            found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())
@@ -80,7 +102,7 @@ def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> l
 
 
 def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
-    for options in option_sets(scheme):
+    for options in pair_option_sets(scheme):
         ids = part_ids(scheme, options)
         for part in ids:
             if part not in course.parts:

@@ -22,6 +22,8 @@ from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
 from gripcourse.words import LANGUAGES, message
 
@@ -29,7 +31,7 @@ VARIANTS = "variants"
 
 
 def load_course(root: Path) -> Course:
-    """Load a course and check it whole.
+    """Load a course and check it, any two choices of its options together.
 
     Args:
         root: the folder that holds `variants`, `templates` and `grader`.
@@ -127,8 +129,9 @@ def _schemes(
     folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
 ) -> dict[str, Scheme]:
     shared = read_options(folder / "options", root, problems)
+    drawings = _drawings(folder / "drawing", root, problems)
     paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, raw, shared, problems) for path in paths)
+    found = (read_scheme(path, root, raw, shared, drawings, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not paths:
         problems.append(
@@ -140,6 +143,12 @@ def _schemes(
             )
         )
     return schemes
+
+
+def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
+    """Read what several general views share, by the names of the files; None: cannot be read."""
+    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    return {name: None if table is None else read_shared(table) for name, table in found}
 
 
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:

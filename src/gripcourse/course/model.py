@@ -11,8 +11,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
@@ -257,6 +259,8 @@ class Scheme:
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
+    diagram: Diagram | None
+    view: View | None
     example: WorkedExample | None
     file: str
 

@@ -1,9 +1,10 @@
-"""Reading the folder of a scheme: `scheme.toml` and `worked_example.toml`."""
+"""Reading the folder of a scheme: `scheme.toml`, `worked_example.toml` and `diagram.toml`."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
+from gripcourse.course.diagram import read_diagram
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import (
     Convention,
@@ -14,6 +15,8 @@ from gripcourse.course.model import (
 from gripcourse.course.options import scheme_options
 from gripcourse.course.override import RawPart, read_overrides
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_view
 from gripcourse.errors import Problem
 from gripcourse.words import message
 
@@ -23,6 +26,7 @@ def read_scheme(
     root: Path,
     raw_parts: Mapping[str, RawPart],
     shared: Mapping[str, Option],
+    drawings: Mapping[str, View | None],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
@@ -54,10 +58,22 @@ def read_scheme(
         },
         overrides=read_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=_motion(table, optional, raw_parts),
+        diagram=read_diagram(folder, root, problems),
+        view=_view(folder / "drawing.toml", root, drawings, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
     return None if all_options is None else scheme
+
+
+def _view(
+    path: Path, root: Path, drawings: Mapping[str, View | None], problems: list[Problem]
+) -> View | None:
+    """Read the general view of a scheme; a scheme may do without."""
+    if not path.exists():
+        return None
+    table = read_toml(path, root, problems)
+    return None if table is None else read_view(table, drawings)
 
 
 def _motion(

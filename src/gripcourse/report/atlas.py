@@ -12,8 +12,8 @@ from gripcourse.formula.boxes import Box
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.formula.typeset import equation, symbol_box, typeset
-from gripcourse.pdf import Document, amount_text, render_pdf
-from gripcourse.report.figures import Line, line_plot, picture
+from gripcourse.pdf import Document, amount_text, picture, render_pdf
+from gripcourse.report.figures import Line, line_plot
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.units import factor, unit_text

@@ -10,8 +10,8 @@ from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.grading.model import Outcome, Report
-from gripcourse.pdf import Document, percent_text, points_text, render_pdf
-from gripcourse.report.figures import Bar, facility_plot, picture, score_plot
+from gripcourse.pdf import Document, percent_text, picture, points_text, render_pdf
+from gripcourse.report.figures import Bar, facility_plot, score_plot
 from gripcourse.report.marked import decision_rows, marked_tables
 from gripcourse.report.totals import (
     QuantityTotal,

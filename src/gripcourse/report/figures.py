@@ -5,7 +5,6 @@ The bars are grey with dark edges, so that a grey printer loses nothing.
 """
 
 import io
-from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
@@ -170,11 +169,6 @@ def line_plot(
         axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1), frameon=False, handlelength=2.6)
 
     return _svg(draw, height=3.4)
-
-
-def picture(svg: str) -> str:
-    """Return an SVG text as an address that a page can show without fetching anything."""
-    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
 
 
 def _svg(draw: Any, height: float) -> str:  # noqa: ANN401 - a function on matplotlib's axes

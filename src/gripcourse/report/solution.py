@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from gripcourse.assignment.sheet import given_data, option_pairs
+from gripcourse.assignment.sheet import drawn_diagram, given_data, option_pairs
 from gripcourse.course.model import Course, Quantity
 from gripcourse.formula.boxes import Box
 from gripcourse.pdf import Document, render_pdf
@@ -60,6 +60,7 @@ def solution_values(
         "course": course.title.of(words.language),
         "variant": variant.id,
         "pairs": list(_pairs(plan, variant, words)),
+        "diagram": drawn_diagram(plan, known, words),
         "data": given_data(plan.givens, known, words),
         "constants": given_data(plan.constants, known, words),
         "chapters": list(_chapters(plan, known, course, words)),

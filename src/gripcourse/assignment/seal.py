@@ -1,0 +1,59 @@
+"""The square code on a sheet: whose it is, with the signature, for a telephone or a scanner."""
+
+import io
+import re
+from dataclasses import dataclass
+from urllib.parse import quote, unquote
+
+from gripcourse.variants.model import Issued
+
+_MARK = "gripcourse:1"
+_TEXT = re.compile(
+    r"gripcourse:1:(?P<course>[^:]+):(?P<student>[^:]+):(?P<variant>[^:]+)"
+    r":(?P<signature>[0-9a-f]{64})"
+)
+_QUIET = 2  # modules of white round the code; the sheet has more of it
+
+
+@dataclass(frozen=True, slots=True)
+class Seal:
+    """What the code of a sheet says.
+
+    Attributes:
+        course, student, variant: ids.
+        signature: of the variant as it was issued; see `signature.verify`.
+    """
+
+    course: str
+    student: str
+    variant: str
+    signature: str
+
+
+def seal_of(issued: Issued, course_id: str) -> Seal:
+    """Return the seal of what was issued."""
+    return Seal(course_id, issued.student.id, issued.variant.id, issued.signature)
+
+
+def seal_text(seal: Seal) -> str:
+    """Write a seal as one line of ASCII; ids are quoted as in an address."""
+    ids = (quote(one, safe="") for one in (seal.course, seal.student, seal.variant))
+    return ":".join((_MARK, *ids, seal.signature))
+
+
+def read_seal(text: str) -> Seal | None:
+    """Read what `seal_text` wrote; None for any other code."""
+    found = _TEXT.fullmatch(text.strip())
+    if found is None:
+        return None
+    return Seal(**{name: unquote(part) for name, part in found.groupdict().items()})
+
+
+def seal_svg(seal: Seal) -> str:
+    """Return the code as an SVG element whose size is left to the page."""
+    import segno  # noqa: PLC0415 (only who makes a sheet pays for it)
+
+    code = segno.make(seal_text(seal), error="m", micro=False)
+    stream = io.BytesIO()
+    code.save(stream, kind="svg", border=_QUIET, omitsize=True, xmldecl=False, nl=False)
+    return stream.getvalue().decode()

@@ -1,0 +1,184 @@
+"""The picture of a scheme, as its author declares it: which symbols stand at which joints.
+
+`diagram.toml` beside a scheme's declarations lists elements of a vocabulary (`diagram_words`).
+An element names joints of the kinematics or points of its own, sizes as formulas, and the quantity
+whose symbol is written beside it. How an element looks is the business of `drawing`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort, Word
+from gripcourse.course.kinematics import POSITIONS
+from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.errors import Problem
+from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.tree import Formula
+from gripcourse.words import message
+
+FILE = "diagram.toml"
+_COMMON = ("kind", "positions", "mirror", "options")
+_NOTHING = Formula("0", parse("0"), {})
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """One symbol of a diagram.
+
+    Attributes:
+        kind: a word of the vocabulary.
+        points: names of points by role.
+        sizes: formulas by role; a length in SI, an angle, or a plain number.
+        words: choices by role.
+        quantity: id of the quantity whose symbol is written beside it, empty for none.
+        positions: of the drive, at which it is drawn.
+        mirror: `none`, `both` (on both sides of the gripper's axis) or `only` (on the other side).
+        options: it is drawn only where a variant's options are among these.
+        key: where it stands in the file, for messages.
+    """
+
+    kind: str
+    points: Mapping[str, tuple[str, ...]]
+    sizes: Mapping[str, Formula]
+    words: Mapping[str, str]
+    quantity: str
+    positions: tuple[str, ...]
+    mirror: str
+    options: Mapping[str, tuple[str, ...]]
+    key: str
+
+    def is_drawn(self, options: Mapping[str, str]) -> bool:
+        """Tell whether a variant with these options has the element."""
+        return all(options.get(name) in among for name, among in self.options.items())
+
+
+@dataclass(frozen=True, slots=True)
+class Diagram:
+    """The picture of a scheme.
+
+    Attributes:
+        axis: the coordinate that runs along the gripper's axis, `x` or `y`.
+        points: points that the kinematics does not have: along the axis, across it.
+        elements: in the order in which they are drawn.
+        file: for messages.
+    """
+
+    axis: str
+    points: Mapping[str, tuple[Formula, Formula]]
+    elements: tuple[Element, ...]
+    file: str
+
+
+def read_diagram(folder: Path, root: Path, problems: list[Problem]) -> Diagram | None:
+    """Read the diagram of a scheme; None where there is no file, or no readable one."""
+    path = folder / FILE
+    if not path.exists():
+        return None
+    table = read_toml(path, root, problems)
+    if table is None:
+        return None
+    table.known_keys({"axis", "point", "element"})
+    points = table.table("point")
+    return Diagram(
+        axis=_one_of(table, "axis", ("x", "y")),
+        points={name: _pair(points, name) for name in points.values} if points else {},
+        elements=tuple(one for one in map(_element, table.tables("element")) if one is not None),
+        file=table.file,
+    )
+
+
+def _element(table: Table) -> Element | None:
+    kind = table.text("kind")
+    word = VOCABULARY.get(kind)
+    if word is None:
+        if kind:
+            what = message("There is no element '{kind}'.", kind=kind)
+            table.add("kind", what, did_you_mean(kind, VOCABULARY))
+        return None
+    table.known_keys({*_COMMON, *word.roles})
+    of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}
+    sizes = of[Sort.LENGTH] | of[Sort.ANGLE] | of[Sort.NUMBER]
+    written = {name: role for name, role in sizes.items() if table.has(name) or _has(role)}
+    quantities = [table.text(name, role.default) for name, role in of[Sort.QUANTITY].items()]
+    return Element(
+        kind=kind,
+        points={name: (table.text(name),) for name in of[Sort.POINT]}
+        | {name: _names(table, name) for name in of[Sort.POINTS]},
+        sizes={name: _size(table, name, role) for name, role in written.items()},
+        words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},
+        quantity=next(iter(quantities), ""),
+        positions=_positions(table, word),
+        mirror=_one_of(table, "mirror", (word.mirror, *MIRRORS)),
+        options=_options(table),
+        key=table.key,
+    )
+
+
+def _has(role: Role) -> bool:
+    """Tell whether a size that is not written has a value, or should be asked for."""
+    return role.default != ""
+
+
+def _names(table: Table, name: str) -> tuple[str, ...]:
+    names = table.strings(name)
+    if len(names) < 2 and (not table.has(name) or isinstance(table.values[name], list)):  # noqa: PLR2004 (a line has two ends)
+        table.add(
+            name,
+            message("There are not enough points."),
+            message("Name two points at least, in order."),
+        )
+    return names
+
+
+def _size(table: Table, name: str, role: Role) -> Formula:
+    if not isinstance(table.values.get(name), (int, float)):
+        return _formula(table, name, table.text(name, role.default))
+    return _formula(table, name, repr(table.values[name]))
+
+
+def _pair(points: Table, name: str) -> tuple[Formula, Formula]:
+    match points.values[name]:
+        case [str() as along, str() as across]:
+            return _formula(points, name, along), _formula(points, name, across)
+    points.add(
+        name,
+        message("The value has the wrong type."),
+        message("Write two formulas, along the axis and across it: ['jaw_x', 'jaw_y/2']."),
+    )
+    return _NOTHING, _NOTHING
+
+
+def _formula(table: Table, name: str, text: str) -> Formula:
+    if not text:
+        return _NOTHING
+    try:
+        return Formula(text, parse(text), {})
+    except FormulaFault as fault:
+        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        return _NOTHING
+
+
+def _one_of(table: Table, name: str, words: tuple[str, ...]) -> str:
+    """Read a choice; the first word where nothing is written."""
+    written = table.text(name, words[0])
+    if written not in words:
+        what = message("'{word}' means nothing here.", word=written)
+        table.add(name, what, did_you_mean(written, words))
+        return words[0]
+    return written
+
+
+def _positions(table: Table, word: Word) -> tuple[str, ...]:
+    if not table.has("positions"):
+        return word.positions
+    for one in (written := table.strings("positions")):
+        if one not in POSITIONS:
+            what = message("There is no position '{position}'.", position=one)
+            table.add("positions", what, did_you_mean(one, POSITIONS))
+    return tuple(one for one in written if one in POSITIONS)
+
+
+def _options(table: Table) -> dict[str, tuple[str, ...]]:
+    wanted = table.table("options")
+    return {name: wanted.strings(name) for name in wanted.values} if wanted else {}

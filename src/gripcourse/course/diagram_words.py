@@ -1,0 +1,145 @@
+"""The vocabulary of diagrams: what an element is called and what it must say (GOST 2.770).
+
+Angles are measured in the picture, counter-clockwise from the gripper's axis, which runs to the
+right. Numbers are millimetres of paper, unless the role is a count.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import Final
+
+
+class Sort(Enum):
+    """What a role of an element holds."""
+
+    POINT = auto()  # the name of a point
+    POINTS = auto()  # names of two points or more
+    LENGTH = auto()  # a formula, drawn to scale
+    ANGLE = auto()  # a formula
+    NUMBER = auto()  # a formula without unit
+    WORD = auto()  # one of several words
+    QUANTITY = auto()  # the id of a quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """What an element says under one key.
+
+    Attributes:
+        sort: what it holds.
+        default: where it is not written; None where it must be, empty where it may be absent.
+        words: of a WORD, the first is the default.
+    """
+
+    sort: Sort
+    default: str | None = None
+    words: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """An element's keys, and how it is drawn unless the author says otherwise.
+
+    Attributes:
+        roles: by key.
+        mirror: see `Element.mirror`.
+        positions: see `Element.positions`.
+    """
+
+    roles: Mapping[str, Role]
+    mirror: str
+    positions: tuple[str, ...]
+
+
+MIRRORS: Final = ("none", "both", "only")
+
+_BOTH_ENDS: Final = ("at_min", "at_max")
+_HELD: Final = ("at_min",)
+
+_POINT: Final = Role(Sort.POINT)
+_POINTS: Final = Role(Sort.POINTS)
+_LENGTH: Final = Role(Sort.LENGTH)
+_ANGLE: Final = Role(Sort.ANGLE)
+_SYMBOL: Final = Role(Sort.QUANTITY)
+_LINES: Final = Role(Sort.WORD, words=("outline", "thin", "centre", "hidden"))
+
+# Every element may be repeated along and across the picture: so many times, so far apart.
+_ROW: Final = {
+    "repeat": Role(Sort.NUMBER, "1"),
+    "pitch": Role(Sort.LENGTH, "0"),
+    "rows": Role(Sort.NUMBER, "1"),
+    "row_pitch": Role(Sort.LENGTH, "0"),
+}
+
+
+def _number(default: float) -> Role:
+    return Role(Sort.NUMBER, str(default))
+
+
+def _turn(default: str) -> Role:
+    return Role(Sort.ANGLE, default)
+
+
+def _moving(**roles: Role) -> Word:
+    """Make a word for a part of the mechanism: on both sides, wherever the drive stands."""
+    return Word(roles | _ROW, "both", _BOTH_ENDS)
+
+
+def _fixed(**roles: Role) -> Word:
+    """Make a word for what does not move: on both sides."""
+    return Word(roles | _ROW, "both", _HELD)
+
+
+def _single(**roles: Role) -> Word:
+    """Make a word for what is there once."""
+    return Word(roles | _ROW, "none", _HELD)
+
+
+VOCABULARY: Final[Mapping[str, Word]] = {
+    # Links and joints.
+    "link": _moving(through=_POINTS, line=_LINES, corner=Role(Sort.WORD, words=("rigid", "none"))),
+    "pivot": _moving(at=_POINT),
+    "pin": _moving(at=_POINT),
+    "fixed_pivot": _fixed(at=_POINT, turn=_turn("pi/2"), size=_number(1)),
+    "slider": _moving(at=_POINT, turn=_turn("0"), long=_number(6), wide=_number(4)),
+    "slot": _moving(through=_POINTS, wide=_number(2.6)),
+    "guide": _fixed(at=_POINT, turn=_turn("0"), long=_number(6), gap=_number(2.4)),
+    "ground": _fixed(through=_POINTS, side=Role(Sort.WORD, words=("left", "right"))),
+    # Gears and screws.
+    "rack": _moving(through=_POINTS, module=_LENGTH, thick=_LENGTH,
+                    side=Role(Sort.WORD, words=("left", "right"))),
+    "gear": _moving(at=_POINT, radius=_LENGTH, module=_LENGTH, start=_turn("0"),
+                    sweep=_turn("2*pi")),
+    "worm": _single(at=_POINT, radius=_LENGTH, length=_LENGTH, turn=_turn("0")),
+    "screw": _fixed(through=_POINTS, diameter=_LENGTH),
+    "nut": _moving(at=_POINT, length=_LENGTH, diameter=_LENGTH, turn=_turn("pi/2")),
+    # Bodies.
+    "plate": _moving(through=_POINTS, line=_LINES, hatch=Role(Sort.WORD, words=("none", "hatch"))),
+    "roller": _moving(at=_POINT, diameter=_LENGTH),
+    "jaw": _moving(at=_POINT, turn=_turn("-pi/2"), long=_number(14), thick=_number(2.5)),
+    "prism": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH),
+    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, "none", _BOTH_ENDS),
+    "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),
+    "coil": _fixed(through=_POINTS),
+    "spring": _fixed(through=_POINTS),
+    # Drives.
+    "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free"))),
+    "floating_cylinder": Word({"through": _POINTS} | _ROW, "none", _HELD),
+    "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
+    # Forces, sizes and letters.
+    "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),
+                     end=Role(Sort.WORD, words=("tip", "tail"))),
+    "moment": _single(at=_POINT, quantity=_SYMBOL, radius=_number(5), start=_turn("-pi/3"),
+                      sweep=_turn("1.5*pi")),
+    "length": _single(through=_POINTS, quantity=_SYMBOL, shift=_number(0),
+                      along=Role(Sort.WORD, words=("line", "x", "y"))),
+    "angle": _single(at=_POINT, start=_ANGLE, sweep=_ANGLE, quantity=_SYMBOL,
+                     radius=_number(12)),
+    "radius": _single(at=_POINT, radius=_LENGTH, turn=_ANGLE, quantity=_SYMBOL),
+    "diameter": _single(at=_POINT, diameter=_LENGTH, turn=_ANGLE, quantity=_SYMBOL,
+                        long=_number(6)),
+    "letter": _single(at=_POINT, quantity=_SYMBOL),
+    "end_view": _single(at=_POINT, count=_number(3), shift=_number(30),
+                        quantity=Role(Sort.QUANTITY, "")),
+}  # fmt: skip

@@ -1,0 +1,1 @@
+"""Drawings made of a solved variant, as DXF and SVG."""

@@ -1,0 +1,132 @@
+"""Choosing sheet and scale, and putting the faces onto the sheet in projection to each other."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from gripcourse.course.view import Face
+from gripcourse.drawing.sheet import FORMATS, Format, block_box, corner_box, lines_boxes
+from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.text import Point
+
+# GOST 2.302, the largest first; as drawing : nature.
+SCALES: Sequence[tuple[float, float]] = (
+    (2, 1),
+    (1, 1),
+    (1, 2),
+    (1, 2.5),
+    (1, 4),
+    (1, 5),
+    (1, 10),
+    (1, 15),
+    (1, 20),
+    (1, 25),
+    (1, 40),
+    (1, 50),
+    (1, 75),
+    (1, 100),
+)
+_BETWEEN = 12.0  # mm between two faces
+_MARGIN = 4.0  # from a face to the frame and to the title block
+_STEPS = 10  # places that are tried across the free room
+_NOTHING = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Arranged:
+    """How a sheet is used, mm.
+
+    Attributes:
+        sheet: its format.
+        scale: as drawing : nature.
+        origins: where the origin of each face lies.
+        lines: where the characteristics stand.
+    """
+
+    sheet: Format
+    scale: tuple[float, float]
+    origins: Mapping[Face, Point]
+    lines: Box
+
+
+def arrange(boxes: Callable[[float], Mapping[Face, Box]], rows: int, lines: int) -> Arranged:
+    """Find the largest scale at which all faces have room, on the smaller sheet if both do.
+
+    Args:
+        boxes: gives the box of each face round its own origin, with dimensions and leaders, in
+            millimetres of paper, at a scale.
+        rows: of the parts list.
+        lines: of the characteristics.
+    """
+    for over, under in SCALES:
+        at_scale = boxes(over / under)
+        for sheet in FORMATS:
+            for box in lines_boxes(sheet, rows, lines):
+                taken = (block_box(sheet, rows), corner_box(sheet), box)
+                origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
+                if origins is not None:
+                    return Arranged(sheet, (over, under), origins, box)
+    over, under = SCALES[-1]
+    sheet = FORMATS[-1]
+    middle = (sheet.width / 2, sheet.height / 2)
+    origins = dict.fromkeys(boxes(over / under), middle)
+    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+
+
+def _origins(
+    boxes: Mapping[Face, Box], room: Box, taken: Sequence[Box]
+) -> Mapping[Face, Point] | None:
+    """Place the main face, the end on its right at its height, the plan below it."""
+    main = boxes[Face.MAIN]
+    found: list[tuple[float, Mapping[Face, Point]]] = []
+    for x in _places(room.left - main.left, room.right - main.right):
+        for y in _places(room.bottom - main.bottom, room.top - main.top):
+            if not _is_free(main.moved((x, y)), room, taken):
+                continue
+            for origins in _with_others(boxes, (x, y), room):
+                placed = [boxes[face].moved(at) for face, at in origins.items()]
+                if all(_is_free(one, room, taken) for one in placed[1:]):
+                    found.append((_badness(placed, room, taken[0]), origins))
+    return min(found, key=lambda one: one[0])[1] if found else None
+
+
+def _with_others(boxes: Mapping[Face, Box], at: Point, room: Box) -> list[dict[Face, Point]]:
+    """Return where the other faces may lie: next to the main one, or half way to the frame."""
+    main = boxes[Face.MAIN].moved(at)
+    found: list[dict[Face, Point]] = [{Face.MAIN: at}]
+    if Face.END in boxes:
+        low = main.right + _BETWEEN - boxes[Face.END].left
+        half = (low + room.right - boxes[Face.END].right) / 2
+        found = [{**one, Face.END: (x, at[1])} for one in found for x in (half, low) if x >= low]
+    if Face.PLAN in boxes:
+        high = main.bottom - _BETWEEN - boxes[Face.PLAN].top
+        half = (high + room.bottom - boxes[Face.PLAN].bottom) / 2
+        found = [{**one, Face.PLAN: (at[0], y)} for one in found for y in (half, high) if y <= high]
+    return found
+
+
+def _places(low: float, high: float) -> Sequence[float]:
+    if high < low:
+        return ()
+    return [low + (high - low) * step / _STEPS for step in range(_STEPS + 1)]
+
+
+def _is_free(box: Box, room: Box, taken: Sequence[Box]) -> bool:
+    fits = (
+        room.left <= box.left + _NOTHING
+        and box.right <= room.right + _NOTHING
+        and room.bottom <= box.bottom + _NOTHING
+        and box.top <= room.top + _NOTHING
+    )
+    return fits and not any(box.grown(_MARGIN).overlaps(other) for other in taken)
+
+
+def _badness(placed: Sequence[Box], room: Box, block: Box) -> float:
+    """Tell how far the faces lie from the middle of what the title block leaves of the sheet."""
+    whole = placed[0]
+    for one in placed[1:]:
+        whole = whole.joined(one)
+    low = block.top if whole.right > block.left else room.bottom
+    right = room.right if whole.bottom >= block.top else block.left
+    return abs(whole.left + whole.right - room.left - right) + abs(
+        whole.bottom + whole.top - low - room.top
+    )

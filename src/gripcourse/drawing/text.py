@@ -1,0 +1,121 @@
+"""Letters on a drawing: one font, one line, any content."""
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ezdxf.entities.text import Text
+    from ezdxf.fonts.fonts import AbstractFont
+    from ezdxf.layouts.base import BaseLayout
+
+Point = tuple[float, float]
+
+FONT_FILE = "PTS55F.ttf"
+FONT_FAMILY = "PT Sans"
+CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
+NARROWEST = 0.5  # what a line may be squeezed to before it is cut
+
+_CUT = "…"
+
+
+def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
+    layout: "BaseLayout",
+    text: str,
+    at: Point,
+    height: float,
+    *,
+    align: str = "LEFT",
+    layer: str = "TEXT",
+    rotation: float = 0.0,
+    widest: float | None = None,
+) -> "Text":
+    r"""Write one line, whatever it contains: nothing of it is taken for a code.
+
+    Args:
+        layout: where to.
+        text: the words; line breaks and control characters become spaces.
+        at: where the line is held, mm.
+        height: of capital letters, mm.
+        align: where it is held: `LEFT`, `CENTER`, `RIGHT` on the base line, with `MIDDLE_` before
+            it half way up the capital letters.
+        layer: a `LineKind`.
+        rotation: degrees, counter-clockwise.
+        widest: mm that the line may take; a longer one is squeezed, and cut where that is not
+            enough.
+    """
+    from ezdxf.enums import TextEntityAlignment  # noqa: PLC0415 (0.3 s: only who draws pays for it)
+
+    line, squeeze = fitted(text, height, widest)
+    entity = layout.add_text(
+        dxf_text(line),
+        height=height,
+        rotation=rotation,
+        dxfattribs={"style": "GOST", "layer": layer, "width": squeeze},
+    )
+    entity.set_placement(at, align=TextEntityAlignment[align])
+    return entity
+
+
+def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
+    """Return the line that fits into a width, and the factor that its letters are narrowed by."""
+    line = one_line(text)
+    width = text_width(line, height)
+    if widest is None or width <= widest:
+        return line, 1.0
+    if width * NARROWEST <= widest:
+        return line, widest / width
+    while line and text_width(line + _CUT, height) * NARROWEST > widest:
+        line = line[:-1]
+    return line.rstrip() + _CUT, NARROWEST
+
+
+def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
+    """Break a text between words into at most so many lines; the last one takes what is left."""
+    lines: list[str] = []
+    for word in one_line(text).split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and (text_width(longer, height) <= widest or len(lines) == most):
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
+
+
+def text_width(text: str, height: float) -> float:
+    """Return how wide a line is whose capital letters are `height` high, mm."""
+    return _font().text_width_ex(text, cap_height=height)
+
+
+def one_line(text: str) -> str:
+    """Return a text without line breaks, control characters and halves of surrogate pairs."""
+    clean = "".join(one if one.isprintable() else " " for one in text)
+    return " ".join(clean.split())
+
+
+def dxf_text(line: str) -> str:
+    r"""Protect what a DXF TEXT would take for a code: `%%c`, `^I`, `\U+0416`.
+
+    Each sign is written by its own code, so that the reader sees what was typed. (`\P` and braces
+    mean something in MTEXT only.)
+    """
+    protected = line.replace("^", "^ ").replace("%%", "%%%%%%")
+    return protected.replace("\\U+", "\\U+005CU+").replace("\\M+", "\\U+005CM+")
+
+
+def read_text(entity: "Text") -> str:
+    r"""Return what a reader sees of a TEXT made by `add_text`.
+
+    Not for one read from a file: there `\U+` has been read already.
+    """
+    # 0.3 s: only who draws pays for it
+    from ezdxf.lldxf.encoding import decode_dxf_unicode  # noqa: PLC0415
+    from ezdxf.tools.text import plain_text  # noqa: PLC0415
+
+    return decode_dxf_unicode(plain_text(entity.dxf.text))
+
+
+@lru_cache(maxsize=1)
+def _font() -> "AbstractFont":
+    from ezdxf.fonts.fonts import make_font  # noqa: PLC0415 (0.3 s: only who draws pays for it)
+
+    return make_font(FONT_FILE, 1.0)
