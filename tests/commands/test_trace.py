@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.cli_trace import trace_text
-from gripcourse.commands.trace import Traced, in_register, in_table, trace
+from gripcourse.commands.trace import Sought, Traced, in_register, in_table, trace
 from gripcourse.course.model import Course, Kind
 from gripcourse.errors import UsageError
 from gripcourse.number_text import format_number
@@ -30,6 +30,11 @@ def answers(course: Course, variant: Variant) -> tuple[Plan, dict[str, float]]:
     values = solve_variant(plan, variant.given)
     computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
     return plan, {name: values[name] for name in computed}
+
+
+def _some(course: Course, sought: Sought) -> list[float]:
+    variant = next(iter(sought.variants.values()))
+    return list(answers(course, variant)[1].values())[:6]
 
 
 def refused(course: Course, table: Path, numbers: Sequence[str], named: Sequence[str]) -> list[str]:
@@ -108,9 +113,10 @@ def test_where_nothing_was_issued_nothing_can_be_traced(course: Course, tmp_path
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_odds_are_written_without_a_verdict(course: Course, table: Path, language: str) -> None:
     sought = in_table(table, course)
-    shown = trace_text(trace(["1843", "22,6", "0,37"], (), course, sought), Words(language))
-    assert "1843 = —" in shown
-    assert " : " in shown
+    numbers = ["123456789", *(f"{value:.4g}" for value in _some(course, sought))]
+    shown = trace_text(trace(numbers, (), course, sought), Words(language))
+    assert "123456789 = —" in shown
+    assert " : 1" in shown
 
 
 def test_numbers_of_no_variant_are_told() -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
+from itertools import combinations
 
 import pytest
 
@@ -28,12 +29,11 @@ Grade = Callable[..., Report]
 @pytest.fixture(scope="session")
 def pair(variants: tuple[Variant, ...]) -> tuple[Issued, Issued]:
     """Two students with the same kind of variant."""
-    alike = [
-        one
-        for one in variants
-        if (one.scheme, one.options) == (variants[0].scheme, variants[0].options)
-    ]
-    first, second = alike[:2]
+    first, second = next(
+        (one, two)
+        for one, two in combinations(variants, 2)
+        if (one.scheme, one.options) == (two.scheme, two.options)
+    )
     return _issued("s1", first), _issued("s2", second)
 
 
