@@ -47,7 +47,7 @@ bench: .venv/dev.stamp ## measure what the documentation states
 .PHONY: gallery
 gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
 	@mkdir -p docs/gallery
-	@$(BIN)/python -m gripcourse solve 034 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
+	@$(BIN)/python -m gripcourse solve 014 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
 	@$(BIN)/python -m gripcourse atlas lever-arms --out $(OUT)/atlas >$(OUT)/atlas.log
 	@while read -r name file; do \
 	  pdftoppm -r 80 -png -f 1 -l 1 -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \

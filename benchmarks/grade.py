@@ -1,7 +1,8 @@
 """What grading one submission costs, as a ratio to opening the same file with openpyxl."""
 
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from statistics import median
@@ -9,15 +10,17 @@ from time import perf_counter
 
 from openpyxl import load_workbook
 
-from gripcourse.cohort.one import Desk, grade_file
+from gripcourse.cohort.one import Desk, grade_file, methods_of
 from gripcourse.commands.students import correct
 from gripcourse.course.load import load_course
+from gripcourse.course.model import Kind
 from gripcourse.course.policy_load import load_policy
 from gripcourse.grading.judge import judge
+from gripcourse.grading.rounding import figure_half_unit
 from gripcourse.resources import course_root
 from gripcourse.solver.plan import make_plan
 from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Rejected
+from gripcourse.submission.model import Rejected, Submission
 from gripcourse.submission.read import read_workbook
 from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.table import read_table
@@ -26,6 +29,7 @@ from gripcourse.words import Words
 from gripcourse.workbook.write import write_answer_workbook
 
 RUNS = 15
+WRONG = (1.37, 0.71, 1.19, 1.43, 0.83)  # times the right values
 
 
 def main() -> None:
@@ -44,17 +48,39 @@ def main() -> None:
         if isinstance(raw, Rejected):
             raise TypeError(str(raw.reason))
         submission = interpret(raw, plan.quantities.values())
+        computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
+        slipped = _changed(submission, {"drive_force": 0.5})  # one jaw of two
+        wrong = _changed(
+            submission, dict(zip(computed[:: len(computed) // 5], WRONG, strict=False))
+        )
         base = _median(lambda: load_workbook(file))
         print(f"openpyxl.load_workbook                 {base * 1e3:7.1f} ms")
         for name, call in (
             ("read the workbook", lambda: read_workbook(file)),
             ("make the plan", lambda: make_plan(course, variant.scheme, variant.options)),
             ("interpret the cells", lambda: interpret(raw, plan.quantities.values())),
-            ("judge", lambda: judge(submission, issued, plan, desk.policy)),
+            ("judge, all right", lambda: _judge(desk, submission, issued)),
+            ("judge and name one slip", lambda: _judge(desk, slipped, issued)),
+            ("judge and explain five wrong answers", lambda: _judge(desk, wrong, issued)),
             ("read and grade, all in all", lambda: grade_file(file, desk)),
         ):
             seconds = _median(call)
             print(f"{name:<38} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
+
+
+def _judge(desk: Desk, submission: Submission, issued: Issued) -> None:
+    plan, methods = methods_of(desk, issued.variant)
+    judge(submission, issued, plan, desk.policy, methods)
+
+
+def _changed(submission: Submission, factors: Mapping[str, float]) -> Submission:
+    """Return a submission with some answers multiplied, typed with six figures."""
+    answers = dict(submission.answers)
+    for name, by in factors.items():
+        value = float(f"{(answers[name].value or 0.0) * by:.5e}")
+        half_unit = figure_half_unit(value, 6)
+        answers[name] = replace(answers[name], value=value, half_unit=half_unit)
+    return replace(submission, answers=answers)
 
 
 def _median(call: Callable[[], object]) -> float:

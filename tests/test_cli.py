@@ -464,3 +464,17 @@ def test_a_drawing_from_waiting_to_marked(
     assert gripcourse("mark", "--table", table, "--course", course).code == cli.DONE
     nothing = gripcourse("mark", "--list", "--course", course)
     assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for a person.")
+
+
+def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:
+    run = gripcourse("draw", "002", "--student-name", "Иванова А.", "--out", "views")
+    assert run.code == 0
+    paths = [tmp_path / line for line in run.out.split()]
+    assert [path.suffix for path in paths] == [".dxf", ".svg"]
+    assert "Иванова А." in paths[1].read_text(encoding="utf-8")
+
+
+def test_an_unknown_variant_is_not_drawn(gripcourse: Command) -> None:
+    run = gripcourse("draw", "999")
+    assert run.code == 2
+    assert "The table has no variant '999'." in run.err

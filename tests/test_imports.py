@@ -45,7 +45,7 @@ LEVELS = (
     ("cli_text",),
     ("cli_virtual_text",),
     ("cli_options",),
-    ("cli_mark", "cli_trace", "cli_variants", "cli_virtual"),
+    ("cli_draw", "cli_mark", "cli_trace", "cli_variants", "cli_virtual"),
     ("cli",),
     ("__main__",),
 )

@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_mark, cli_text, cli_trace, cli_variants, cli_virtual
+from gripcourse import cli_draw, cli_mark, cli_text, cli_trace, cli_variants, cli_virtual
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -50,6 +50,7 @@ app.add_typer(cli_variants.app, name="variants")
 app.add_typer(cli_virtual.app)
 app.command()(cli_trace.trace)
 app.command()(cli_mark.mark)
+app.command()(cli_draw.draw)
 
 
 @app.command()

@@ -2,12 +2,13 @@
 
 from pathlib import Path
 from time import perf_counter
-from typing import Annotated, Final
+from typing import Annotated
 
 import typer
 
 from gripcourse import cli_text, cli_virtual_text
 from gripcourse.cli_options import (
+    NEEDS_PERSON,
     PROCESSORS,
     CourseOption,
     LanguageOption,
@@ -22,8 +23,6 @@ from gripcourse.words import message
 
 # Every command imports what it needs itself, as in `cli`.
 # ruff: noqa: PLC0415
-
-NEEDS_PERSON: Final = 1
 
 app = typer.Typer()
 tolerance_app = typer.Typer(no_args_is_help=True, help="Tolerances: derive them.")
@@ -95,7 +94,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
             found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
         else:
             found = command.evaluate_folder(loaded, policy, folder, workers, tick)
-    typer.echo(cli_virtual_text.evaluation_text(found, words))
+    typer.echo(cli_virtual_text.evaluation_text(found, policy, words))
     if found.missed:
         raise typer.Exit(NEEDS_PERSON)
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from gripcourse.virtual.rates import Rate
     from gripcourse.virtual.tolerance import Audit, Audited
 
-_NUMBERS = set(range(1, 8))
-
 _RATES = {
     "incidents": message("failures on our side"),
     "honest_refused": message("answers of honest students refused"),
@@ -38,6 +36,28 @@ _RATES = {
     "copied_accepted": message("copied answers accepted"),
 }
 
+_SAID = {
+    "correct": message("correct"),
+    "carried": message("carried"),
+    "named": message("named"),
+    "tied": message("one of two"),
+    "misnamed": message("another slip"),
+    "wrong": message("wrong"),
+    "blank": message("blank"),
+    "unreadable": message("unreadable"),
+    "not_judged": message("not judged"),
+}
+_DONE = {
+    "right": message("the right method"),
+    "follows": message("the right method after something wrong"),
+    "slip": message("a wrong method"),
+    "bare_unit": message("another unit, untold"),
+    "wrong_unit": message("a unit that does not fit"),
+    "rounded_down": message("a size rounded down"),
+    "blank": message("blank"),
+    "copied": message("copied"),
+}
+
 
 def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
     """Return how many workbooks were written, where, and how fast."""
@@ -51,13 +71,13 @@ def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
     )
 
 
-def evaluation_text(found: "Evaluation", words: Words) -> str:
+def evaluation_text(found: "Evaluation", policy: "Policy", words: Words) -> str:
     """Return the confusion table, the rates, and the share of each kind of slip that was named."""
     lines = [
         words.say(message("{count} virtual students", count=found.students)),
         _confusion(found, words),
         _rates(found, words),
-        _kinds(found, words),
+        _kinds(found, policy, words),
         words.say(
             message(
                 "Of {tried} places tried for slips {hidden} change the answer too little for "
@@ -74,9 +94,15 @@ def _confusion(found: "Evaluation", words: Words) -> str:
     from gripcourse.virtual.confusion import Said
     from gripcourse.virtual.model import Done
 
-    heads = (words.say(message("done \\ said")), *(str(said) for said in Said))
+    heads = (
+        words.say(message("done \\ said")),
+        *(words.say(_SAID[said.value]) for said in Said),
+    )
     rows = [
-        (str(done), *(str(found.table.get((done, said), 0) or "·") for said in Said))
+        (
+            words.say(_DONE[done.value]),
+            *(str(found.table.get((done, said), 0) or "·") for said in Said),
+        )
         for done in Done
         if any(found.table.get((done, said)) for said in Said)
     ]
@@ -98,9 +124,14 @@ def _rates(found: "Evaluation", words: Words) -> str:
     return table_text(named, rows, right={1, 2, 3, 4, 5})
 
 
-def _kinds(found: "Evaluation", words: Words) -> str:
+def _kinds(found: "Evaluation", policy: "Policy", words: Words) -> str:
+    titles = {kind.value: slip.title for kind, slip in policy.slips.kinds.items()}
+    own = words.say(message("declared beside the formula"))
     heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
-    rows = [(kind, *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
+    named = {
+        kind: titles[kind].of(words.language) if kind in titles else own for kind in found.by_kind
+    }
+    rows = [(named[kind], *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
     return table_text([words.say(one) for one in heads], rows, right={1, 2, 3})
 
 
@@ -139,7 +170,9 @@ def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
     answers = sum(one.tally.answers for one in found.quantities)
     lines = [
         table_text(
-            [words.say(one) for one in heads], [_audited(one, words) for one in shown], _NUMBERS
+            [words.say(one) for one in heads],
+            [_audited(one, words) for one in shown],
+            right=set(range(1, len(heads))),
         ),
         words.say(
             message(

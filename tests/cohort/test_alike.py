@@ -48,8 +48,7 @@ def graded(desk: Desk, plan: Plan, student: str, source: str, creator: str = "")
     submission = Submission(
         f"{student}.xlsx", "", identity, creator, dict(variant.given), answers, ()
     )
-    report = judge(submission, entry, plan, desk.policy)
-    return replace(report, givens=submission.givens, creator=creator)
+    return judge(submission, entry, plan, desk.policy)
 
 
 def codes(report: Report) -> set[str]:

@@ -9,7 +9,7 @@ every option; `gripcourse validate` composes and checks all of them.
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -18,10 +18,12 @@ import pytest
 from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Convention, Course, Kind, Scheme
+from gripcourse.course.policy import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
+from gripcourse.variants.sift import sifter
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 
@@ -183,9 +185,14 @@ def drawn_of(
 
 @pytest.fixture(scope="session")
 def variants_of(
-    course: Course, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
+    course: Course, policy: Policy, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
 ) -> Callable[[str, Mapping[str, str]], tuple[Variant, ...]]:
-    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none."""
+    """Find variants of a scheme with options: issued ones, then drawn ones; maybe none.
+
+    They keep the policy's rules but one: a dozen of one composition may be near each other.
+    """
+    near = replace(policy.variants, shared_points=1.0, shared_section_points=1.0)
+    rules = replace(policy, variants=near)
 
     def find(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
         tabled = tuple(one for one in issued if one.scheme == scheme and one.options == options)
@@ -198,7 +205,10 @@ def variants_of(
             if space.scheme == scheme and case.options == options
         ]
         missing = DRAWN - len(tabled)
-        return (*tabled, *(draw(course, cases, missing, SEED).variants if cases else ()))
+        if not cases:
+            return tabled
+        sound = sifter(rules, len(course.sections))
+        return (*tabled, *draw(course, cases, missing, SEED, sound).variants)
 
     return find
 

@@ -29,7 +29,7 @@ def declared(course: Course) -> Iterator[tuple[Quantity, AsPrinted]]:
         for one in owner.quantities.values():
             yield from ((one, printed) for printed in one.as_printed)
     for scheme in course.schemes.values():
-        for one in scheme.overrides.values():
+        for one in (one for part in scheme.overrides.values() for one in part.values()):
             yield from ((one, printed) for printed in one.as_printed)
 
 

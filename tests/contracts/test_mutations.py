@@ -69,16 +69,22 @@ HIDDEN_BY_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
     },
     "link_lever_3": {"pin_diameter_required: *": "one shear plane"},
     "plain_lever": {
-        "grip_arm_angle_at_min: /": "the numerator is 0: any divisor does",
-        "drive_arm_angle_at_min: -": "the arms lie along the axis: that angle is 0",
-        "force_ratio_at_min: *": "the arms lie along the axis: the cosine is 1",
+        "finger_force_right: *": "the other end of the range needs more force",
+        "finger_force_left: *": "the other end of the range needs more force",
     },
     "screw": {"pin_diameter_required: *": "one shear plane"},
+    "slot_crosshead": {"radius_ratio: /": "the jaw has the smaller radius"},
     "slot_lever": {
         "pin_diameter_required: *": "one shear plane",
         "slot_reach: /": "the other end of the stroke gives the larger distance",
     },
     "pinion_racks": {"stroke_required: /": "the ratio of the jaw's speed to the rack's is 1"},
+    "wedge_roller": {
+        "finger_force_right: *": "the other end of the range needs more force",
+        "finger_force_right: /": "the other end of the range needs more force",
+        "finger_force_left: *": "the other end of the range needs more force",
+        "finger_force_left: /": "the other end of the range needs more force",
+    },
 }
 
 

@@ -1,18 +1,20 @@
 """Files that cannot be read, and what a loaded course holds."""
 
 import codecs
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.compose import compose, option_sets, part_ids
-from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
+from gripcourse.course.model import Convention, Course, Kind, Quantity
 
 if TYPE_CHECKING:
     from conftest import Draft
 
 SECTION = "variants/sections/pin.toml"
 SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"
+DRAWINGS = "variants/sections/drawings.toml"
 POLICY = "grader/policy.toml"
 EXAMPLE = "variants/schemes/rack_parallelogram/worked_example.toml"
 
@@ -89,12 +91,71 @@ def test_an_option_chooses_among_parts(course: Course) -> None:
 
 def test_a_scheme_changes_single_keys_of_a_shared_declaration(course: Course) -> None:
     shared = course.parts["drive_force"].quantities["force_ratio"]
-    changed = course.schemes["rack_parallelogram"].overrides["force_ratio"]
+    changed = course.schemes["rack_parallelogram"].overrides["drive_force"]["force_ratio"]
     assert [printed.erratum for printed in changed.as_printed] == ["E11"]
     assert shared.as_printed == ()
     assert changed.formula == shared.formula
     assert changed.slips == shared.slips
     assert compose(course, course.schemes["rack_parallelogram"], {})["force_ratio"] == changed
+
+
+def test_a_change_holds_in_whichever_part_declares_the_quantity(draft: "Draft") -> None:
+    course = draft.append(SCHEME, '[override.lifting_load]\nsymbol = "G_1"').load()
+    for model, quantities in by_grip_model(course).items():
+        changed = quantities["lifting_load"]
+        shared = course.parts[f"{model}_grip"].quantities["lifting_load"]
+        assert changed.symbol.of("en") == "G_1"
+        assert changed.formula == shared.formula
+        assert changed.slips == shared.slips
+    friction, contact = by_grip_model(course).values()
+    assert friction["lifting_load"].formula != contact["lifting_load"].formula
+
+
+def test_a_change_may_name_the_part_that_it_is_right_for(draft: "Draft") -> None:
+    change = '[override.lifting_load]\nparts = ["friction_grip"]\nformula = "2*mass*gravity"'
+    course = draft.append(SCHEME, f"{change}\nas_printed = []").load()
+    friction, contact = by_grip_model(course).values()
+    formula = friction["lifting_load"].formula
+    assert formula is not None
+    assert formula.text == "2*mass*gravity"
+    assert contact["lifting_load"] is course.parts["contact_grip"].quantities["lifting_load"]
+
+
+def test_a_scheme_changes_what_a_part_of_it_has_changed(draft: "Draft") -> None:
+    draft.append(DRAWINGS, '[override.gear_torque]\nsymbol = "T_1"')
+    assert "gear_torque" in str(draft.problem().what)  # the scheme's own is not a part's
+    draft.edit(DRAWINGS, "gear_torque", "lifting_load").append(
+        SCHEME, '[override.lifting_load]\nunit = "kN"'
+    )
+    changed = by_grip_model(draft.load())["friction"]["lifting_load"]
+    assert (changed.symbol.of("en"), changed.unit) == ("T_1", "kN")
+    assert changed.file == SCHEME
+
+
+def test_a_part_may_say_how_the_links_move(draft: "Draft") -> None:
+    text = (draft.root / SCHEME).read_text(encoding="utf-8")
+    scheme, mark, motion = text.partition("[kinematics]")
+    draft.put(SCHEME, scheme.encode()).append(DRAWINGS, mark + motion)
+    moving = draft.load().schemes["rack_parallelogram"].kinematics
+    assert moving is not None
+    assert moving.file == DRAWINGS
+    draft.edit(DRAWINGS, 'jaw = "jaw_pin_y"', 'jaw = "jaw_pin_z"')
+    assert draft.problem().file == DRAWINGS
+    draft.edit(DRAWINGS, 'jaw = "jaw_pin_z"', 'jaw = "jaw_pin_y"').append(SCHEME, mark + motion)
+    problem = draft.problem()
+    assert (problem.file, problem.key) == (SCHEME, "kinematics")
+    assert str(problem.what) == "'kinematics' is declared more than once."
+    assert DRAWINGS in str(problem.remedy)
+
+
+def by_grip_model(course: Course) -> dict[str, dict[str, Quantity]]:
+    """Compose the rack gripper with either model of the grip."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    return {
+        model: compose(course, scheme, {**scheme.example.options, "grip_model": model})
+        for model in ("friction", "contact")
+    }
 
 
 def test_every_combination_of_options_is_known(course: Course) -> None:
@@ -104,12 +165,27 @@ def test_every_combination_of_options_is_known(course: Course) -> None:
     assert {options["drive"] for options in found} == {"hydraulic", "pneumatic"}
 
 
+def test_few_combinations_show_any_two_choices_together(course: Course) -> None:
+    for scheme in course.schemes.values():
+        everything = {
+            pair for options in option_sets(scheme) for pair in combinations(options.items(), 2)
+        }
+        few = list(pair_option_sets(scheme))
+        assert {pair for options in few for pair in combinations(options.items(), 2)} == everything
+        assert {choice for options in few for choice in options.items()} == {
+            choice for options in option_sets(scheme) for choice in options.items()
+        }
+        assert len(few) <= 60
+
+
 def test_a_part_that_two_choices_bring_is_there_once(course: Course) -> None:
     scheme = course.schemes["rack_parallelogram"]
     both = {"grip_model": "prism_across", "jaw_shape": "prism"}
     assert part_ids(scheme, both).count("prism_angle") == 1
     assert compose(course, scheme, both)["jaw_angle"].kind is Kind.GIVEN
-    assert scheme.overrides["finger_force_right"].source.work == "derived"  # of two choices
+    for model in ("contact", "contact_exact"):
+        changed = compose(course, scheme, {**both, "grip_model": model})["finger_force_right"]
+        assert changed.source.work == "derived"
 
 
 def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course) -> None:

@@ -14,7 +14,7 @@ from ezdxf import recover
 from gripcourse.course.diagram_words import VOCABULARY
 from gripcourse.course.model import Course
 from gripcourse.drawing.diagram import kinematic_diagram
-from gripcourse.drawing.layout import HIGHEST, SYMBOLS, WIDEST, Layout, lay_out
+from gripcourse.drawing.diagram_layout import HIGHEST, SYMBOLS, WIDEST, Layout, lay_out
 from gripcourse.drawing.letters import covered_length, lines_of
 from gripcourse.drawing.marks import Fill, Point, Ring, chain
 from gripcourse.solver.motion import coordinates, drive_at

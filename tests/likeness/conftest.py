@@ -84,8 +84,8 @@ class Room:
             name: np.where(error[:, column] != 1, right[:, column] * error[:, column], np.nan)
             for column, name in enumerate(self.answered)
         }
-        typed = rounded(self.values(used | known)[0], rng.choice(FIGURES, (rows, 1)))
-        typed = np.where(computed, typed, self.values(used | known)[0])
+        found, _ = self.values(used | known)
+        typed = np.where(computed, rounded(found, rng.choice(FIGURES, (rows, 1))), found)
         return np.where(rng.random(typed.shape) < 0.03, np.nan, typed)
 
     def works(self, typed: Floats) -> list[Work]:

@@ -76,8 +76,7 @@ def grade(plan: Plan, policy: Policy, pair: tuple[Issued, Issued]) -> Grade:
             remarks=(),
         )
         submission = replace(submission, **changes)  # type: ignore[arg-type]
-        report = judge(submission, pair[0], plan, policy)
-        return replace(report, givens=submission.givens, creator=submission.creator)
+        return judge(submission, pair[0], plan, policy)
 
     return make
 

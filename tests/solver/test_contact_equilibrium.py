@@ -42,15 +42,14 @@ RANGES = {
 @pytest.fixture(scope="module")
 def plan(course: Course) -> Plan:
     """The rack gripper with the contact model."""
-    options = {
-        "drive": "hydraulic",
-        "grip_model": "contact",
-        "object_position": "friction_pair",
-        "jaw_shape": "flat",
-        "mounting": "flange",
-        "tooth_form": "guide",
-    }
-    return make_plan(course, "rack_parallelogram", options)
+    return contact_plan(course, "rack_parallelogram")
+
+
+def contact_plan(course: Course, scheme: str) -> Plan:
+    """Make the plan of a scheme with the options of its example and the contact model."""
+    example = course.schemes[scheme].example
+    assert example is not None
+    return make_plan(course, scheme, {**example.options, "grip_model": "contact"})
 
 
 def solve(plan: Plan, **fixed: float) -> Values:
@@ -195,43 +194,143 @@ def test_the_forces_on_a_finger_are_the_sum_of_its_points(
     np.testing.assert_allclose(values[f"finger_pull_{side}"], total[1], rtol=1e-8, atol=1e-6)
 
 
-@pytest.mark.parametrize(("side", "points"), [("right", (1, 3)), ("left", (2, 4))])
+def translating(values: Values, points: tuple[int, int], angle: Array | float) -> Array:
+    """Return the force that balances a jaw which moves without turning, by virtual work.
+
+    While it opens, the jaw moves along (cos θ, −sin θ), as the end of an arm at the angle θ does.
+    """
+    total = on_finger(values, points[0]) + on_finger(values, points[1])
+    cosine, sine = np.broadcast_arrays(np.cos(angle), np.sin(angle), total[0])[:2]
+    path = np.array([X_SIDES[points[0]] * cosine, -sine])
+    return np.asarray(np.sum(total * path, axis=0) / cosine)
+
+
+def turning(
+    values: Values, points: tuple[int, int], length: Array, spacing: Array, diameter: Array
+) -> Array:
+    """Return the force that balances a finger which turns about its pivot, by cross products."""
+    moment = np.zeros(COUNT)
+    for point in points:
+        pivot = np.array([X_SIDES[point] * spacing / 2, -length])
+        place = -inward(values, point) * diameter / 2
+        arm, force = place - pivot, on_finger(values, point)
+        # Clockwise opens the right finger, counterclockwise the left one.
+        moment += X_SIDES[point] * (arm[1] * force[0] - arm[0] * force[1])
+    return np.asarray(moment / length)
+
+
+SIDES = pytest.mark.parametrize(
+    ("side", "points"), [("right", (1, 3)), ("left", (2, 4))], ids=["right", "left"]
+)
+
+
+@SIDES
 def test_a_jaw_on_parallel_arms_is_balanced_by_virtual_work(
     values: Values, side: str, points: tuple[int, int]
 ) -> None:
-    """The jaw swings without turning: along (cos θ, −sin θ) while it opens."""
-    total = on_finger(values, points[0]) + on_finger(values, points[1])
-    forces = []
-    for angle in (values["arm_angle_at_min"], values["arm_angle_at_max"]):
-        path = np.array([X_SIDES[points[0]] * np.cos(angle), -np.sin(angle)])
-        forces.append(np.sum(total * path, axis=0) / np.cos(angle))
-    assert np.any(total[1] < 0)
-    assert np.any(total[1] > 0)
+    ends = ("at_min", "at_max")
+    forces = [translating(values, points, values[f"arm_angle_{end}"]) for end in ends]
+    pull = values[f"finger_pull_{side}"]
+    assert np.any(pull < 0)
+    assert np.any(pull > 0)
     np.testing.assert_allclose(values[f"finger_force_{side}"], np.max(forces, axis=0), rtol=1e-9)
 
 
-@pytest.mark.parametrize(("side", "points"), [("right", (1, 3)), ("left", (2, 4))])
+@SIDES
+@pytest.mark.parametrize("scheme", ["plain_lever", "slot_crosshead", "cross_cylinder"])
+def test_a_jaw_on_a_pin_is_balanced_by_virtual_work(
+    course: Course, scheme: str, side: str, points: tuple[int, int]
+) -> None:
+    values = solve(contact_plan(course, scheme))
+    ends = ("at_min", "at_max")
+    forces = [translating(values, points, values[f"grip_arm_tilt_{end}"]) for end in ends]
+    np.testing.assert_allclose(values[f"finger_force_{side}"], np.max(forces, axis=0), rtol=1e-9)
+
+
+@SIDES
+def test_a_sliding_jaw_is_balanced_by_virtual_work(
+    course: Course, side: str, points: tuple[int, int]
+) -> None:
+    values = solve(contact_plan(course, "tangent_slider"))
+    expected = translating(values, points, 0.0)
+    np.testing.assert_allclose(values[f"finger_force_{side}"], expected, rtol=1e-9)
+
+
+@SIDES
 def test_a_finger_that_turns_is_balanced_by_moments_about_its_pivot(
     course: Course, values: Values, side: str, points: tuple[int, int]
 ) -> None:
-    """What the shared part declares for schemes with pivots, by cross products."""
+    """What the shared part declares for schemes with pivots."""
     rng = np.random.default_rng(8)
     length, spacing = rng.uniform(0.1, 0.3, COUNT), rng.uniform(0.02, 0.4, COUNT)
     declared = course.parts["contact_grip"].quantities[f"finger_force_{side}"]
     assert declared.formula is not None
     known = {**values, "finger_length": length, "finger_spacing": spacing}
     found = evaluate_formula(declared.formula, declared.unit, known, {})
-    forces = []
-    for diameter in (values["diameter_min"], values["diameter_max"]):
-        turning = np.zeros(COUNT)
-        for point in points:
-            pivot = np.array([X_SIDES[point] * spacing / 2, -length])
-            place = -inward(values, point) * diameter / 2
-            arm, force = place - pivot, on_finger(values, point)
-            # Clockwise opens the right finger, counterclockwise the left one.
-            turning += X_SIDES[point] * (arm[1] * force[0] - arm[0] * force[1])
-        forces.append(turning / length)
+    diameters = (values["diameter_min"], values["diameter_max"])
+    forces = [turning(values, points, length, spacing, diameter) for diameter in diameters]
     np.testing.assert_allclose(found, np.max(forces, axis=0), rtol=1e-9, atol=1e-6)
+
+
+@SIDES
+@pytest.mark.parametrize("scheme", ["link_lever_2", "wedge_roller", "slot_lever"])
+def test_a_lever_with_a_fixed_jaw_is_balanced_by_moments_about_its_pivot(
+    course: Course, scheme: str, side: str, points: tuple[int, int]
+) -> None:
+    values = solve(contact_plan(course, scheme))
+    reach = [
+        values["grip_arm"] * np.cos(values[f"grip_arm_tilt_at_{end}"]) for end in ("min", "max")
+    ]
+    for diameter, length in zip(("diameter_min", "diameter_max"), reach, strict=True):
+        height = values["pivot_offset"] + np.sqrt(values["grip_arm"] ** 2 - length**2) * np.sign(
+            values[diameter] / 2 - values["pivot_offset"]
+        )
+        np.testing.assert_allclose(height, values[diameter] / 2, rtol=1e-9)  # it is that lever
+    shorter, spacing = np.min(reach, axis=0), 2 * values["pivot_offset"]
+    diameters = (values["diameter_min"], values["diameter_max"])
+    forces = [turning(values, points, shorter, spacing, diameter) for diameter in diameters]
+    expected = np.max(forces, axis=0)
+    np.testing.assert_allclose(values[f"finger_force_{side}"], expected, rtol=1e-9, atol=1e-6)
+
+
+@SIDES
+def test_a_prism_is_balanced_by_moments_at_the_nominal_diameter(
+    course: Course, side: str, points: tuple[int, int]
+) -> None:
+    """The object's centre stands where the bisector across the axis meets it: beside the ridge."""
+    values = solve(contact_plan(course, "prism_lever"))
+    lean = np.pi / 2 - values["prism_angle"] / 2 - values["attachment_angle"]
+    length = values["lever_length"] * np.cos(lean)
+    ridge = values["pivot_half_distance"] + values["lever_length"] * np.sin(lean)
+    diameter = 2 * ridge * np.sin(values["prism_angle"] / 2)
+    spacing = 2 * values["pivot_half_distance"]
+    expected = turning(values, points, length, spacing, diameter)
+    np.testing.assert_allclose(values[f"finger_force_{side}"], expected, rtol=1e-9, atol=1e-6)
+
+
+def test_a_prism_that_tilts_by_five_degrees_needs_a_fifth_more_at_most(course: Course) -> None:
+    """Why the four points are taken at the nominal diameter, and why variants keep within 5°."""
+    plan = contact_plan(course, "prism_lever")
+    opening = {"prism_angle": 110.0, "attachment_angle": 25.0}
+    most: list[float] = []
+    for tilt in (-10.0, -5.0, 0.0, 5.0):
+        angles = {1: 55 + tilt, 2: 55 + tilt, 3: 55 - tilt, 4: 55 - tilt}
+        values = solve(plan, **opening, **{f"contact_angle_{n}": a for n, a in angles.items()})
+        lean = np.radians(90 - 55 - 25 + tilt)
+        ridge = values["pivot_half_distance"] + values["lever_length"] * np.sin(lean)
+        centre = values["lever_length"] * np.cos(lean) + ridge * np.tan(np.radians(tilt))
+        diameter = 2 * ridge * np.sin(np.radians(55)) / np.cos(np.radians(tilt))
+        spacing = 2 * values["pivot_half_distance"]
+        fingers = [
+            turning(values, points, centre, spacing, diameter) for points in ((1, 3), (2, 4))
+        ]
+        moment = np.max(fingers, axis=0) * centre
+        arm = values["lever_length"] * np.cos(np.radians(90 - 55 - 25))  # of the grip force
+        at_nominal = solve(plan, **opening, **{f"contact_angle_{n}": 55.0 for n in angles})
+        most.append(float(np.max(moment / arm / at_nominal["grip_force_min"])))
+    assert most == sorted(most)
+    assert most[-2] == pytest.approx(1)
+    assert most[-1] < 1.2
 
 
 def test_the_grip_force_is_the_worse_finger_with_its_safety(values: Values) -> None:

@@ -8,7 +8,7 @@ from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, default_options, make_plan
 
 SCHEME = "rack_parallelogram"
-SIMPLE = "link_lever_2"  # with a single option
+SIMPLE = "electromagnet"  # with a single option
 
 
 @pytest.mark.parametrize("convention", Convention)
@@ -70,7 +70,7 @@ def test_without_a_convention_the_course_decides(course: Course, plan: Plan) -> 
 
 
 def test_the_worked_example_tells_the_default_options(course: Course) -> None:
-    assert default_options(course.schemes[SIMPLE]) == {"drive": "hydraulic"}
+    assert default_options(course.schemes[SIMPLE]) == {"load_case": "lift"}
 
 
 @pytest.mark.parametrize(
@@ -84,21 +84,21 @@ def test_the_worked_example_tells_the_default_options(course: Course) -> None:
         ),
         (
             SIMPLE,
-            {"drive": "hydralic"},
-            "The option 'drive' of the scheme link_lever_2 cannot be 'hydralic'.",
-            "Did you mean 'hydraulic'?",
+            {"load_case": "sheer"},
+            "The option 'load_case' of the scheme electromagnet cannot be 'sheer'.",
+            "Did you mean 'shear'?",
         ),
         (
             SIMPLE,
             {},
-            "The option 'drive' of the scheme link_lever_2 cannot be ''.",
-            "Known here: hydraulic",
+            "The option 'load_case' of the scheme electromagnet cannot be ''.",
+            "Known here: lift, shear.",
         ),
         (
             SIMPLE,
-            {"drive": "hydraulic", "drives": "hydraulic"},
-            "The scheme link_lever_2 has no option 'drives'.",
-            "Did you mean 'drive'?",
+            {"load_case": "lift", "load_cases": "lift"},
+            "The scheme electromagnet has no option 'load_cases'.",
+            "Did you mean 'load_case'?",
         ),
     ],
 )
@@ -114,5 +114,5 @@ def test_what_does_not_exist_is_refused_with_a_suggestion(
 
 def test_all_wrong_options_are_told_at_once(course: Course) -> None:
     with pytest.raises(UsageError) as refused:
-        make_plan(course, SIMPLE, {"drive": "steam", "colour": "red"})
+        make_plan(course, SIMPLE, {"load_case": "twist", "colour": "red"})
     assert len(refused.value.problems) == 2

@@ -11,13 +11,14 @@ from gripcourse.course.policy import Policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Outcome
 from gripcourse.solver.plan import make_plan
+from gripcourse.submission.interpret import interpret
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.virtual.arithmetic import Hand
 from gripcourse.virtual.cohort import issue_to_nobody
 from gripcourse.virtual.honest import hands_of, work_honestly
-from gripcourse.virtual.in_memory import submission_of
+from gripcourse.virtual.in_memory import read_of
 from gripcourse.virtual.model import Deed, Done, Mix, Work
 from gripcourse.virtual.student import Classroom
 from gripcourse.virtual.tally import Rule
@@ -65,7 +66,8 @@ def test_the_rule_is_the_graders(
             for value in [float(honest.typed[one.id][0])]
         )
         work = Work(issued.student.id, issued.student.id, behaviour, deeds, 0, 0)
-        report = judge(submission_of(work, issued, plan), issued, plan, strict)
+        submission = interpret(read_of(work, issued), plan.quantities.values())
+        report = judge(submission, issued, plan, strict)
         said = {one.quantity: one for one in report.findings}
         for quantity in plan.answered:
             if quantity.kind is not Kind.FORMULA or quantity.integer:

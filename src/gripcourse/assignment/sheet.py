@@ -7,7 +7,7 @@ from gripcourse.assignment.seal import seal_of, seal_svg
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.policy import Policy
 from gripcourse.drawing.diagram import kinematic_diagram
-from gripcourse.drawing.layout import WIDEST
+from gripcourse.drawing.diagram_layout import WIDEST
 from gripcourse.pdf import (
     NO_BREAK_SPACE,
     Document,

@@ -1,7 +1,7 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Final
@@ -18,6 +18,7 @@ from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
+from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.variants.model import Issued, Variant
 
@@ -45,10 +46,14 @@ def grade_file(file: Path, desk: Desk) -> Report:
     issued = submitter(str(file), raw.identity.student, desk.register)
     if issued is None:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
+    return judge_read(raw, issued, desk)
+
+
+def judge_read(raw: RawWorkbook, issued: Issued, desk: Desk) -> Report:
+    """Judge a workbook that was read against what was issued to who handed it in."""
     plan, methods = methods_of(desk, issued.variant)
     submission = interpret(raw, plan.quantities.values())
-    report = judge(submission, issued, plan, desk.policy, methods)
-    return replace(report, givens=submission.givens, creator=submission.creator)
+    return judge(submission, issued, plan, desk.policy, methods)
 
 
 def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:

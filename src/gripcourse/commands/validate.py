@@ -17,7 +17,8 @@ def all_problems(root: Path) -> list[Problem]:
     course, problems = read_course(root)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course), *read_policy(course)[1], *_mix_problems(course)]
+    problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
+    problems += _mix_problems(course)
     # Spaces and tables are about the course: judging them against a broken one only adds noise.
     return problems or [*_space_problems(course), *_table_problems(course)]
 

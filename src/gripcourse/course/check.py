@@ -5,17 +5,24 @@ fault of a shared part shows in many compositions and is reported once.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import suppress
-from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
-from gripcourse.course.check_kinematics import check_kinematics, kinematic_names
+from gripcourse.course.check_graph import check_graph, circular_names
+from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_series import check_series
-from gripcourse.course.compose import compose, direct_inputs, option_sets, part_ids, used_names
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.check_view import check_view
+from gripcourse.course.compose import (
+    all_part_ids,
+    compose,
+    option_sets,
+    pair_option_sets,
+    part_ids,
+    used_names,
+)
+from gripcourse.course.model import Course, Kind, Quantity, Scheme
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.units import dimension
@@ -23,8 +30,14 @@ from gripcourse.units import known as known_unit
 from gripcourse.words import LANGUAGES, message
 
 
-def check_course(course: Course) -> list[Problem]:
-    """Return every problem that shows only when the files of a course are put together."""
+def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
+    """Return every problem that shows only when the files of a course are put together.
+
+    Args:
+        course: as read.
+        thorough: look at every combination of options, which takes seconds, and not only at enough
+            of them for any two choices to occur together.
+    """
     columns = columns_of(course.catalogues)
     dimensions = {
         f"{catalogue.id}.{name}": (
@@ -38,45 +51,58 @@ def check_course(course: Course) -> list[Problem]:
     seen: set[object] = set()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
-        if not _all_parts(scheme) <= course.parts.keys():
+        if not all_part_ids(scheme).keys() <= course.parts.keys():
             continue  # else all that uses the missing part would be reported too
-        motion = sorted(kinematic_names(scheme))
-        knot = _knot(_all_inputs(course, scheme))
-        for options in option_sets(scheme):
+        circular = circular_names(course, scheme)
+        every: dict[str, Quantity] = dict(course.constants)
+        for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
             quantities = compose(course, scheme, options)
+            every |= quantities
             new = _not_checked_yet(quantities, seen)
             found += _check_declarations(course, new)
             found += _check_use(course, quantities)
             found += check_formulas(new, quantities, columns, dimensions)
-            found += _check_graph(scheme, quantities, knot, seen)
+            if _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
+                found += check_graph(scheme, quantities)
             found += check_series(new, columns, dimensions)
             found += _check_symbols(scheme, quantities, seen)
-            found += _check_motion(scheme, quantities, motion, seen)
+            units = moving_units(scheme, quantities)
+            if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
+                ("motion", scheme.id, *units), seen
+            ):
+                found += check_kinematics(scheme, quantities)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_diagram(scheme, quantities, options, seen)
         found += check_diagram_use(scheme)
+        if all(known_unit(one.unit) for one in every.values()):
+            found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
     return list({(one.file, one.key, str(one.what)): one for one in found}.values())
 
 
+def _is_new(key: object, seen: set[object]) -> bool:
+    """Tell whether a key comes for the first time, and remember it."""
+    is_new = key not in seen
+    seen.add(key)
+    return is_new
+
+
 def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> list[Quantity]:
     """Return the declarations that no composition has shown with the same units of what they use.
 
-    Shared parts come back in dozens of compositions; their formulas need one look.
+    Shared parts come back in hundreds of compositions; their formulas need one look.
     """
-    new: list[Quantity] = []
-    units = {name: one.unit for name, one in quantities.items()}
-    for one in quantities.values():
-        key = (one.id, one.file, tuple(map(units.get, one.uses)))
-        if key not in seen:
-            seen.add(key)
-            new.append(one)
-    return new
+    unit_of = {name: one.unit for name, one in quantities.items()}
+    return [
+        one
+        for one in quantities.values()
+        if _is_new((id(one), *(unit_of.get(name) for name in one.uses)), seen)
+    ]
 
 
 def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
-    for options in option_sets(scheme):
+    for options in pair_option_sets(scheme):
         ids = part_ids(scheme, options)
         for part in ids:
             if part not in course.parts:
@@ -105,14 +131,8 @@ def _doubled(file: str, name: str) -> Problem:
     )
 
 
-def _all_parts(scheme: Scheme) -> set[str]:
-    """Return the parts that a scheme uses with any of its options."""
-    choices = (choice for option in scheme.options for choice in option.choices)
-    return {*scheme.parts, *(part for choice in choices for part in choice.parts)}
-
-
 def _check_used_parts(course: Course) -> Iterator[Problem]:
-    used = {part for scheme in course.schemes.values() for part in _all_parts(scheme)}
+    used = {part for scheme in course.schemes.values() for part in all_part_ids(scheme)}
     if not used <= course.parts.keys():
         return  # a misspelt name is reported, the part that it means is not spare
     for part in course.parts.values():
@@ -128,18 +148,16 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
 def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
     """Yield the givens of a composition that nothing in it uses."""
     used = used_names(quantities.values())
-    idle = [one for one in quantities.values() if one.kind is Kind.GIVEN and one.id not in used]
-    if not idle:
-        return
     if not (_is_readable(quantities.values()) and used <= {*quantities, *course.constants}):
         return
-    for one in idle:
-        yield Problem(
-            one.file,
-            f"quantity.{one.id}",
-            message("No formula uses the given '{name}'.", name=one.id),
-            message("Use it, or remove it: students would look for its purpose."),
-        )
+    for one in quantities.values():
+        if one.kind is Kind.GIVEN and one.id not in used:
+            yield Problem(
+                one.file,
+                f"quantity.{one.id}",
+                message("No formula uses the given '{name}'.", name=one.id),
+                message("Use it, or remove it: students would look for its purpose."),
+            )
 
 
 def _check_declarations(course: Course, declared: Iterable[Quantity]) -> Iterator[Problem]:
@@ -187,91 +205,12 @@ def _rubric_exists(course: Course, rubric: str) -> bool:
     return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()
 
 
-def _all_inputs(course: Course, scheme: Scheme) -> dict[str, set[str]]:
-    """Return what each id is computed from in any composition and convention of a scheme."""
-    inputs: dict[str, set[str]] = {}
-    parts = [course.parts[part].quantities for part in _all_parts(scheme)]
-    for quantities in (*parts, scheme.quantities, scheme.overrides):
-        for name, one in quantities.items():
-            own = inputs.setdefault(name, set())
-            for convention in Convention:
-                own.update(direct_inputs(one, convention))
-    return inputs
-
-
-def _knot(inputs: Mapping[str, Iterable[str]]) -> frozenset[str]:
-    """Return the ids that circles may run through; mostly none: one look at a scheme is enough.
-
-    What needs nothing of the rest is left out, and then what nothing of the rest needs.
-    """
-    behind = _stuck(inputs)
-    users: dict[str, set[str]] = {name: set() for name in behind}
-    for name in behind:
-        for used in behind.intersection(inputs.get(name, ())):
-            users[used].add(name)
-    return _stuck(users)
-
-
-def _stuck(inputs: Mapping[str, Iterable[str]]) -> frozenset[str]:
-    """Return the ids that no order of calculation reaches."""
-    sorter = TopologicalSorter(inputs)
-    with suppress(CycleError):  # it goes on with what is not part of a circle
-        sorter.prepare()
-    reached: set[str] = set()
-    while ready := sorter.get_ready():
-        reached.update(ready)
-        sorter.done(*ready)
-    return frozenset({*inputs, *(name for used in inputs.values() for name in used)} - reached)
-
-
-def _check_graph(
-    scheme: Scheme, quantities: Mapping[str, Quantity], knot: frozenset[str], seen: set[object]
-) -> Iterator[Problem]:
-    """Yield the circle of a composition; the same declarations of the knot are judged once."""
-    tied = tuple(id(quantities[name]) for name in sorted(knot) if name in quantities)
-    if not tied or (scheme.id, tied) in seen:
-        return
-    seen.add((scheme.id, tied))
-    for convention in Convention:
-        graph = {name: direct_inputs(one, convention) for name, one in quantities.items()}
-        try:
-            tuple(TopologicalSorter(graph).static_order())
-        except CycleError as fault:
-            circle = list(dict.fromkeys(reversed(fault.args[1])))
-            first = min(circle)  # the same circle of another scheme shall read the same
-            circle = circle[circle.index(first) :] + circle[: circle.index(first)]
-            yield Problem(
-                quantities[first].file if first in quantities else scheme.file,
-                f"quantity.{first}.formula",
-                message(
-                    "The formulas run in a circle: {circle}.",
-                    circle=" → ".join([*circle, circle[0]]),
-                ),
-                message("Express one of them without the others."),
-            )
-
-
-def _check_motion(
-    scheme: Scheme, quantities: Mapping[str, Quantity], used: Iterable[str], seen: set[object]
-) -> Iterator[Problem]:
-    """Yield the problems of the kinematics, once for the same units of what it uses."""
-    units = tuple(quantities[name].unit if name in quantities else None for name in used)
-    if (scheme.id, units) in seen:
-        return
-    seen.add((scheme.id, units))
-    if all(known_unit(one.unit) for one in quantities.values()):
-        yield from check_kinematics(scheme, quantities)
-
-
 def _check_symbols(
     scheme: Scheme, quantities: Mapping[str, Quantity], told: set[object]
 ) -> Iterator[Problem]:
     """Yield every symbol that two quantities share; `told` are those of earlier compositions."""
     doubled: dict[tuple[str, str, str], list[str]] = {}
     for language in LANGUAGES:
-        shown = [one.symbol.of(language) for one in quantities.values()]
-        if len(set(shown)) == len(shown) - max(shown.count("") - 1, 0):
-            continue  # mostly all differ but those that are empty
         seen: dict[str, str] = {}
         for one in quantities.values():
             symbol = one.symbol.of(language)

@@ -10,6 +10,7 @@ from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import Formula, names
 from gripcourse.units import Dimension, dimension
+from gripcourse.units import known as known_unit
 from gripcourse.words import message
 
 
@@ -18,16 +19,39 @@ def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iter
     motion = scheme.kinematics
     if motion is None:
         return
-    known = {name: dimension(one.unit) for name, one in quantities.items()}
-    yield from _formula_faults(scheme, "jaws", motion.jaws, "", known)
+    known = {name: dimension(one.unit) for name, one in quantities.items() if known_unit(one.unit)}
+    yield from _formula_faults(motion.file, "jaws", motion.jaws, "", known)
     for position, formula in motion.at.items():
-        yield from _formula_faults(scheme, f"at.{position}", formula, motion.unit, known)
+        yield from _formula_faults(motion.file, f"at.{position}", formula, motion.unit, known)
     known[motion.drive] = dimension(motion.unit)
     for one in motion.coordinates:
         key = f"coordinate.{one.id}"
-        yield from _formula_faults(scheme, key, one.formula, one.unit, known)
+        yield from _formula_faults(motion.file, key, one.formula, one.unit, known)
         known[one.id] = dimension(one.unit)
-    yield from _reference_faults(scheme, motion, quantities)
+    yield from _reference_faults(motion, quantities)
+
+
+def moving_units(scheme: Scheme, quantities: Mapping[str, Quantity]) -> tuple[str | None, ...]:
+    """Return the unit of each id that the kinematics names, None of what is no quantity.
+
+    Compositions with the same units are alike: one of them needs a look.
+    """
+    motion = scheme.kinematics
+    if motion is None:
+        return ()
+    used = dict.fromkeys((
+        *motion.ratio.values(),
+        *(name for state in motion.state.values() for name in state),
+        *motion.lossless,
+        *(name for one in _motion_formulas(motion) for name in one.names),
+    ))  # fmt: skip
+    return tuple(quantities[name].unit if name in quantities else None for name in used)
+
+
+def _motion_formulas(motion: Kinematics) -> Iterator[Formula]:
+    yield motion.jaws
+    yield from motion.at.values()
+    yield from (one.formula for one in motion.coordinates)
 
 
 def kinematic_names(scheme: Scheme) -> set[str]:
@@ -42,19 +66,19 @@ def kinematic_names(scheme: Scheme) -> set[str]:
 
 
 def _formula_faults(
-    scheme: Scheme, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
+    file: str, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
     unknown = [name for name in names(formula.tree) if name not in known]
     for name in unknown:
         what = message("The name '{name}' is not known.", name=name)
-        yield Problem(scheme.file, f"kinematics.{key}", what, did_you_mean(name, known))
+        yield Problem(file, f"kinematics.{key}", what, did_you_mean(name, known))
     if unknown:
         return
     try:
         check_dimension(formula, unit, known, {})
     except FormulaFault as fault:
         yield Problem(
-            scheme.file,
+            file,
             f"kinematics.{key}",
             fault.what,
             message("Compare the units of both sides."),
@@ -62,14 +86,12 @@ def _formula_faults(
         )
 
 
-def _reference_faults(
-    scheme: Scheme, motion: Kinematics, quantities: Mapping[str, Quantity]
-) -> Iterator[Problem]:
+def _reference_faults(motion: Kinematics, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
     coordinates = {one.id for one in motion.coordinates}
     for key, name, allowed in _references(motion, quantities, coordinates):
         if name not in allowed:
             what = message("The name '{name}' is not known.", name=name)
-            yield Problem(scheme.file, f"kinematics.{key}", what, did_you_mean(name, allowed))
+            yield Problem(motion.file, f"kinematics.{key}", what, did_you_mean(name, allowed))
 
 
 def _references(

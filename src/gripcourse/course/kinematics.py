@@ -44,6 +44,7 @@ class Kinematics:
             give them at any position of the drive.
         lossless: quantities to be set so that the ratio holds no friction, in declared units.
         points: joints, by name, as pairs of coordinates (x along the gripper's axis).
+        file: the file that declares it, for messages.
     """
 
     drive: str
@@ -56,10 +57,11 @@ class Kinematics:
     state: Mapping[str, Mapping[str, str]]
     lossless: Mapping[str, float]
     points: Mapping[str, tuple[str, str]]
+    file: str
 
 
 def read_kinematics(table: Table) -> Kinematics:
-    """Read the `[kinematics]` table of a scheme."""
+    """Read the `[kinematics]` table of a scheme or of a part."""
     table.known_keys(
         {"drive", "unit", "coordinate", "at", "jaw", "jaws", "ratio", "state", "lossless", "point"}
     )
@@ -84,6 +86,7 @@ def read_kinematics(table: Table) -> Kinematics:
         },
         lossless=table.numbers("lossless", {}),
         points={name: _point(points, name) for name in points.values} if points else {},
+        file=table.file,
     )
 
 

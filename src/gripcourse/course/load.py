@@ -7,6 +7,7 @@ from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
 from gripcourse.course.errata import read_errata
+from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -18,8 +19,11 @@ from gripcourse.course.model import (
     Work,
 )
 from gripcourse.course.options import read_options
+from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
 from gripcourse.words import LANGUAGES, message
 
@@ -27,7 +31,7 @@ VARIANTS = "variants"
 
 
 def load_course(root: Path) -> Course:
-    """Load a course and check it whole.
+    """Load a course and check it, any two choices of its options together.
 
     Args:
         root: the folder that holds `variants`, `templates` and `grader`.
@@ -93,17 +97,23 @@ def _is_whole(course: Course, folder: Path) -> bool:
 
 def _parts(
     folder: Path, root: Path, problems: list[Problem]
-) -> tuple[dict[str, Part], dict[str, dict[str, Table]]]:
+) -> tuple[dict[str, Part], dict[str, RawPart]]:
     """Read the shared parts; the raw tables too, because a scheme may override single keys."""
     parts: dict[str, Part] = {}
-    raw: dict[str, dict[str, Table]] = {}
+    raw: dict[str, RawPart] = {}
     for path in sorted(folder.glob("*.toml")):
         table = read_toml(path, root, problems)
         if table is None:
             continue
-        table.known_keys({"quantity"})
-        raw[path.stem] = dict(table.named_tables("quantity"))
-        parts[path.stem] = Part(path.stem, _quantities(raw[path.stem]), table.file)
+        table.known_keys({"quantity", "override", "kinematics"})
+        motion = table.table("kinematics")
+        raw[path.stem] = RawPart(
+            table.named_tables("quantity"),
+            table.named_tables("override"),
+            None if motion is None else read_kinematics(motion),
+        )
+        quantities = _quantities(raw[path.stem].quantities)
+        parts[path.stem] = Part(path.stem, quantities, table.file)
     return parts, raw
 
 
@@ -116,11 +126,12 @@ def _scheme_folders(folder: Path) -> list[Path]:
 
 
 def _schemes(
-    folder: Path, root: Path, raw: Mapping[str, Mapping[str, Table]], problems: list[Problem]
+    folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
 ) -> dict[str, Scheme]:
     shared = read_options(folder / "options", root, problems)
+    drawings = _drawings(folder / "drawing", root, problems)
     paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, raw, shared, problems) for path in paths)
+    found = (read_scheme(path, root, raw, shared, drawings, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not paths:
         problems.append(
@@ -132,6 +143,12 @@ def _schemes(
             )
         )
     return schemes
+
+
+def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
+    """Read what several general views share, by the names of the files; None: cannot be read."""
+    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    return {name: None if table is None else read_shared(table) for name, table in found}
 
 
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.words import Texts
 
@@ -143,7 +144,7 @@ class Quantity:
         as_printed: errata of the sources.
         rubric: id of the rubric of a MANUAL item, empty for the others.
         file: the file that declares it, for messages.
-        uses: ids that any of its formulas uses, sorted. Kept, because a course has thousands of
+        uses: ids that its formulas use, sorted. Kept, because a course has thousands of
             compositions and each asks for them.
     """
 
@@ -169,7 +170,7 @@ class Quantity:
     uses: tuple[str, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        """Find the names once."""
+        """Find what is used once."""
         found = {name for formula in self.formulas() for name in formula.names}
         object.__setattr__(self, "uses", tuple(sorted(found)))
 
@@ -235,7 +236,20 @@ class WorkedExample:
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """A kinematic scheme: what it shares, what it declares, what a variant of it chooses."""
+    """A kinematic scheme: what it shares, what it declares, what a variant of it chooses.
+
+    Attributes:
+        id: name of its folder.
+        title: in full.
+        task: a sentence for the assignment.
+        parts: ids of the parts that every variant has.
+        options: what a variant chooses.
+        quantities: its own declarations.
+        overrides: declarations of parts as it changes them, by part and quantity.
+        kinematics: how its links move, its own or that of a part; None where nothing moves.
+        example: None where there is none.
+        file: the file that declares it, for messages.
+    """
 
     id: str
     title: Texts
@@ -243,9 +257,10 @@ class Scheme:
     parts: tuple[str, ...]
     options: tuple[Option, ...]
     quantities: Mapping[str, Quantity]
-    overrides: Mapping[str, Quantity]
+    overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
     diagram: Diagram | None
+    view: View | None
     example: WorkedExample | None
     file: str
 

@@ -5,16 +5,18 @@ from pathlib import Path
 
 from gripcourse.course.declare import declare, source
 from gripcourse.course.diagram import read_diagram
-from gripcourse.course.kinematics import read_kinematics
+from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import (
     Convention,
     Option,
-    Quantity,
     Scheme,
     WorkedExample,
 )
 from gripcourse.course.options import scheme_options
-from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.override import RawPart, read_overrides
+from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.view import View
+from gripcourse.course.view_read import read_view
 from gripcourse.errors import Problem
 from gripcourse.words import message
 
@@ -22,8 +24,9 @@ from gripcourse.words import message
 def read_scheme(
     folder: Path,
     root: Path,
-    raw_parts: Mapping[str, Mapping[str, Table]],
+    raw_parts: Mapping[str, RawPart],
     shared: Mapping[str, Option],
+    drawings: Mapping[str, View | None],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
@@ -42,9 +45,8 @@ def read_scheme(
         )
     all_options = scheme_options(table, shared)
     options = all_options or ()
-    part_ids = [*table.strings("parts")]
-    part_ids += [part for option in options for choice in option.choices for part in choice.parts]
-    motion = table.table("kinematics")
+    optional = [part for option in options for choice in option.choices for part in choice.parts]
+    part_ids = [*table.strings("parts"), *optional]
     scheme = Scheme(
         id=folder.name,
         title=table.texts("title"),
@@ -54,55 +56,51 @@ def read_scheme(
         quantities={
             name: declare(name, one) for name, one in table.named_tables("quantity").items()
         },
-        overrides=_overrides(table, part_ids, raw_parts, complete=all_options is not None),
-        kinematics=None if motion is None else read_kinematics(motion),
+        overrides=read_overrides(table, part_ids, raw_parts, complete=all_options is not None),
+        kinematics=_motion(table, optional, raw_parts),
         diagram=read_diagram(folder, root, problems),
+        view=_view(folder / "drawing.toml", root, drawings, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )
     return None if all_options is None else scheme
 
 
-def _overrides(
-    table: Table,
-    part_ids: Sequence[str],
-    raw_parts: Mapping[str, Mapping[str, Table]],
-    *,
-    complete: bool,
-) -> dict[str, Quantity]:
-    """Declare again what the scheme changes: its keys over the keys of the shared declaration.
+def _view(
+    path: Path, root: Path, drawings: Mapping[str, View | None], problems: list[Problem]
+) -> View | None:
+    """Read the general view of a scheme; a scheme may do without."""
+    if not path.exists():
+        return None
+    table = read_toml(path, root, problems)
+    return None if table is None else read_view(table, drawings)
 
-    Unless the parts are complete, because an option could not be read, nothing is called unknown.
-    """
-    declared: dict[str, Quantity] = {}
-    for name, changes in table.named_tables("override").items():
-        parts = dict.fromkeys(part_ids)  # several choices may bring the same part
-        shared = [raw_parts[part][name] for part in parts if name in raw_parts.get(part, {})]
-        if len(shared) == 1:
-            declared[name] = _override(name, shared[0], changes)
-        elif shared:
+
+def _motion(
+    table: Table, optional: Sequence[str], raw_parts: Mapping[str, RawPart]
+) -> Kinematics | None:
+    """Read how the links move: the scheme says so itself, or one of its fixed parts does."""
+    own = table.table("kinematics")
+    fixed = [raw_parts[part] for part in table.strings("parts") if part in raw_parts]
+    found = [part.kinematics for part in fixed if part.kinematics is not None]
+    if own is not None:
+        found.append(read_kinematics(own))
+    for _ in found[1:]:
+        table.add(
+            "kinematics",
+            message("'{name}' is declared more than once.", name="kinematics"),
+            message("It stands in {file} too: keep one.", file=found[0].file),
+        )
+    for part in dict.fromkeys(optional):
+        if part in raw_parts and raw_parts[part].changes_others:
             table.add(
-                f"override.{name}",
-                message("More than one part declares '{name}'.", name=name),
-                message("Change it in the parts: a scheme changes what one part declares."),
+                "options",
+                message(
+                    "An option brings the part '{part}', which changes other parts.", part=part
+                ),
+                message("Name it in 'parts': only a fixed part may hold overrides or kinematics."),
             )
-        elif complete and all(part in raw_parts for part in part_ids):  # else that is reported
-            table.add(
-                f"override.{name}",
-                message("No part of the scheme declares '{name}'.", name=name),
-                did_you_mean(name, {one for part in part_ids for one in raw_parts[part]}),
-            )
-    return declared
-
-
-def _override(name: str, shared: Table, changes: Table) -> Quantity:
-    """Declare a quantity with changes; the faults of the shared declaration are not repeated."""
-    merged = Table({**shared.values, **changes.values}, changes.file, changes.key, [])
-    declared = declare(name, merged)
-    repeated = Table(shared.values, changes.file, changes.key, [])
-    declare(name, repeated)
-    changes.problems.extend(one for one in merged.problems if one not in repeated.problems)
-    return declared
+    return found[0] if found else None
 
 
 def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample | None:

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from gripcourse.drawing.diagram_layout import WIDEST, Layout, lay_out
 from gripcourse.drawing.document import TEXT_HEIGHT, LineKind, dxf_bytes, new_document
-from gripcourse.drawing.layout import WIDEST, Layout, lay_out
 from gripcourse.drawing.letters import DROP, SUBSCRIPT, Written
 from gripcourse.drawing.marks import Arc, Fill, Mark, Path, Ring, is_circle
 from gripcourse.drawing.svg import svg_text

@@ -1,209 +1,132 @@
-"""A diagram laid out: every mark in its place on a sheet, at the largest scale that fits."""
+"""Choosing sheet and scale, and putting the faces onto the sheet in projection to each other."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
-from typing import Final, TypeAlias
 
-from gripcourse.course.diagram import Diagram, Element
-from gripcourse.drawing import bodies, drives, gears, joints, measures
-from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.letters import Box, Written, bounds, lines_of, write_letters
-from gripcourse.drawing.marks import Letter, Mark, Path, cut_at_rings, mirrored, shifted
-from gripcourse.drawing.places import MILLIMETRES, Shape, Stop, is_placed, shape_of, stops_of
+from gripcourse.course.view import Face
+from gripcourse.drawing.sheet import FORMATS, Format, block_box, corner_box, lines_boxes
+from gripcourse.drawing.strokes import Box
 from gripcourse.drawing.text import Point
-from gripcourse.solver.plan import Plan
 
-Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
-"""Draws an element."""
-
-WIDEST: Final = 170.0  # mm
-HIGHEST: Final = 95.0  # mm
-
-# Scales of GOST 2.302, millimetres of paper for a millimetre.
-SCALES: Final = (
-    10, 5, 4, 2.5, 2, 1, 1 / 2, 1 / 2.5, 1 / 4, 1 / 5, 1 / 10, 1 / 15, 1 / 20, 1 / 25, 1 / 40,
-    1 / 50, 1 / 75, 1 / 100, 1 / 200, 1 / 400, 1 / 500, 1 / 800, 1 / 1000,
-)  # fmt: skip
-SYMBOLS: Final[Mapping[str, Symbol]] = {
-    "link": joints.link,
-    "pivot": joints.pivot,
-    "pin": joints.pin,
-    "fixed_pivot": joints.fixed_pivot,
-    "slider": joints.slider,
-    "slot": joints.slot,
-    "guide": joints.guide,
-    "ground": joints.ground,
-    "rack": gears.rack,
-    "gear": gears.gear,
-    "worm": gears.worm,
-    "screw": gears.screw,
-    "nut": gears.nut,
-    "spring": gears.spring,
-    "plate": bodies.plate,
-    "roller": bodies.roller,
-    "jaw": bodies.jaw,
-    "prism": bodies.prism,
-    "object": bodies.held_object,
-    "cup": bodies.cup,
-    "coil": bodies.coil,
-    "end_view": bodies.end_view,
-    "cylinder": drives.cylinder,
-    "floating_cylinder": drives.floating_cylinder,
-    "motor": drives.motor,
-    "force": measures.force,
-    "moment": measures.moment,
-    "length": measures.length,
-    "angle": measures.angle,
-    "radius": measures.radius,
-    "diameter": measures.diameter,
-    "letter": measures.letter,
-}
-
-_MARGIN: Final = 0.6
-_AXIS: Final = 3.0  # how far the gripper's axis reaches beyond everything
-_STILL: Final = 1e-6  # mm of paper
+# GOST 2.302, the largest first; as drawing : nature.
+SCALES: Sequence[tuple[float, float]] = (
+    (2, 1),
+    (1, 1),
+    (1, 2),
+    (1, 2.5),
+    (1, 4),
+    (1, 5),
+    (1, 10),
+    (1, 15),
+    (1, 20),
+    (1, 25),
+    (1, 40),
+    (1, 50),
+    (1, 75),
+    (1, 100),
+)
+_BETWEEN = 12.0  # mm between two faces
+_MARGIN = 4.0  # from a face to the frame and to the title block
+_STEPS = 10  # places that are tried across the free room
+_NOTHING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
-    """A diagram in its place.
+class Arranged:
+    """How a sheet is used, mm.
 
     Attributes:
-        marks: lines and shapes; letters are apart.
-        written: the letters.
-        origin: where the origin of the kinematics is on the sheet.
-        scale: millimetres of paper for a millimetre.
-        width, height: of the sheet, mm; its lower left corner is the origin of the marks.
+        sheet: its format.
+        scale: as drawing : nature.
+        origins: where the origin of each face lies.
+        lines: where the characteristics stand.
     """
 
-    marks: tuple[Mark, ...]
-    written: tuple[Written, ...]
-    origin: Point
-    scale: float
-    width: float
-    height: float
+    sheet: Format
+    scale: tuple[float, float]
+    origins: Mapping[Face, Point]
+    lines: Box
 
 
-def lay_out(
-    plan: Plan, values: Mapping[str, float], language: str, widest: float = WIDEST
-) -> Layout | None:
-    """Lay out the diagram of a variant.
+def arrange(boxes: Callable[[float], Mapping[Face, Box]], rows: int, lines: int) -> Arranged:
+    """Find the largest scale at which all faces have room, on the smaller sheet if both do.
 
     Args:
-        plan: of the scheme with the variant's options.
-        values: of quantities in declared units; what is missing is computed.
-        language: of the symbols.
-        widest: mm that it may take of the page's width; `HIGHEST` of its height.
-
-    Returns:
-        The layout; None where the scheme declares no diagram, or where the numbers give its joints
-        no place.
+        boxes: gives the box of each face round its own origin, with dimensions and leaders, in
+            millimetres of paper, at a scale.
+        rows: of the parts list.
+        lines: of the characteristics.
     """
-    diagram = plan.scheme.diagram
-    if diagram is None:
-        return None
-    stops = stops_of(plan, diagram, values)
-    if not is_placed(stops.values()):
-        return None
-    found = None
-    for scale in _thinkable(stops, widest):
-        marks = _marks(plan, diagram, stops, scale, language)
-        size = bounds(marks)
-        if size.right - size.left > widest or size.high - size.low > HIGHEST:
-            continue
-        found = _with_letters(marks, scale, widest)
-        if found.width <= widest and found.height <= HIGHEST:
-            break
+    for over, under in SCALES:
+        at_scale = boxes(over / under)
+        for sheet in FORMATS:
+            for box in lines_boxes(sheet, rows, lines):
+                taken = (block_box(sheet, rows), corner_box(sheet), box)
+                origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
+                if origins is not None:
+                    return Arranged(sheet, (over, under), origins, box)
+    over, under = SCALES[-1]
+    sheet = FORMATS[-1]
+    middle = (sheet.width / 2, sheet.height / 2)
+    origins = dict.fromkeys(boxes(over / under), middle)
+    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+
+
+def _origins(
+    boxes: Mapping[Face, Box], room: Box, taken: Sequence[Box]
+) -> Mapping[Face, Point] | None:
+    """Place the main face, the end on its right at its height, the plan below it."""
+    main = boxes[Face.MAIN]
+    found: list[tuple[float, Mapping[Face, Point]]] = []
+    for x in _places(room.left - main.left, room.right - main.right):
+        for y in _places(room.bottom - main.bottom, room.top - main.top):
+            if not _is_free(main.moved((x, y)), room, taken):
+                continue
+            for origins in _with_others(boxes, (x, y), room):
+                placed = [boxes[face].moved(at) for face, at in origins.items()]
+                if all(_is_free(one, room, taken) for one in placed[1:]):
+                    found.append((_badness(placed, room, taken[0]), origins))
+    return min(found, key=lambda one: one[0])[1] if found else None
+
+
+def _with_others(boxes: Mapping[Face, Box], at: Point, room: Box) -> list[dict[Face, Point]]:
+    """Return where the other faces may lie: next to the main one, or half way to the frame."""
+    main = boxes[Face.MAIN].moved(at)
+    found: list[dict[Face, Point]] = [{Face.MAIN: at}]
+    if Face.END in boxes:
+        low = main.right + _BETWEEN - boxes[Face.END].left
+        half = (low + room.right - boxes[Face.END].right) / 2
+        found = [{**one, Face.END: (x, at[1])} for one in found for x in (half, low) if x >= low]
+    if Face.PLAN in boxes:
+        high = main.bottom - _BETWEEN - boxes[Face.PLAN].top
+        half = (high + room.bottom - boxes[Face.PLAN].bottom) / 2
+        found = [{**one, Face.PLAN: (at[0], y)} for one in found for y in (half, high) if y <= high]
     return found
 
 
-def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
-    """Yield the scales at which the joints fit, the largest first; the last in any case."""
-    points = [point for stop in stops.values() for point in stop.points.values()]
-    wide, high = (
-        (max(one[axis] for one in points) - min(one[axis] for one in points)) * MILLIMETRES
-        for axis in (0, 1)
+def _places(low: float, high: float) -> Sequence[float]:
+    if high < low:
+        return ()
+    return [low + (high - low) * step / _STEPS for step in range(_STEPS + 1)]
+
+
+def _is_free(box: Box, room: Box, taken: Sequence[Box]) -> bool:
+    fits = (
+        room.left <= box.left + _NOTHING
+        and box.right <= room.right + _NOTHING
+        and room.bottom <= box.bottom + _NOTHING
+        and box.top <= room.top + _NOTHING
     )
-    for scale in SCALES:
-        if (wide * scale <= widest and high * scale <= HIGHEST) or scale == SCALES[-1]:
-            yield scale
+    return fits and not any(box.grown(_MARGIN).overlaps(other) for other in taken)
 
 
-def _with_letters(marks: list[Mark], scale: float, widest: float) -> Layout:
-    """Place the letters, and everything on the smallest sheet that holds it."""
-    drawn = [mark for mark in marks if not isinstance(mark, Letter)]
-    letters = [mark for mark in marks if isinstance(mark, Letter)]
-    size = bounds(drawn)
-    room = (widest - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
-    sheet = Box(size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1])
-    written = write_letters(letters, lines_of(drawn), sheet.wider(-_MARGIN))
-    boxes = [size, *(one.box for one in written)]
-    left, low = min(one.left for one in boxes) - _MARGIN, min(one.low for one in boxes) - _MARGIN
-    return Layout(
-        marks=tuple(shifted(mark, -left, -low) for mark in drawn),
-        written=tuple(one.shifted(-left, -low) for one in written),
-        origin=(-left, -low),
-        scale=scale,
-        width=max(one.right for one in boxes) + _MARGIN - left,
-        height=max(one.high for one in boxes) + _MARGIN - low,
+def _badness(placed: Sequence[Box], room: Box, block: Box) -> float:
+    """Tell how far the faces lie from the middle of what the title block leaves of the sheet."""
+    whole = placed[0]
+    for one in placed[1:]:
+        whole = whole.joined(one)
+    low = block.top if whole.right > block.left else room.bottom
+    right = room.right if whole.bottom >= block.top else block.left
+    return abs(whole.left + whole.right - room.left - right) + abs(
+        whole.bottom + whole.top - low - room.top
     )
-
-
-def _marks(
-    plan: Plan, diagram: Diagram, stops: Mapping[str, Stop], scale: float, language: str
-) -> list[Mark]:
-    """Return everything that is drawn at a scale; the main position comes last, over the other."""
-    drawn: dict[bool, list[Mark]] = {False: [], True: []}
-    for element in diagram.elements:
-        if element.is_drawn(plan.options):
-            for shape in _shapes(element, plan, stops, scale, language):
-                drawn[shape.is_main] += _everywhere(shape)
-    marks = [mark for is_main in drawn for mark in cut_at_rings(drawn[is_main])]
-    if plan.scheme.kinematics is not None:
-        size = bounds(marks)
-        ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)
-        marks.append(Path(ends, LineKind.CENTRE))
-    return marks
-
-
-def _shapes(
-    element: Element, plan: Plan, stops: Mapping[str, Stop], scale: float, language: str
-) -> Iterator[Shape]:
-    """Yield an element where it is drawn; what does not move, once."""
-    first: Shape | None = None
-    for position in element.positions:
-        shape = shape_of(element, plan, stops, position, scale, language)
-        if first is None or _differ(first, shape):
-            yield shape
-        first = first or shape
-
-
-def _differ(one: Shape, other: Shape) -> bool:
-    return (
-        any(
-            abs(a - b) > _STILL
-            for role, points in one.points.items()
-            for point, moved in zip(points, other.points[role], strict=True)
-            for a, b in zip(point, moved, strict=True)
-        )
-        or any(abs(a - other.lengths[role]) > _STILL for role, a in one.lengths.items())
-        or any(abs(a - other.angles[role]) > _STILL for role, a in one.angles.items())
-    )
-
-
-def _everywhere(shape: Shape) -> Iterator[Mark]:
-    """Yield the marks of an element, repeated and mirrored as it is declared."""
-    marks = list(SYMBOLS[shape.element.kind](shape))
-    mirror = shape.element.mirror
-    count, rows = (round(shape.numbers[role]) for role in ("repeat", "rows"))
-    for column, row in product(range(count), range(rows)):
-        for mark in marks:
-            is_letter = isinstance(mark, Letter)
-            if is_letter and column + row:
-                continue  # one symbol tells what all are
-            moved = shifted(mark, column * shape.lengths["pitch"], row * shape.lengths["row_pitch"])
-            if mirror != "only":
-                yield moved
-            if mirror == "only" or (mirror == "both" and not is_letter):
-                yield mirrored(moved)

@@ -12,7 +12,7 @@ Point = tuple[float, float]
 
 FONT_FILE = "PTS55F.ttf"
 FONT_FAMILY = "PT Sans"
-CAP_HEIGHT = 0.7  # of the font's size
+CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 _CUT = "…"
@@ -67,6 +67,18 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     while line and text_width(line + _CUT, height) * NARROWEST > widest:
         line = line[:-1]
     return line.rstrip() + _CUT, NARROWEST
+
+
+def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
+    """Break a text between words into at most so many lines; the last one takes what is left."""
+    lines: list[str] = []
+    for word in one_line(text).split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and (text_width(longer, height) <= widest or len(lines) == most):
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return lines
 
 
 def text_width(text: str, height: float) -> float:

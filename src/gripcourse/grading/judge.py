@@ -98,6 +98,8 @@ def judge(
         judged=True,
         digest=submission.digest,
         causes=causes_of(plan, findings, substituted),
+        givens=submission.givens,
+        creator=submission.creator,
     )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
-from gripcourse.course.compose import direct_inputs, used_names
+from gripcourse.course.compose import all_part_ids, direct_inputs, used_names
 from gripcourse.course.model import (
     Convention,
     Course,
@@ -83,8 +83,7 @@ def content_of(course: Course, scheme: Scheme) -> Content:
 
 def parts_of(course: Course, scheme: Scheme) -> tuple[Part, ...]:
     """Return the parts that a scheme uses with any options, each once."""
-    optional = (part for one in scheme.options for choice in one.choices for part in choice.parts)
-    return tuple(course.parts[part] for part in dict.fromkeys((*scheme.parts, *optional)))
+    return tuple(course.parts[part] for part in all_part_ids(scheme))
 
 
 def conditions_of(scheme: Scheme, part: str) -> tuple[Condition, ...]:
@@ -118,8 +117,8 @@ def _declared(course: Course, scheme: Scheme) -> Iterable[Occurrence]:
     for part in parts_of(course, scheme):
         conditions = conditions_of(scheme, part.id)
         for name, one in part.quantities.items():
-            changed = name in scheme.overrides
-            quantity = scheme.overrides[name] if changed else one
+            changed = name in scheme.overrides.get(part.id, {})
+            quantity = scheme.overrides[part.id][name] if changed else one
             anchor = f"{name}.{part.id}" if name in seen else name
             seen.add(name)
             yield Occurrence(quantity, part.id, conditions, anchor, changed)

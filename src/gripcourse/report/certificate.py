@@ -222,20 +222,24 @@ def _by_kind(audit: Audit) -> Iterator[tuple[str, list[SlipCount]]]:
     kinds: dict[str, list[SlipCount]] = {}
     for one in audit.slips:
         kinds.setdefault(one.kind, []).append(one)
-    yield from sorted(kinds.items(), key=lambda one: (one[0] != DECLARED, -_mean(one[1])))
+    yield from sorted(kinds.items(), key=lambda one: (one[0] != DECLARED, -_mean(_varying(one[1]))))
 
 
 def _slips(kind: str, counts: Sequence[SlipCount], policy: Policy, words: Words) -> tuple[str, ...]:
     titles = {one.value: slip.title.of(words.language) for one, slip in policy.slips.kinds.items()}
-    always = sum(one.near == one.variants for one in counts)
-    sometimes = [one for one in counts if one.near < one.variants]
+    sometimes = _varying(counts)
     return (
         titles.get(kind) or words.say(message("declared by the course")),
         str(len(counts)),
-        str(always),
+        str(len(counts) - len(sometimes)),
         str(sum(one.near > 0 for one in sometimes)),
         percent_text(_mean(sometimes), words),
     )
+
+
+def _varying(counts: Sequence[SlipCount]) -> list[SlipCount]:
+    """Leave slips out that change nothing in any variant."""
+    return [one for one in counts if one.near < one.variants]
 
 
 def _mean(counts: Sequence[SlipCount]) -> float:

@@ -130,25 +130,20 @@ def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:
 
 
 def _stable_order(inputs: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """Order by dependency; among those that are ready, by order of declaration.
-
-    A checked course has no circles: then every quantity becomes ready.
-    """
-    names = list(inputs)
+    """Order by dependency; among those that are ready, by order of declaration."""
+    names = tuple(inputs)
     rank = {name: number for number, name in enumerate(names)}
-    users: list[list[int]] = [[] for _ in names]
-    missing = [0] * len(names)
-    for number, used in enumerate(inputs.values()):
-        for name in used:
-            users[rank[name]].append(number)
-            missing[number] += 1
-    ready = [number for number, count in enumerate(missing) if not count]  # a heap: ascending
+    users: dict[str, list[str]] = {name: [] for name in names}
+    for name, used in inputs.items():
+        for one in used:
+            users[one].append(name)
+    missing = {name: len(used) for name, used in inputs.items()}
+    ready = [rank[name] for name in names if not missing[name]]
     ordered: list[str] = []
     while ready:
-        done = heappop(ready)
-        ordered.append(names[done])
-        for number in users[done]:
-            missing[number] -= 1
-            if not missing[number]:
-                heappush(ready, number)
+        ordered.append(names[heappop(ready)])
+        for user in users[ordered[-1]]:
+            missing[user] -= 1
+            if not missing[user]:
+                heappush(ready, rank[user])
     return tuple(ordered)

@@ -61,8 +61,8 @@ def check_constraint(place: Table, constraint: Formula, plans: Sequence[Plan]) -
     if not meant:
         _report_unknown(place, wanted, {id_ for plan in plans for id_ in plan.quantities})
         return
-    alike = {tuple(plan.quantities[name].unit for name in sorted(wanted)): plan for plan in meant}
-    for plan in alike.values():  # one look is enough where all units are the same
+    alike = {tuple(plan.quantities[name].unit for name in wanted): plan for plan in meant}
+    for plan in alike.values():  # of hundreds of combinations one for each set of units
         if _has_problem(place, constraint, plan):
             return
 

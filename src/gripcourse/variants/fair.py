@@ -80,8 +80,9 @@ def steps_of(groups: Sequence[Group]) -> tuple[Steps, ...]:
 
 def steps_ratio(steps: Sequence[Steps]) -> float:
     """Return how many times as many answers as the shortest assignment the longest asks for."""
-    totals = [one.total for one in steps]
-    return max(totals) / min(totals) if totals and min(totals) else 1.0
+    longest = max((one.total for one in steps), default=0)
+    shortest = min((one.total for one in steps), default=0)
+    return longest / shortest if shortest else 1.0
 
 
 def near_steps(group: Group, margin: float) -> dict[str, Mask]:

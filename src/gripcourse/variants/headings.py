@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
-from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
@@ -114,7 +114,7 @@ def given_quantities(course: Course) -> dict[str, Quantity]:
     """Return the given quantities of all schemes by id; of one id the first declaration."""
     found: dict[str, Quantity] = {}
     for scheme in course.schemes.values():
-        for options in option_sets(scheme):
+        for options in pair_option_sets(scheme):
             for quantity in compose(course, scheme, options).values():
                 if quantity.kind is Kind.GIVEN:
                     found.setdefault(quantity.id, quantity)

@@ -84,24 +84,26 @@ def describe(
         sections[same, item.sections[entry]] += item.points[entry]
     whole = sections.sum(axis=1) / totals[own].sum(axis=1)
     by_section = sections / np.maximum(totals[own], np.finfo(float).tiny)
-    beside = [
+    sizes, verdicts, given = (
         _share(items, own, other, size)
         for items in (answered.sizes, answered.verdicts, answered.given)
-    ]
+    )
     followed = _followed(groups, own, other, equal, answered, policy)
+    names = np.array([item.quantity for item in answered.computed])
     return tuple(
         Pair(
-            int(own[row]),
-            int(other[row]),
-            float(whole[row]),
-            tuple(float(one) for one in by_section[row]),
-            *(float(one[row]) for one in beside),
-            float(followed[row]),
-            tuple(item.quantity for item, same in zip(answered.computed, equal, strict=True)
-                  if same[row]),
+            own=int(own[row]),
+            other=int(other[row]),
+            share=float(whole[row]),
+            sections=tuple(float(one) for one in by_section[row]),
+            sizes=float(sizes[row]),
+            verdicts=float(verdicts[row]),
+            given=float(given[row]),
+            followed=float(followed[row]),
+            equal=tuple(str(name) for name in names[equal[:, row]]),
         )
         for row in range(len(pairs))
-    )  # fmt: skip
+    )
 
 
 def _places(item: Item, size: int) -> Rows:

@@ -11,7 +11,7 @@ A cell is blank where the scheme of its row has no such quantity.
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem, TableError
 from gripcourse.files import write_bytes
@@ -101,7 +101,7 @@ def _units(course: Course) -> dict[tuple[str, str], str]:
     return {
         (scheme.id, quantity.id): quantity.unit
         for scheme in course.schemes.values()
-        for options in option_sets(scheme)
+        for options in pair_option_sets(scheme)
         for quantity in compose(course, scheme, options).values()
         if quantity.kind is Kind.GIVEN
     }
@@ -115,7 +115,7 @@ def _absent_columns(
         {f"option:{id_}" for id_ in options}
         | {one.id for one in compose(course, scheme, options).values() if one.kind is Kind.GIVEN}
         for scheme in course.schemes.values()
-        for options in option_sets(scheme)
+        for options in pair_option_sets(scheme)
     ]
     always = set.intersection(*needed) if needed else set()
     scheme_column = ("scheme",) if len(course.schemes) > 1 else ()

@@ -1,6 +1,7 @@
 """A virtual cohort: variants of all schemes, issued to students who do not exist."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from datetime import date
 from typing import Final
 
@@ -11,9 +12,10 @@ from gripcourse.cohort.one import Desk
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.course.toml_table import did_you_mean
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import Problem, TableError, UsageError
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.sift import sifter
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.virtual.behaviour import draw_behaviours, drawn
 from gripcourse.virtual.model import Mix
@@ -31,7 +33,7 @@ def make_classroom(
 
     Args:
         course: whose variants are drawn.
-        policy: by which answers are marked.
+        policy: by which variants are kept apart and answers are marked.
         mix: how students work.
         count: how many students.
         seed: the same seed gives the same cohort.
@@ -40,7 +42,7 @@ def make_classroom(
     Raises:
         GripcourseError: there is no such scheme, or too few variants can be drawn.
     """
-    variants = draw(course, _spaces(course, scheme), count, seed).variants
+    variants = tuple(_drawn(course, policy, _spaces(course, scheme), count, seed))
     entries = issue_to_nobody(course, mix, variants, seed)
     register = {entry.student.id: entry for entry in entries}
     return Classroom(Desk(course, policy, register), mix, draw_behaviours(entries, mix, seed))
@@ -74,6 +76,29 @@ def issue_to_nobody(
         )
         for variant in variants
     )
+
+
+def _drawn(
+    course: Course, policy: Policy, spaces: Sequence[Space], count: int, seed: int
+) -> Iterator[Variant]:
+    """Draw variants of each space by its share, numbered through.
+
+    They follow the policy's rules for variants as long as a space has so many that do; a cohort may
+    be larger than any real one.
+    """
+    shares = np.cumsum([space.weight for space in spaces]) * count / sum(s.weight for s in spaces)
+    counts = np.diff(np.rint(shares).astype(np.int64), prepend=0)
+    found = []
+    for place, (space, wanted) in enumerate(zip(spaces, counts, strict=True)):
+        rules = sifter(policy, len(course.sections))
+        seeded = seed * len(spaces) + place
+        try:
+            found += draw(course, [space], int(wanted), seeded, rules).variants
+        except TableError:
+            found += draw(course, [space], int(wanted), seeded).variants
+    width = len(str(count))
+    for number, variant in enumerate(found, start=1):
+        yield replace(variant, id=f"{number:0{width}d}")
 
 
 def _spaces(course: Course, scheme: str | None) -> list[Space]:

@@ -109,23 +109,17 @@ class Honest:
 
 def hands_of(mix: Mix) -> Hand:
     """Return every way of working that a mix knows, one entry for each; shape (m,)."""
-    figures = [(one, cuts) for one in mix.figures for cuts in (False, True)]
+    writing = [(one, cuts) for one in mix.figures for cuts in (False, True)] + [(DISPLAY, False)]
     names = list(mix.constants)
-    ways = list(
-        product(
-            [*figures, (DISPLAY, False)],
-            (False, True),
-            mix.pi,
-            *(mix.constants[name] for name in names),
-        )
-    )
+    taken = list(product(*(mix.constants[name] for name in names)))
+    ways = list(product(writing, (False, True), mix.pi, taken))
     return Hand(
         figures=np.array([way[0][0] for way in ways]),
         cuts=np.array([way[0][1] for way in ways]),
         keeps=np.array([way[1] for way in ways]),
         pi=np.array([way[2] for way in ways]),
         constants={
-            name: np.array([way[3 + place] for way in ways]) for place, name in enumerate(names)
+            name: np.array([way[3][place] for way in ways]) for place, name in enumerate(names)
         },
     )
 

@@ -4,22 +4,21 @@ import hashlib
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import replace
 from functools import partial
 from multiprocessing import get_context
 
+from gripcourse.cohort.alike import mark_likeness
 from gripcourse.cohort.doubles import mark_doubles
+from gripcourse.cohort.one import judge_read
 from gripcourse.cohort.packed import pack, unpack
-from gripcourse.grading.judge import judge
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Identity, Submission
+from gripcourse.submission.model import Identity
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.variants.model import Issued
 from gripcourse.virtual.confusion import Judged
 from gripcourse.virtual.model import Deed, Work
 from gripcourse.virtual.student import Classroom, work_of
+from gripcourse.workbook.names import AUTHOR
 
 _AT_A_TIME = 8  # students that a worker is handed
 
@@ -34,37 +33,38 @@ def judge_in_memory(
         workers: how many processes; with one everything happens in this one.
         on_done: called after each student.
     """
-    students = tuple(room.behaviours)
     judged = []
-    for one in _each(room, students, workers):
+    for one in _each(room, tuple(room.behaviours), workers):
         judged.append(one)
         on_done()
-    reports = mark_doubles([one.report for one in judged])
-    return tuple(replace(one, report=report) for one, report in zip(judged, reports, strict=True))
+    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.desk)
+    incidents = [one.incident for one in judged]
+    incidents[:1] = [one + trace for one in incidents[:1]]
+    return tuple(
+        Judged(one.work, report, incident)
+        for one, report, incident in zip(judged, reports, incidents, strict=True)
+    )
 
 
 def judge_one(student: str, room: Classroom) -> Judged:
     """Let one student work and judge the work."""
     issued = room.desk.register[student]
     work = work_of(student, room)
-    plan = make_plan(room.desk.course, issued.variant.scheme, issued.variant.options)
-    submission = submission_of(work, room.desk.register[work.owner], plan)
+    raw = read_of(work, room.desk.register[work.owner])
     try:
-        return Judged(work, judge(submission, issued, plan, room.desk.policy))
+        return Judged(work, judge_read(raw, issued, room.desk))
     except Exception:  # noqa: BLE001 (ours, as in a real batch: counted, and the others go on)
-        report = incident_report(submission.file, "", issued)
-        return Judged(work, report, traceback.format_exc())
+        return Judged(work, incident_report(raw.file, "", issued), traceback.format_exc())
 
 
-def submission_of(work: Work, owner: Issued, plan: Plan) -> Submission:
+def read_of(work: Work, owner: Issued) -> RawWorkbook:
     """Return what would be read of the workbook that a student hands in.
 
     Args:
         work: what was done.
         owner: whose workbook it is.
-        plan: of the student who hands it in.
     """
-    raw = RawWorkbook(
+    return RawWorkbook(
         file=f"{work.student}.xlsx",
         # Equal bytes come from equal workbooks, and only a copied one is handed in twice.
         digest=hashlib.sha256(owner.student.id.encode()).hexdigest(),
@@ -75,12 +75,11 @@ def submission_of(work: Work, owner: Issued, plan: Plan) -> Submission:
             options=owner.variant.options,
             signature=owner.signature,
         ),
-        creator="",
+        creator=AUTHOR,
         givens={name: _cell(name, value) for name, value in owner.variant.given.items()},
         answers=_cells(work.deeds),
         remarks=(),
     )
-    return interpret(raw, plan.quantities.values())
 
 
 def _cells(deeds: Sequence[Deed]) -> Mapping[str, RawCell]:

@@ -1,0 +1,86 @@
+"""What a general view costs: making it, writing DXF and SVG, as ratios to ezdxf's own SVG of it."""
+
+from collections.abc import Callable
+from statistics import median
+from time import perf_counter
+
+from ezdxf.addons.drawing import Frontend, RenderContext
+from ezdxf.addons.drawing.layout import Page
+from ezdxf.addons.drawing.svg import SVGBackend
+
+from gripcourse.course.load import load_course
+from gripcourse.drawing.document import dxf_bytes
+from gripcourse.drawing.general_view import GeneralView, general_view
+from gripcourse.drawing.svg import svg_text
+from gripcourse.drawing.title_block import TitleBlock
+from gripcourse.resources import course_root
+from gripcourse.solver.plan import make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.variants.table import read_table
+from gripcourse.words import Words
+
+RUNS = 7
+
+
+def main() -> None:
+    """Draw the first variant of each scheme several times, each way in turn."""
+    course = load_course(course_root())
+    block = TitleBlock("001 GA", "gripper", "General arrangement", "Student")
+    first = {}
+    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+        first.setdefault(variant.scheme, variant)
+    times: dict[str, list[float]] = {"make": [], "dxf": [], "svg": [], "ezdxf": []}
+    sizes: dict[str, list[int]] = {"dxf": [], "svg": [], "ezdxf": []}
+    ratios: list[float] = []
+    for scheme, variant in first.items():
+        view = course.schemes[scheme].view
+        if view is None:
+            continue
+        plan = make_plan(course, scheme, variant.options)
+        values = solve_variant(plan, variant.given)
+        made = general_view(plan, view, values, block, Words("ru"))
+        sheet = made.arranged.sheet
+        ways: dict[str, Callable[[], object]] = {
+            "make": lambda: general_view(plan, view, values, block, Words("ru")),  # noqa: B023 (called in this round)
+            "dxf": lambda: dxf_bytes(made.document),  # noqa: B023 (as above)
+            "svg": lambda: svg_text(made.document, sheet.width, sheet.height, ""),  # noqa: B023 (as above)
+            "ezdxf": lambda: bare_svg(made),  # noqa: B023 (as above)
+        }
+        rounds = [{name: timed(way) for name, way in ways.items()} for _ in range(RUNS)]
+        for name, found in times.items():
+            found.append(median(one[name] for one in rounds))
+        ratios.append(median(one["svg"] / one["ezdxf"] for one in rounds))
+        sizes["dxf"].append(len(dxf_bytes(made.document)))
+        sizes["svg"].append(len(svg_text(made.document, sheet.width, sheet.height, "")))
+        sizes["ezdxf"].append(len(bare_svg(made)))
+    for name, said in (
+        ("make", "making the document"),
+        ("dxf", "writing DXF"),
+        ("svg", "writing SVG"),
+        ("ezdxf", "SVG by ezdxf's own renderer"),
+    ):
+        print(
+            f"{said:30} {median(times[name]) * 1e3:6.1f} ms (slowest {max(times[name]) * 1e3:.1f})"
+        )
+    print(f"SVG as a ratio to ezdxf's      {median(ratios):6.2f}")
+    print("kB: " + ", ".join(f"{name} {median(one) / 1e3:.0f}" for name, one in sizes.items()))
+
+
+def bare_svg(made: GeneralView) -> str:
+    """Draw the same document with ezdxf's own renderer."""
+    document = made.document
+    backend = SVGBackend()
+    Frontend(RenderContext(document), backend).draw_layout(document.modelspace())
+    sheet = made.arranged.sheet
+    return backend.get_string(Page(sheet.width, sheet.height))
+
+
+def timed(call: Callable[[], object]) -> float:
+    """Return how long a call takes, s."""
+    start = perf_counter()
+    call()
+    return perf_counter() - start
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,52 @@
+"""Drawing a solved variant: its general view as DXF and as SVG."""
+
+from pathlib import Path
+
+from gripcourse.commands.solve import Solved
+from gripcourse.drawing.document import dxf_bytes
+from gripcourse.drawing.general_view import general_view
+from gripcourse.drawing.svg import svg_text
+from gripcourse.drawing.title_block import TitleBlock
+from gripcourse.errors import Problem, UsageError
+from gripcourse.files import write_bytes, write_text
+from gripcourse.words import Words, message
+
+
+def write_general_view(solved: Solved, out: Path, student: str, words: Words) -> list[Path]:
+    """Write the general view of a variant into a folder and return what was written.
+
+    Args:
+        solved: the variant.
+        out: the folder.
+        student: name for the title block; may be empty.
+        words: language of the drawing.
+
+    Raises:
+        UsageError: the scheme declares no general view.
+    """
+    scheme = solved.plan.scheme
+    if scheme.view is None:
+        what = message("The scheme {scheme} declares no general view.", scheme=scheme.id)
+        remedy = message("Write drawing.toml into its folder.")
+        raise UsageError([Problem("", "", what, remedy)])
+    block = title_block(solved, student, words)
+    drawn = general_view(solved.plan, scheme.view, solved.values, block, words)
+    sheet = drawn.arranged.sheet
+    stem = f"{solved.variant.id}-general-view"
+    paths = [out / f"{stem}.dxf", out / f"{stem}.svg"]
+    write_bytes(paths[0], dxf_bytes(drawn.document))
+    title = f"{block.document}: {block.title}, {block.designation}"
+    write_text(paths[1], svg_text(drawn.document, sheet.width, sheet.height, title))
+    return paths
+
+
+def title_block(solved: Solved, student: str, words: Words) -> TitleBlock:
+    """Return what the title block of a variant's general view says."""
+    plan = solved.plan
+    return TitleBlock(
+        designation=words.say(message("Variant {variant} GA", variant=solved.variant.id)),
+        title=plan.scheme.title.of(words.language),
+        document=words.say(message("General arrangement")),
+        student=student,
+        organisation=plan.course.title.of(words.language),
+    )

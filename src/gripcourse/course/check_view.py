@@ -1,0 +1,144 @@
+"""Checking the general view of a scheme: names, dimensions, and what they refer to."""
+
+from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+
+from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.toml_table import did_you_mean
+from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPart
+from gripcourse.errors import Problem
+from gripcourse.formula.dimension import check_dimension
+from gripcourse.formula.parse import FormulaFault, caret
+from gripcourse.formula.tree import Formula
+from gripcourse.units import Dimension, dimension
+from gripcourse.words import message
+
+_LENGTH, _ANGLE, _COUNT = "mm", "deg", ""
+
+Place = tuple[str, str, Formula, str]  # file, key, formula and the unit that it must have
+
+
+def check_view(
+    scheme: Scheme,
+    quantities: Mapping[str, Quantity],
+    columns: Mapping[str, tuple[Dimension, Dimension]],
+) -> Iterator[Problem]:
+    """Yield the problems of a scheme's view.
+
+    Args:
+        scheme: whose view it is.
+        quantities: of all its options together: a part may belong to one of them only.
+        columns: dimensions of the sizes and of the values of each catalogue's column.
+    """
+    view = scheme.view
+    if view is None:
+        return
+    yield from _reference_faults(view, quantities)
+    known = {name: dimension(one.unit) for name, one in quantities.items()}
+    if scheme.kinematics is not None:
+        known[scheme.kinematics.drive] = dimension(scheme.kinematics.unit)
+        for one in scheme.kinematics.coordinates:
+            known[one.id] = dimension(one.unit)
+    elif view.position or view.other:
+        what = message("The scheme has no positions: it declares no kinematics.")
+        yield Problem(view.file, "position", what, message("Remove the key."))
+    for name, measure in view.measures.items():
+        if name in known:
+            what = message("'{name}' is declared more than once.", name=name)
+            yield Problem(measure.file, measure.key, what, message("Give it another name."))
+    known |= {name: dimension(one.unit) for name, one in view.measures.items()}
+    for file, key, formula, unit in _places(view):
+        yield from _formula_faults((file, key, formula, unit), known, columns)
+    yield from _circle(view)
+
+
+def _reference_faults(view: View, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+    named = [(view.file, "characteristics", name) for name in view.characteristics]
+    named += [(part.file, f"{part.key}.sizes", name) for part in view.parts for name in part.sizes]
+    named += [(one.file, f"{one.key}.quantity", one.quantity) for one in view.dimensions]
+    shown = [*quantities, *view.measures]
+    for label in view.labels:
+        for place, name in label.values.items():
+            if name not in shown:
+                what = message("The name '{name}' is not known.", name=name)
+                yield Problem(
+                    label.file, f"{label.key}.values.{place}", what, did_you_mean(name, shown)
+                )
+    for file, key, name in named:
+        if name not in quantities:
+            what = message("The scheme has no quantity '{name}'.", name=name)
+            yield Problem(file, key, what, did_you_mean(name, quantities))
+
+
+def _formula_faults(
+    place: Place,
+    known: Mapping[str, Dimension],
+    columns: Mapping[str, tuple[Dimension, Dimension]],
+) -> Iterator[Problem]:
+    file, key, formula, unit = place
+    unknown = [name for name in formula.names if name not in known]
+    for name in unknown:
+        what = message("The name '{name}' is not known.", name=name)
+        yield Problem(file, key, what, did_you_mean(name, known))
+    if unknown:
+        return
+    try:
+        check_dimension(formula, unit, known, columns)
+    except FormulaFault as fault:
+        remedy = message("Compare the units of both sides.")
+        yield Problem(file, key, fault.what, remedy, caret(formula.text, fault.span))
+
+
+def _places(view: View) -> Iterator[Place]:
+    """Yield every formula of a view."""
+    for measure in view.measures.values():
+        for formula in measure.formulas:
+            yield measure.file, measure.key, formula, measure.unit
+    for part in view.parts:
+        yield from _part_places(part)
+    for one in view.dimensions:
+        yield from _lengths(one.file, f"{one.key}.from", one.start)
+        yield from _lengths(one.file, f"{one.key}.to", one.end)
+    for label in view.labels:
+        yield from _lengths(label.file, f"{label.key}.at", label.at)
+
+
+def _part_places(part: ViewPart) -> Iterator[Place]:
+    yield from _lengths(part.file, f"{part.key}.mark", part.mark)
+    if part.count is not None:
+        yield part.file, f"{part.key}.count", part.count, _COUNT
+    for shape in part.shapes:
+        for name, expressions in shape.needs.items():
+            unit = _ANGLE if SHAPES[shape.kind][name] is Need.ANGLES else _LENGTH
+            yield from _lengths(part.file, f"{shape.key}.{name}", expressions, unit)
+        for repeat in shape.repeats:
+            key = f"{shape.key}.repeat"
+            yield part.file, f"{key}.count", repeat.count, _COUNT
+            place = repeat.about if isinstance(repeat, Ring) else repeat.step
+            yield from _lengths(part.file, key, place)
+
+
+def _lengths(
+    file: str, key: str, expressions: tuple[Expression, ...], unit: str = _LENGTH
+) -> Iterator[Place]:
+    for formula in expressions:
+        if formula is not None:
+            yield file, key, formula, unit
+
+
+def _circle(view: View) -> Iterator[Problem]:
+    graph = {
+        name: {one for formula in measure.formulas for one in formula.names if one in view.measures}
+        for name, measure in view.measures.items()
+    }
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as fault:
+        circle = list(dict.fromkeys(reversed(fault.args[1])))
+        turned = circle.index(min(circle))  # so that the same circle always reads the same
+        circle = circle[turned:] + circle[:turned]
+        measure = view.measures[circle[0]]
+        said = " → ".join([*circle, circle[0]])
+        what = message("The formulas run in a circle: {circle}.", circle=said)
+        remedy = message("Express one of them without the others.")
+        yield Problem(measure.file, measure.key, what, remedy)

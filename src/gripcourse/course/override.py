@@ -1,0 +1,147 @@
+"""Overrides: single keys of a shared declaration that a scheme, or one of its parts, changes.
+
+A change holds in whichever part declares the quantity: of several parts, among which options
+choose, each keeps what is not changed. Where the change is right for some of them only, it names
+those under `parts`.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from gripcourse.course.declare import declare
+from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.model import Quantity
+from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.words import message
+
+_ONLY_IN = "parts"  # the key of an override that names the parts it holds in
+
+
+@dataclass(frozen=True, slots=True)
+class RawPart:
+    """A part as it is written: schemes may change single keys of it.
+
+    Attributes:
+        quantities: the tables of its own declarations.
+        overrides: what it changes in other parts of a scheme.
+        kinematics: how the links move that it describes; None for a part without links.
+    """
+
+    quantities: Mapping[str, Table]
+    overrides: Mapping[str, Table]
+    kinematics: Kinematics | None
+
+    @property
+    def changes_others(self) -> bool:
+        """Whether it says more than its own declarations."""
+        return bool(self.overrides) or self.kinematics is not None
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """The keys that change a quantity, and whether the scheme itself says so or a part of it."""
+
+    name: str
+    keys: Table
+    is_own: bool
+
+
+def read_overrides(
+    table: Table,
+    part_ids: Sequence[str],
+    raw_parts: Mapping[str, RawPart],
+    *,
+    complete: bool,
+) -> dict[str, dict[str, Quantity]]:
+    """Declare again what a scheme changes: its keys over the keys of the shared declaration.
+
+    Args:
+        table: of the scheme. What its fixed parts change comes first, in their order.
+        part_ids: every part that the scheme uses with any options.
+        raw_parts: all parts of the course.
+        complete: whether all options could be read; else nothing is called unknown.
+
+    Returns:
+        The changed declarations by part and quantity.
+    """
+    declared: dict[str, dict[str, Quantity]] = {}
+    written: dict[tuple[str, str], Table] = {}
+    readable = complete and all(part in raw_parts for part in part_ids)  # else that is reported
+    for change in _changes(table, raw_parts):
+        parts = _declaring(change.name, part_ids, raw_parts)
+        if not parts and readable:
+            _report_unknown(change, table, part_ids, raw_parts)
+        for part in _chosen(change, parts):
+            key = (part, change.name)
+            shared = written.get(key, raw_parts[part].quantities[change.name])
+            written[key] = _laid_over(shared, change.keys)
+            declared.setdefault(part, {})[change.name] = _declare(
+                change.name, shared, written[key], change.keys
+            )
+    return declared
+
+
+def _changes(table: Table, raw_parts: Mapping[str, RawPart]) -> Iterator[_Change]:
+    for part in table.strings("parts"):
+        if part in raw_parts:
+            for name, keys in raw_parts[part].overrides.items():
+                yield _Change(name, keys, is_own=False)
+    for name, keys in table.named_tables("override").items():
+        yield _Change(name, keys, is_own=True)
+
+
+def _declaring(
+    name: str, part_ids: Sequence[str], raw_parts: Mapping[str, RawPart]
+) -> tuple[str, ...]:
+    """Return the parts that declare a quantity, each once."""
+    return tuple(
+        part
+        for part in dict.fromkeys(part_ids)
+        if part in raw_parts and name in raw_parts[part].quantities
+    )
+
+
+def _chosen(change: _Change, parts: Sequence[str]) -> Sequence[str]:
+    """Return the parts that a change holds in: all that declare its quantity, or the named ones."""
+    if not change.keys.has(_ONLY_IN):
+        return parts
+    named = change.keys.strings(_ONLY_IN)
+    for part in named:
+        if part not in parts:
+            change.keys.add(
+                _ONLY_IN,
+                message("The part '{part}' declares no '{name}'.", part=part, name=change.name),
+                did_you_mean(part, parts),
+            )
+    return [part for part in parts if part in named]
+
+
+def _report_unknown(
+    change: _Change, table: Table, part_ids: Sequence[str], raw_parts: Mapping[str, RawPart]
+) -> None:
+    known = {one for part in part_ids for one in raw_parts[part].quantities}
+    what = (
+        message("No part of the scheme declares '{name}'.", name=change.name)
+        if change.is_own
+        else message(
+            "No part of the scheme '{scheme}' declares '{name}'.",
+            scheme=table.text("id"),
+            name=change.name,
+        )
+    )
+    change.keys.add("", what, did_you_mean(change.name, known))
+
+
+def _laid_over(shared: Table, changes: Table) -> Table:
+    changed = {name: value for name, value in changes.values.items() if name != _ONLY_IN}
+    return Table({**shared.values, **changed}, changes.file, changes.key, [])
+
+
+def _declare(name: str, shared: Table, merged: Table, changes: Table) -> Quantity:
+    """Declare a changed quantity; what was wrong with it before is not reported again."""
+    declared = declare(name, merged)
+    repeated = Table(shared.values, changes.file, changes.key, [])
+    declare(name, repeated)
+    known = (*repeated.problems, *changes.problems)
+    changes.problems.extend(one for one in merged.problems if one not in known)
+    return declared

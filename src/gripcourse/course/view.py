@@ -1,0 +1,188 @@
+"""What the general view of a scheme shows, as its author declares it.
+
+A view is parts made of plain shapes, dimensions, labels and a list of characteristics. All places
+and sizes are formulas of quantities, of the coordinates of the kinematics and of lengths that the
+view declares itself. x points along the gripper's axis towards the object, y across it; a part or a
+dimension that needs a quantity which the options of a variant do not bring is not drawn.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.formula.tree import Formula
+from gripcourse.words import Texts
+
+
+class Face(StrEnum):
+    """The side that something is looked at from."""
+
+    MAIN = "main"
+    END = "end"  # from the flange; x is across the plane of the main view
+    PLAN = "plan"  # from above; x along, y across
+
+
+class Side(StrEnum):
+    """The side of a view that a dimension stands on."""
+
+    ABOVE = "above"
+    BELOW = "below"
+    LEFT = "left"
+    RIGHT = "right"
+
+
+class Need(StrEnum):
+    """What a shape's key holds."""
+
+    POINT = "point"  # two lengths
+    POINTS = "points"  # two points or more
+    RANGE = "range"  # two lengths
+    LENGTH = "length"
+    ANGLES = "angles"  # two angles, degrees, counter-clockwise
+
+
+# The shapes and what each needs.
+SHAPES: Mapping[str, Mapping[str, Need]] = {
+    "box": {"x": Need.RANGE, "y": Need.RANGE},
+    "circle": {"at": Need.POINT, "diameter": Need.LENGTH},
+    "pin": {"at": Need.POINT, "diameter": Need.LENGTH},  # a circle with its axes
+    "bar": {"through": Need.POINTS, "width": Need.LENGTH},  # round at its ends
+    "polygon": {"corners": Need.POINTS},
+    "line": {"through": Need.POINTS},
+    "arc": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
+    "sector": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
+}
+HATCHES = ("", "right", "left")
+LINES = ("outline", "thin", "centre", "hidden", "phantom")
+
+Expression = Formula | None  # None: nothing, zero
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """A shape again and again: `count` times, each `step` further."""
+
+    count: Formula
+    step: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """A shape again and again: `count` times round a point."""
+
+    count: Formula
+    about: tuple[Expression, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """One shape.
+
+    Attributes:
+        kind: a key of `SHAPES`.
+        needs: the formulas of each key, points as x and y in turn.
+        line: one of `LINES`.
+        hatch: which way the lines of a cut face lean, one of `HATCHES`; empty for none.
+        face: the view that shows it.
+        repeats: in rows and columns, or round a point.
+        key: where it is declared, for messages.
+    """
+
+    kind: str
+    needs: Mapping[str, tuple[Expression, ...]]
+    line: str
+    hatch: str
+    face: Face
+    repeats: tuple[Repeat | Ring, ...]
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewPart:
+    """A part of the gripper.
+
+    Attributes:
+        id: its name in the declarations.
+        title: in the parts list; None for what has no position: the object, another position.
+        mirrored: whether it stands on both sides of the axis.
+        count: how many there are; None for one, or two where it is mirrored.
+        sizes: quantities that the parts list shows.
+        mark: where the leader of its position ends, in the main view.
+        moves: whether the other position of the view shows it too.
+        shapes: in the order in which they cover each other.
+        file, key: where it is declared.
+    """
+
+    id: str
+    title: Texts | None
+    mirrored: bool
+    count: Formula | None
+    sizes: tuple[str, ...]
+    mark: tuple[Expression, ...]
+    moves: bool
+    shapes: tuple[Shape, ...]
+    file: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewDimension:
+    """A dimension: the quantity that it shows, the two points between which it is measured."""
+
+    quantity: str
+    start: tuple[Expression, ...]
+    end: tuple[Expression, ...]
+    side: Side
+    face: Face
+    sign: str
+    at_other: bool
+    file: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewLabel:
+    """Words on a leader line; in the places of the text stand quantities or measures by name."""
+
+    text: Texts
+    values: Mapping[str, str]
+    at: tuple[Expression, ...]
+    face: Face
+    file: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A length or an angle of the drawing: the first of its formulas whose names are known."""
+
+    unit: str
+    formulas: tuple[Formula, ...]
+    file: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """The general view of a scheme.
+
+    Attributes:
+        position: of the kinematics, in which the gripper is drawn.
+        upright: whether the gripper's axis stands upright in the main face, the object below it;
+            else it lies, the object on the right.
+        other: position that moving parts are shown in by thin lines too; empty for none.
+        measures: by name.
+        parts, dimensions, labels: in order.
+        characteristics: quantities that stand beside the drawing.
+        file: of the scheme's own declarations.
+    """
+
+    position: str
+    upright: bool
+    other: str
+    measures: Mapping[str, Measure]
+    parts: tuple[ViewPart, ...]
+    dimensions: tuple[ViewDimension, ...]
+    labels: tuple[ViewLabel, ...]
+    characteristics: tuple[str, ...]
+    file: str

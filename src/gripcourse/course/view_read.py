@@ -1,0 +1,226 @@
+"""Reading the general view of a scheme, and what several views share."""
+
+from collections.abc import Iterator, Mapping
+
+from gripcourse.course.kinematics import POSITIONS
+from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.course.view import (
+    HATCHES,
+    LINES,
+    SHAPES,
+    Expression,
+    Face,
+    Measure,
+    Need,
+    Repeat,
+    Ring,
+    Shape,
+    Side,
+    View,
+    ViewDimension,
+    ViewLabel,
+    ViewPart,
+)
+from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.tree import Formula
+from gripcourse.words import Message, message
+
+
+def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
+    """Read the view of a scheme, between the shared files that lie `behind` and `before` it.
+
+    None where a shared file could not be read: what it brings would be called unknown.
+    """
+    keys = {"behind", "before", "position", "upright", "other", "characteristics"}
+    table.known_keys(keys | _SHARED_KEYS)
+    named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
+    views = [one for one in named if one is not None]
+    view = View(
+        position=_one_of(table, "position", ("", *POSITIONS), ""),
+        upright=table.flag("upright"),
+        other=_one_of(table, "other", ("", *POSITIONS), ""),
+        measures={name: one for view in views for name, one in view.measures.items()},
+        parts=tuple(one for view in views for one in view.parts),
+        dimensions=tuple(one for view in views for one in view.dimensions),
+        labels=tuple(one for view in views for one in view.labels),
+        characteristics=table.strings("characteristics"),
+        file=table.file,
+    )
+    return view if len(views) == len(named) else None
+
+
+def _named(table: Table, key: str, shared: Mapping[str, View | None]) -> Iterator[View | None]:
+    for name in table.strings(key):
+        if name in shared:
+            yield shared[name]
+            continue
+        what = message("There is no shared drawing '{name}'.", name=name)
+        table.add(key, what, did_you_mean(name, shared))
+        yield None
+
+
+def read_shared(table: Table) -> View:
+    """Read a file of parts that several views share."""
+    table.known_keys(_SHARED_KEYS)
+    return _read(table)
+
+
+_SHARED_KEYS = {"length", "angle", "count", "part", "dimension", "label"}
+
+
+def _read(table: Table) -> View:
+    return View(
+        position="",
+        upright=False,
+        other="",
+        measures=_measures(table),
+        parts=tuple(_part(one) for one in table.tables("part")),
+        dimensions=tuple(_dimension(one) for one in table.tables("dimension")),
+        labels=tuple(_label(one) for one in table.tables("label")),
+        characteristics=(),
+        file=table.file,
+    )
+
+
+def _measures(table: Table) -> dict[str, Measure]:
+    found: dict[str, Measure] = {}
+    for kind, unit in (("length", "mm"), ("angle", "deg"), ("count", "")):
+        inner = table.table(kind)
+        for name in inner.values if inner is not None else ():
+            formulas = _alternatives(inner, name) if inner is not None else ()
+            found[name] = Measure(unit, formulas, table.file, f"{kind}.{name}")
+    return found
+
+
+def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
+    texts = table.strings(name) if isinstance(table.values[name], list) else [table.text(name)]
+    read = (_formula(table, name, text) for text in texts)
+    return tuple(one for one in read if one is not None)
+
+
+def _part(table: Table) -> ViewPart:
+    table.known_keys(
+        {"id", "title", "nameless", "mirror", "count", "sizes", "mark", "moves", "shape"}
+    )
+    nameless = table.flag("nameless")
+    shapes = tuple(_shape(one) for one in table.tables("shape"))
+    if not shapes:
+        table.add("shape", message("This key is missing."), message("Write the shapes."))
+    return ViewPart(
+        id=table.text("id"),
+        title=None if nameless else table.texts("title"),
+        mirrored=table.flag("mirror"),
+        count=_formula(table, "count", table.text("count")) if table.has("count") else None,
+        sizes=table.strings("sizes"),
+        mark=() if nameless else _expressions(table, "mark", Need.POINT),
+        moves=table.flag("moves"),
+        shapes=shapes,
+        file=table.file,
+        key=table.key,
+    )
+
+
+def _shape(table: Table) -> Shape:
+    kind = _one_of(table, "kind", tuple(SHAPES), None)
+    needs = SHAPES.get(kind, {})
+    if needs:
+        table.known_keys({"kind", "line", "hatch", "face", "repeat", *needs})
+    return Shape(
+        kind=kind,
+        needs={name: _expressions(table, name, need) for name, need in needs.items()},
+        line=_one_of(table, "line", LINES, LINES[0]),
+        hatch=_one_of(table, "hatch", HATCHES, ""),
+        face=Face(_one_of(table, "face", tuple(Face), Face.MAIN)),
+        repeats=tuple(_repeat(one) for one in table.tables("repeat")),
+        key=table.key,
+    )
+
+
+def _repeat(table: Table) -> Repeat | Ring:
+    table.known_keys({"count", "step", "about"})
+    count = _formula(table, "count", table.text("count")) or Formula("1", parse("1"), {})
+    if table.has("about"):
+        return Ring(count, _expressions(table, "about", Need.POINT))
+    return Repeat(count, _expressions(table, "step", Need.POINT))
+
+
+def _dimension(table: Table) -> ViewDimension:
+    table.known_keys({"quantity", "from", "to", "side", "face", "sign", "at_other"})
+    return ViewDimension(
+        quantity=table.text("quantity"),
+        start=_expressions(table, "from", Need.POINT),
+        end=_expressions(table, "to", Need.POINT),
+        side=Side(_one_of(table, "side", tuple(Side), None) or Side.BELOW),
+        face=Face(_one_of(table, "face", tuple(Face), Face.MAIN)),
+        sign=table.text("sign", ""),
+        at_other=table.flag("at_other"),
+        file=table.file,
+        key=table.key,
+    )
+
+
+def _label(table: Table) -> ViewLabel:
+    table.known_keys({"text", "values", "at", "face"})
+    values = table.table("values")
+    return ViewLabel(
+        text=table.texts("text"),
+        values={name: values.text(name) for name in values.values} if values else {},
+        at=_expressions(table, "at", Need.POINT),
+        face=Face(_one_of(table, "face", tuple(Face), Face.END)),
+        file=table.file,
+        key=table.key,
+    )
+
+
+def _expressions(table: Table, name: str, need: Need) -> tuple[Expression, ...]:
+    """Read formulas in the order x, y, x, y…; where they cannot be read, as many as are needed."""
+    value = table.values.get(name)
+    written: list[object] = list(value) if isinstance(value, list) else [value]
+    if need is Need.POINTS:
+        points = [one for one in written if isinstance(one, list)]
+        written = [one for point in points for one in point] if points else written
+    known = all(isinstance(one, str) or one == 0 for one in written)
+    if known and _fits(len(written), need):
+        return tuple(
+            _formula(table, name, one) if isinstance(one, str) else None for one in written
+        )
+    if name in table.values:
+        table.add(name, message("The value has the wrong type."), _REMEDIES[need])
+    else:
+        table.add(name, message("This key is missing."), _REMEDIES[need])
+    return (None, None, None, None) if need is Need.POINTS else (None, None)
+
+
+_REMEDIES: Mapping[Need, Message] = {
+    Need.POINT: message("Write two formulas or zeros: ['pin_x', 0]."),
+    Need.POINTS: message("Write two points or more: [['pin_x', 0], ['pin_x', 'pin_y']]."),
+    Need.RANGE: message("Write two formulas or zeros: ['pin_x', 0]."),
+    Need.LENGTH: message("Write a formula: 'pin_diameter'."),
+    Need.ANGLES: message("Write two formulas or zeros: ['pin_x', 0]."),
+}
+_TWO = 2
+
+
+def _fits(count: int, need: Need) -> bool:
+    if need is Need.LENGTH:
+        return count == 1
+    if need is Need.POINTS:
+        return count >= 2 * _TWO and count % _TWO == 0
+    return count == _TWO
+
+
+def _formula(table: Table, name: str, text: str) -> Formula | None:
+    try:
+        return Formula(text, parse(text), {}) if text else None
+    except FormulaFault as fault:
+        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        return None
+
+
+def _one_of(table: Table, name: str, known: tuple[str, ...], default: str | None) -> str:
+    written = table.text(name, default)
+    if written not in known and written:
+        what = message("The name '{name}' is not known.", name=written)
+        table.add(name, what, did_you_mean(written, known))
+        return default or ""
+    return written

@@ -1,0 +1,65 @@
+"""Lines and cells of the tables on a sheet. Lengths in mm."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from gripcourse.drawing.document import LineKind
+from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.text import Point, add_text
+
+if TYPE_CHECKING:
+    from ezdxf.layouts.layout import Modelspace
+
+PAD = 1.0  # free beside the words of a cell
+SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """Draws lines."""
+
+    layout: "Modelspace"
+
+    def line(self, start: Point, end: Point, kind: LineKind = LineKind.OUTLINE) -> None:
+        """Draw a straight line."""
+        self.layout.add_line(start, end, dxfattribs={"layer": kind})
+
+    def box(self, box: Box, kind: LineKind) -> None:
+        """Draw a rectangle."""
+        corners = [
+            (box.left, box.bottom),
+            (box.right, box.bottom),
+            (box.right, box.top),
+            (box.left, box.top),
+        ]
+        self.layout.add_lwpolyline(corners, close=True, dxfattribs={"layer": kind})
+
+
+@dataclass(frozen=True, slots=True)
+class Cells:
+    """A table whose lower left corner lies at `left`, `bottom`."""
+
+    pen: Pen
+    left: float
+    bottom: float
+
+    def line(self, start: Point, end: Point, kind: LineKind = LineKind.OUTLINE) -> None:
+        """Draw a line inside the table."""
+        self.pen.line(self._place(start), self._place(end), kind)
+
+    def words(
+        self, text: str, corner: Point, size: Point, height: float, *, middle: bool = False
+    ) -> None:
+        """Write into a cell, squeezed where it is narrow."""
+        x = corner[0] + (size[0] / 2 if middle else PAD)
+        add_text(
+            self.pen.layout,
+            text,
+            self._place((x, corner[1] + size[1] / 2)),
+            height,
+            align="MIDDLE_CENTER" if middle else "MIDDLE_LEFT",
+            widest=size[0] - 2 * PAD,
+        )
+
+    def _place(self, point: Point) -> Point:
+        return self.left + point[0], self.bottom + point[1]

@@ -1,0 +1,209 @@
+"""A diagram laid out: every mark in its place on a sheet, at the largest scale that fits."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from typing import Final, TypeAlias
+
+from gripcourse.course.diagram import Diagram, Element
+from gripcourse.drawing import bodies, drives, gears, joints, measures
+from gripcourse.drawing.document import LineKind
+from gripcourse.drawing.letters import Box, Written, bounds, lines_of, write_letters
+from gripcourse.drawing.marks import Letter, Mark, Path, cut_at_rings, mirrored, shifted
+from gripcourse.drawing.places import MILLIMETRES, Shape, Stop, is_placed, shape_of, stops_of
+from gripcourse.drawing.text import Point
+from gripcourse.solver.plan import Plan
+
+Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
+"""Draws an element."""
+
+WIDEST: Final = 170.0  # mm
+HIGHEST: Final = 95.0  # mm
+
+# Scales of GOST 2.302, millimetres of paper for a millimetre.
+SCALES: Final = (
+    10, 5, 4, 2.5, 2, 1, 1 / 2, 1 / 2.5, 1 / 4, 1 / 5, 1 / 10, 1 / 15, 1 / 20, 1 / 25, 1 / 40,
+    1 / 50, 1 / 75, 1 / 100, 1 / 200, 1 / 400, 1 / 500, 1 / 800, 1 / 1000,
+)  # fmt: skip
+SYMBOLS: Final[Mapping[str, Symbol]] = {
+    "link": joints.link,
+    "pivot": joints.pivot,
+    "pin": joints.pin,
+    "fixed_pivot": joints.fixed_pivot,
+    "slider": joints.slider,
+    "slot": joints.slot,
+    "guide": joints.guide,
+    "ground": joints.ground,
+    "rack": gears.rack,
+    "gear": gears.gear,
+    "worm": gears.worm,
+    "screw": gears.screw,
+    "nut": gears.nut,
+    "spring": gears.spring,
+    "plate": bodies.plate,
+    "roller": bodies.roller,
+    "jaw": bodies.jaw,
+    "prism": bodies.prism,
+    "object": bodies.held_object,
+    "cup": bodies.cup,
+    "coil": bodies.coil,
+    "end_view": bodies.end_view,
+    "cylinder": drives.cylinder,
+    "floating_cylinder": drives.floating_cylinder,
+    "motor": drives.motor,
+    "force": measures.force,
+    "moment": measures.moment,
+    "length": measures.length,
+    "angle": measures.angle,
+    "radius": measures.radius,
+    "diameter": measures.diameter,
+    "letter": measures.letter,
+}
+
+_MARGIN: Final = 0.6
+_AXIS: Final = 3.0  # how far the gripper's axis reaches beyond everything
+_STILL: Final = 1e-6  # mm of paper
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """A diagram in its place.
+
+    Attributes:
+        marks: lines and shapes; letters are apart.
+        written: the letters.
+        origin: where the origin of the kinematics is on the sheet.
+        scale: millimetres of paper for a millimetre.
+        width, height: of the sheet, mm; its lower left corner is the origin of the marks.
+    """
+
+    marks: tuple[Mark, ...]
+    written: tuple[Written, ...]
+    origin: Point
+    scale: float
+    width: float
+    height: float
+
+
+def lay_out(
+    plan: Plan, values: Mapping[str, float], language: str, widest: float = WIDEST
+) -> Layout | None:
+    """Lay out the diagram of a variant.
+
+    Args:
+        plan: of the scheme with the variant's options.
+        values: of quantities in declared units; what is missing is computed.
+        language: of the symbols.
+        widest: mm that it may take of the page's width; `HIGHEST` of its height.
+
+    Returns:
+        The layout; None where the scheme declares no diagram, or where the numbers give its joints
+        no place.
+    """
+    diagram = plan.scheme.diagram
+    if diagram is None:
+        return None
+    stops = stops_of(plan, diagram, values)
+    if not is_placed(stops.values()):
+        return None
+    found = None
+    for scale in _thinkable(stops, widest):
+        marks = _marks(plan, diagram, stops, scale, language)
+        size = bounds(marks)
+        if size.right - size.left > widest or size.high - size.low > HIGHEST:
+            continue
+        found = _with_letters(marks, scale, widest)
+        if found.width <= widest and found.height <= HIGHEST:
+            break
+    return found
+
+
+def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
+    """Yield the scales at which the joints fit, the largest first; the last in any case."""
+    points = [point for stop in stops.values() for point in stop.points.values()]
+    wide, high = (
+        (max(one[axis] for one in points) - min(one[axis] for one in points)) * MILLIMETRES
+        for axis in (0, 1)
+    )
+    for scale in SCALES:
+        if (wide * scale <= widest and high * scale <= HIGHEST) or scale == SCALES[-1]:
+            yield scale
+
+
+def _with_letters(marks: list[Mark], scale: float, widest: float) -> Layout:
+    """Place the letters, and everything on the smallest sheet that holds it."""
+    drawn = [mark for mark in marks if not isinstance(mark, Letter)]
+    letters = [mark for mark in marks if isinstance(mark, Letter)]
+    size = bounds(drawn)
+    room = (widest - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
+    sheet = Box(size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1])
+    written = write_letters(letters, lines_of(drawn), sheet.wider(-_MARGIN))
+    boxes = [size, *(one.box for one in written)]
+    left, low = min(one.left for one in boxes) - _MARGIN, min(one.low for one in boxes) - _MARGIN
+    return Layout(
+        marks=tuple(shifted(mark, -left, -low) for mark in drawn),
+        written=tuple(one.shifted(-left, -low) for one in written),
+        origin=(-left, -low),
+        scale=scale,
+        width=max(one.right for one in boxes) + _MARGIN - left,
+        height=max(one.high for one in boxes) + _MARGIN - low,
+    )
+
+
+def _marks(
+    plan: Plan, diagram: Diagram, stops: Mapping[str, Stop], scale: float, language: str
+) -> list[Mark]:
+    """Return everything that is drawn at a scale; the main position comes last, over the other."""
+    drawn: dict[bool, list[Mark]] = {False: [], True: []}
+    for element in diagram.elements:
+        if element.is_drawn(plan.options):
+            for shape in _shapes(element, plan, stops, scale, language):
+                drawn[shape.is_main] += _everywhere(shape)
+    marks = [mark for is_main in drawn for mark in cut_at_rings(drawn[is_main])]
+    if plan.scheme.kinematics is not None:
+        size = bounds(marks)
+        ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)
+        marks.append(Path(ends, LineKind.CENTRE))
+    return marks
+
+
+def _shapes(
+    element: Element, plan: Plan, stops: Mapping[str, Stop], scale: float, language: str
+) -> Iterator[Shape]:
+    """Yield an element where it is drawn; what does not move, once."""
+    first: Shape | None = None
+    for position in element.positions:
+        shape = shape_of(element, plan, stops, position, scale, language)
+        if first is None or _differ(first, shape):
+            yield shape
+        first = first or shape
+
+
+def _differ(one: Shape, other: Shape) -> bool:
+    return (
+        any(
+            abs(a - b) > _STILL
+            for role, points in one.points.items()
+            for point, moved in zip(points, other.points[role], strict=True)
+            for a, b in zip(point, moved, strict=True)
+        )
+        or any(abs(a - other.lengths[role]) > _STILL for role, a in one.lengths.items())
+        or any(abs(a - other.angles[role]) > _STILL for role, a in one.angles.items())
+    )
+
+
+def _everywhere(shape: Shape) -> Iterator[Mark]:
+    """Yield the marks of an element, repeated and mirrored as it is declared."""
+    marks = list(SYMBOLS[shape.element.kind](shape))
+    mirror = shape.element.mirror
+    count, rows = (round(shape.numbers[role]) for role in ("repeat", "rows"))
+    for column, row in product(range(count), range(rows)):
+        for mark in marks:
+            is_letter = isinstance(mark, Letter)
+            if is_letter and column + row:
+                continue  # one symbol tells what all are
+            moved = shifted(mark, column * shape.lengths["pitch"], row * shape.lengths["row_pitch"])
+            if mirror != "only":
+                yield moved
+            if mirror == "only" or (mirror == "both" and not is_letter):
+                yield mirrored(moved)

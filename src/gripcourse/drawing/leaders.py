@@ -1,0 +1,119 @@
+"""Leader lines from parts to a row of shelves above a view, none crossing another.
+
+Lengths are millimetres of paper, in the coordinates of the face.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from gripcourse.drawing.document import LineKind
+from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.text import Point, add_text, text_width
+
+if TYPE_CHECKING:
+    from ezdxf.layouts.layout import Modelspace
+
+ABOVE = 10.0  # from what stands below to the shelves
+_BETWEEN = 4.0  # from one shelf to the next
+_SHORTEST = 7.0
+_AWAY = 6.0  # along x, from the part to its shelf where there is room
+_OVER = 1.0  # the words over their shelf
+_DOT = 0.6  # radius of the end of a leader
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Words about a point."""
+
+    text: str
+    height: float
+    at: Point
+
+    @property
+    def width(self) -> float:
+        """Length of its shelf."""
+        return max(_SHORTEST, text_width(self.text, self.height) + 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Leader:
+    """A note with its shelf: `left` is where the shelf begins, `level` its height."""
+
+    note: Note
+    left: float
+    level: float
+
+    @property
+    def knee(self) -> Point:
+        """Where the leader line meets the shelf."""
+        right = self.left + self.note.width
+        nearer_left = abs(self.note.at[0] - self.left) <= abs(self.note.at[0] - right)
+        return (self.left if nearer_left else right), self.level
+
+    @property
+    def box(self) -> Box:
+        """The box round shelf and words."""
+        top = self.level + _OVER + self.note.height
+        return Box(self.left, self.level, self.left + self.note.width, top)
+
+
+def place_leaders(notes: Iterable[Note], bottom: float) -> list[Leader]:
+    """Give each note a shelf in one row above `bottom`."""
+    ordered = sorted(notes, key=lambda one: (one.at[0], -one.at[1], one.text))
+    for _ in range(len(ordered) ** 2):
+        leaders = _in_row(ordered, bottom + ABOVE)
+        crossing = next(
+            (
+                (first, second)
+                for first, second in combinations(range(len(leaders)), 2)
+                if cross(leaders[first], leaders[second])
+            ),
+            None,
+        )
+        if crossing is None:
+            return leaders
+        first, second = crossing
+        ordered[first], ordered[second] = ordered[second], ordered[first]
+    return _in_row(ordered, bottom + ABOVE)
+
+
+def cross(first: Leader, second: Leader) -> bool:
+    """Tell whether two leader lines cross."""
+    a, b, c, d = first.note.at, first.knee, second.note.at, second.knee
+    return _left(a, b, c) * _left(a, b, d) < 0 and _left(c, d, a) * _left(c, d, b) < 0
+
+
+def draw_leaders(layout: "Modelspace", leaders: Sequence[Leader], by: Point) -> None:
+    """Draw leaders on paper moved by `by`."""
+    thin = {"layer": LineKind.THIN}
+    for one in leaders:
+        at, knee = _moved(one.note.at, by), _moved(one.knee, by)
+        left, right = _moved((one.left, one.level), by), one.left + one.note.width + by[0]
+        layout.add_line(at, knee, dxfattribs=thin)
+        layout.add_line(left, (right, left[1]), dxfattribs=thin)
+        dot = layout.add_hatch(dxfattribs=thin)
+        ring = [(at[0] - _DOT, at[1], 1.0), (at[0] + _DOT, at[1], 1.0)]
+        dot.paths.add_polyline_path(ring, is_closed=True)
+        middle = ((left[0] + right) / 2, left[1] + _OVER)
+        add_text(layout, one.note.text, middle, one.note.height, align="CENTER")
+
+
+def _in_row(ordered: Sequence[Note], level: float) -> list[Leader]:
+    lefts: list[float] = []
+    for note in ordered:
+        free = lefts[-1] + ordered[len(lefts) - 1].width + _BETWEEN if lefts else note.at[0] + _AWAY
+        lefts.append(max(free, note.at[0] + _AWAY))
+    pushed = [left - note.at[0] - _AWAY for left, note in zip(lefts, ordered, strict=True)]
+    back = sum(pushed) / len(pushed) if pushed else 0.0
+    return [Leader(note, left - back, level) for note, left in zip(ordered, lefts, strict=True)]
+
+
+def _left(a: Point, b: Point, c: Point) -> float:
+    """Return a positive number where c lies on the left of the line from a to b."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _moved(point: Point, by: Point) -> Point:
+    return point[0] + by[0], point[1] + by[1]

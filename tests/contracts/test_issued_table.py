@@ -1,0 +1,21 @@
+"""What is issued keeps the rules that the policy demands of variants."""
+
+from gripcourse.course.model import Course
+from gripcourse.course.policy import Policy
+from gripcourse.variants.audit import audit
+from gripcourse.variants.model import Variant
+from gripcourse.variants.space import Space
+
+
+def test_the_issued_table_passes_its_audit(
+    course: Course, policy: Policy, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
+) -> None:
+    found = audit(course, policy, issued, spaces)
+    flagged = {
+        one.variant.id: (one.broken, one.slips, one.edges, one.above)
+        for one in found.variants
+        if not one.passed
+    }
+    assert issued
+    assert flagged == {}
+    assert found.passed
