@@ -27,7 +27,7 @@ from gripcourse.virtual.tolerance import Audit, audit_tolerances, round_up, to_w
 
 @pytest.fixture(scope="module")
 def variants(course: Course) -> Sequence[Variant]:
-    return draw(course, load_spaces(course), 32, 9).variants
+    return draw(course, load_spaces(course), 16, 9).variants
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +52,7 @@ def test_the_rule_is_the_graders(
     """Answers typed as text; a narrow band makes the grader refuse some of them."""
     strict = replace(policy, tolerance=replace(policy.tolerance, relative=narrow), floors={})
     hands = hands_of(mix)
-    variants = draw(course, load_spaces(course), 24, 4).variants
+    variants = draw(course, load_spaces(course), 16, 4).variants
     behaviour = next(iter(room.behaviours.values()))
     accepted = refused = 0
     for number, issued in enumerate(issue_to_nobody(course, mix, variants, 1)):
@@ -76,9 +76,10 @@ def test_the_rule_is_the_graders(
             band = narrow if quantity.tolerance is None else quantity.tolerance.relative
             accepts = bool(rule.accepts(honest.typed[quantity.id], band)[0])
             finding = said[quantity.id]
-            # An answer that something earlier excuses was refused first.
-            says = finding.outcome in {Outcome.CORRECT, Outcome.CARRIED} and not finding.roots
-            assert says == accepts, (issued.variant, finding)
+            says = finding.outcome in {Outcome.CORRECT, Outcome.CARRIED}
+            # An answer that is outside of its band may still be excused by something earlier.
+            excused = says and not accepts and bool(finding.roots)
+            assert says == accepts or excused, (issued.variant, finding)
             accepted, refused = accepted + accepts, refused + (not accepts)
     assert accepted > 100
     assert refused > 0 or narrow == 0.01

@@ -88,7 +88,7 @@ def _drawn(
     """
     shares = np.cumsum([space.weight for space in spaces]) * count / sum(s.weight for s in spaces)
     counts = np.diff(np.rint(shares).astype(np.int64), prepend=0)
-    found = []
+    found: list[Variant] = []
     for place, (space, wanted) in enumerate(zip(spaces, counts, strict=True)):
         rules = sifter(policy, len(course.sections))
         seeded = seed * len(spaces) + place

@@ -39,7 +39,7 @@ class Audited:
         tally: what was counted.
         now: the tolerance that applies now.
         proposed: the narrowest that refuses no honest answer; the present one where there were too
-            few answers to narrow it.
+            few answers to narrow it, or where it is an absolute one that refuses none.
         by_absolute: whether it is the absolute part that does it.
         price: share of the wrong methods that the proposed one accepts; NaN of no wrong method.
         ill_conditioned: whether rounded inputs spread the value over more than the mix calls wide.
@@ -185,8 +185,11 @@ def _audited(quantity: Quantity, tally: Tally, policy: Policy, mix: Mix) -> Audi
     now = tolerance_of(quantity, policy)
     declared = quantity.tolerance.relative if quantity.tolerance is not None else 0.0
     sound = [place for place, refused in enumerate(tally.refused_by_band) if not refused]
-    few = tally.answers < mix.answers and not tally.refused
-    if few or (sound and max(mix.bands[sound[0]], declared) == now.relative):
+    own = policy.tolerances.get(quantity.id) or quantity.tolerance
+    # An absolute part of its own says that no relative one fits: there is nothing to narrow.
+    is_absolute = own is not None and own.absolute > 0
+    kept = not tally.refused and (is_absolute or tally.answers < mix.answers)
+    if kept or (sound and max(mix.bands[sound[0]], declared) == now.relative):
         proposed, accepted = now, tally.accepted
     elif sound:
         # What a declaration allows has a reason that no calculation knows: a chart that is read.
