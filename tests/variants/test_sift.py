@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.course.model import Course
+from gripcourse.course.model import Course, Kind
 from gripcourse.course.policy import Policy
 from gripcourse.errors import TableError
 from gripcourse.variants.accepted import Accepted
-from gripcourse.variants.answers import Item, section_totals
-from gripcourse.variants.apart import Limits, shared_points
+from gripcourse.variants.answers import Item, items_of, section_totals, solve_groups
+from gripcourse.variants.apart import Limits, limits_of, measure, shared_points
 from gripcourse.variants.audit import audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.sift import sifter
@@ -27,6 +27,29 @@ def test_a_drawn_table_passes_its_audit(course: Course, policy: Policy) -> None:
     audited = audit(course, policy, found.variants, spaces)
     assert audited.passed, [one for one in audited.variants if not one.passed]
     assert audited.apart.whole.share.max() <= policy.variants.shared_points
+
+
+def test_a_table_of_300_over_all_schemes_keeps_the_limits(course: Course, policy: Policy) -> None:
+    sections = len(course.sections)
+    variants = draw(course, load_spaces(course), 300, 7, sifter(policy, sections)).variants
+    assert {one.scheme for one in variants} == set(course.schemes)
+    items = items_of(solve_groups(course, variants), policy, Kind.FORMULA)
+    found = measure(items, section_totals(items, 300, sections), limits_of(policy))
+    assert found.whole.above == 0
+    assert [one.above for one in found.sections] == [0] * sections
+
+
+def test_options_without_room_for_one_more_are_made_up_by_others_of_the_scheme(
+    course: Course, policy: Policy
+) -> None:
+    (space,) = (one for one in load_spaces(course) if one.scheme == "wedge_slide")
+    first, *others = space.cases[:4]
+    single = replace(first, given={id_: allowed[:1] for id_, allowed in first.given.items()})
+    narrow = replace(space, cases=(single, *others))
+    variants = draw(course, [narrow], 12, 5, sifter(policy, len(course.sections))).variants
+    assert len(variants) == 12
+    with pytest.raises(TableError):  # without a rule that needs room it is a fault of the space
+        draw(course, [narrow], 12, 5)
 
 
 def test_the_same_seed_gives_the_same_table(course: Course, policy: Policy) -> None:
@@ -50,7 +73,7 @@ def test_a_limit_that_nothing_keeps_is_told_with_its_reason(course: Course, poli
     narrow = replace(space, cases=tuple(
         replace(case, given={id_: allowed[:1] if id_ != "mass" else allowed
                              for id_, allowed in case.given.items()}, constraints=())
-        for case in space.cases
+        for case in space.cases[:1]
     ))  # fmt: skip
     loose = replace(policy, variants=replace(policy.variants, keep_apart=(), step_margin=0.0))
     with pytest.raises(TableError, match="too near to another variant"):

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.counts import counts_of
 from gripcourse.variants.explain import in_short, listed
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
@@ -25,6 +26,8 @@ from gripcourse.words import message
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
 _CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
 _MOST_TRIED = 1 << 18  # candidates of one case before giving up
+_STAND_INS = 16  # cases that may stand in for another
+_FEW_TRIED = 1 << 12  # candidates of each of them
 _REASONS_TOLD = 3
 
 
@@ -94,10 +97,11 @@ def draw(
     """
     search = [_Search(course, space, case, further) for space in spaces for case in space.cases]
     seeds = np.random.SeedSequence(seed).spawn(len(search) + 2)
-    counts = _counts(spaces, count, np.random.default_rng(seeds.pop()))
+    counts = counts_of(spaces, count, np.random.default_rng(seeds.pop()))
     found = [
         one.find(wanted, own) for one, wanted, own in zip(search, counts, seeds[:-1], strict=True)
     ]
+    _make_up(search, counts, found, seeds)
     rows = [(one.space.scheme, one.case.options, row)
             for one, result in zip(search, found, strict=True) for row in result.rows]  # fmt: skip
     order = np.random.default_rng(seeds[-1]).permutation(len(rows)) if len(search) > 1 else None
@@ -110,37 +114,36 @@ def draw(
     return Drawn(variants, _tallies(search, found))
 
 
-def _counts(spaces: Sequence[Space], count: int, rng: np.random.Generator) -> list[int]:
-    """Split a count among the cases of all spaces, in their order."""
-    parts = _apportion(count, [space.weight for space in spaces])
-    spread = (_spread(space.cases, part, rng) for space, part in zip(spaces, parts, strict=True))
-    return [wanted for one in spread for wanted in one]
+def _make_up(
+    search: Sequence["_Search"],
+    counts: Sequence[int],
+    found: list["_Found"],
+    seeds: Sequence[np.random.SeedSequence],
+) -> None:
+    """Draw what a combination of options lacks from others of its scheme.
 
+    Variants that must stay apart may leave no room for one more with just these options. Options
+    that cannot be solved at all are another matter: without a further condition nothing is made up.
 
-def _spread(cases: Sequence[Case], count: int, rng: np.random.Generator) -> list[int]:
-    """Split a count among the combinations of options, each choice of an option alike often.
-
-    There may be far more combinations than variants: which of them come is left to chance.
+    Raises:
+        TableError: the others have no room either.
     """
-    columns = []
-    for name in cases[0].options:
-        choices = tuple(dict.fromkeys(case.options[name] for case in cases))
-        numbers = (np.arange(count) + rng.integers(len(choices))) % len(choices)
-        columns.append([choices[number] for number in rng.permutation(numbers)])
-    chosen: Counter[tuple[str, ...]] = Counter(zip(*columns, strict=True))
-    if not columns:
-        chosen[()] = count
-    return [chosen[tuple(case.options.values())] for case in cases]
-
-
-def _apportion(count: int, shares: Sequence[float]) -> list[int]:
-    """Split a count by shares: whole parts first, the rest to the largest remainders."""
-    exact = [count * share / sum(shares) for share in shares]
-    parts = [int(one) for one in exact]
-    by_rest = sorted(range(len(exact)), key=lambda place: parts[place] - exact[place])
-    for place in by_rest[: count - sum(parts)]:
-        parts[place] += 1
-    return parts
+    lacking = [wanted - len(own.rows) for wanted, own in zip(counts, found, strict=True)]
+    for place, missing in enumerate(lacking):
+        if not missing:
+            continue
+        one = search[place]
+        others = [i for i, other in enumerate(search) if other.space is one.space and i != place]
+        order = np.random.default_rng(seeds[place].spawn(1)[0]).permutation(others)
+        still = missing
+        for other in order[:_STAND_INS] if one.further is not None else ():
+            more = search[other].find(still, seeds[other].spawn(1)[0], _FEW_TRIED)
+            found[other] = found[other].joined(more)
+            still -= len(more.rows)
+            if not still:
+                break
+        if still:
+            raise _too_few(one.space, counts[place], found[place])
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +156,16 @@ class _Found:
     refusals: tuple[Refusal, ...]
     set_aside: tuple[Refusal, ...]
 
+    def joined(self, more: "_Found") -> "_Found":
+        """Add what a second search for the same combination brought."""
+        return _Found(
+            (*self.rows, *more.rows),
+            self.tried + more.tried,
+            self.sound + more.sound,
+            by_count(summed((*self.refusals, *more.refusals))),
+            summed((*self.set_aside, *more.set_aside)),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class _Search:
@@ -163,8 +176,8 @@ class _Search:
     case: Case
     further: Filter | None
 
-    def find(self, wanted: int, seed: np.random.SeedSequence) -> _Found:
-        """Try candidates until enough are accepted."""
+    def find(self, wanted: int, seed: np.random.SeedSequence, most: int = _MOST_TRIED) -> _Found:
+        """Try candidates until enough are accepted, or so many were tried."""
         if not wanted:
             return _Found((), 0, 0, (), ())
         plan = make_plan(self.course, self.space.scheme, self.case.options)
@@ -173,7 +186,7 @@ class _Search:
         set_aside: tuple[Refusal, ...] = ()
         doubles = feasible = tried = 0
         for drawn in self._candidates(wanted, np.random.default_rng(seed)):
-            if len(rows) >= wanted:
+            if len(rows) >= wanted or tried >= most:
                 break
             given = {quantity.id: drawn[quantity.id] for quantity in plan.givens}
             feasibility = reasons_infeasible(plan, given, self.case.constraints)
@@ -195,10 +208,7 @@ class _Search:
             Refusal(message("the same numbers as another variant"), doubles),
         )
         found = tuple(rows.values())[:wanted]
-        result = _Found(found, tried, feasible - doubles, by_count(refusals), set_aside)
-        if len(rows) < wanted:
-            raise _too_few(self.space, wanted, result)
-        return result
+        return _Found(found, tried, feasible - doubles, by_count(refusals), set_aside)
 
     def _candidates(self, wanted: int, rng: np.random.Generator) -> Iterator[Mapping[str, Array]]:
         """Yield candidates in chunks, in declared units; round by round as many as before."""
