@@ -74,7 +74,7 @@ def test_what_cost_points_is_named(
 ) -> None:
     written = text(wrong(perfect, "drive_force", 500.0), words=Words("en"))
     losses = written[written.index("What cost most points") :]
-    assert losses.startswith("What cost most points −2 P required force of the drive wrong")
+    assert losses.startswith("What cost most points −2 P required force of the drive ✗ wrong")
 
 
 @pytest.mark.parametrize("outcome", [Outcome.WRONG, Outcome.SLIP, Outcome.BLANK])
@@ -141,6 +141,7 @@ def test_what_follows_from_own_numbers_is_shown_with_its_result(
         against=Against.OWN_INPUTS,
         given=4200.0,
         expected=4201.4,
+        band=42.0,
     )
     assert "= 4201,4 Н" in text(report)
 
