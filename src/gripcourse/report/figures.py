@@ -117,7 +117,7 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
         axes.set_yticks(places, [_short(bar.label) for bar in bars], parse_math=False)
         axes.tick_params(axis="y", length=0)
         axes.set_ylim(len(bars) - 0.4, -0.6)
-        axes.set_xlim(0, 100)
+        axes.set_xlim(0, 100.5)  # the edge of a full bar shows
         axes.set_xticks(range(0, 101, 20))
         axes.xaxis.set_major_formatter(_whole(words))
         axes.set_xlabel(words.say(message("mean share of the points, %")))
@@ -147,7 +147,8 @@ def box_plot(boxes: Sequence[Box], words: Words) -> str:
             capprops=line,
             meanprops={"marker": "D", "markersize": 3.5, "mfc": "white", "mec": _EDGE},
         )
-        axes.set_yticks(range(1, len(boxes) + 1), [_short(box.label) for box in boxes])
+        names = [_short(box.label) for box in boxes]
+        axes.set_yticks(range(1, len(boxes) + 1), names, parse_math=False)
         axes.tick_params(axis="y", length=0)
         axes.invert_yaxis()
         axes.set_xlim(-1, 101)

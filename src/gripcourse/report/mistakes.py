@@ -11,6 +11,8 @@ from gripcourse.pdf import percent_text
 from gripcourse.report.behind import USED
 from gripcourse.words import Message, Texts, Words, message
 
+# The numbers of another student's workbook are nobody's wrong method.
+_OTHERS = "issued_to_other"
 _MOST = 15  # rows on paper; the table of kinds counts all of them
 
 
@@ -54,8 +56,10 @@ def mistakes_of(report: Report) -> Iterator[Mistake]:
     """Yield what one student did wrong, each mistake once.
 
     What follows from a mistake is none; what a person has decided about is not counted. Of two
-    slips that explain an answer equally the likelier counts.
+    slips that explain an answer equally the likelier counts. Another student's workbook has none.
     """
+    if any(flag.code == _OTHERS for flag in report.flags):
+        return
     seen: set[tuple[str, str]] = set()
     for finding in report.findings:
         if finding.outcome in {Outcome.SLIP, Outcome.WRONG}:
