@@ -93,12 +93,16 @@ def _row(
         verdict="" if root is None else words.say(OUTCOME_WORDS[root.outcome]),
         said=words.say(cause.message) if root is None else "",
         later=tuple(name_of(one.quantity, plan, words) for one in later[:_NAMED]),
-        more=words.say(message("and {count} more", count=more)) if more > 0 else "",
+        more=_more(more, words) if more > 0 else "",
         count=str(len(later)),
         kept=_fraction(
             sum(one.points for one in later), sum(one.max_points for one in later), words
         ),
     )
+
+
+def _more(count: int, words: Words) -> str:
+    return words.say(message("and {count} more", count=count)).replace(" ", NO_BREAK_SPACE)
 
 
 def _fraction(points: float, possible: float, words: Words) -> str:

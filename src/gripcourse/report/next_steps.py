@@ -68,7 +68,7 @@ def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     """Gather what a student should do next."""
     found = {finding.quantity: finding for finding in report.findings}
     used = {
-        one.quantity: first.quantity for one in report.causes if (first := spoiled(one, report))
+        one.quantity: hit.quantity for one in report.causes if (hit := spoiled(one, report))
     }
     wrong = [name for name in plan.quantities if name in found and found[name].outcome in _AT_FAULT]
     roots = {
