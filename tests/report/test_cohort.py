@@ -8,7 +8,7 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, Outcome, Report
 from gripcourse.report.cohort import cohort_report, cohort_values
 from gripcourse.words import Words, message
 
@@ -75,7 +75,8 @@ def test_each_quantity_has_its_outcomes(
     assert isinstance(rows, list)
     force = next(row for row in rows if row.title == "required force of the drive")
     assert force.counts == ("2", "", "", "1", "", "", "")
-    assert force.facility == "66.7%"
+    assert force.facility == ("66.7%", "66.7%")
+    assert force.discrimination == ("—", "—")
 
 
 def test_what_a_person_marks_is_no_row_of_outcomes(
@@ -119,3 +120,32 @@ def test_the_headings_of_a_long_table_are_repeated(
     with_students = [page for page in pages if "Иван" in page]
     assert len(with_students) >= 2
     assert all("Student Variant 1 2 3 4 5 Score Open Flags" in page for page in with_students)
+
+
+def test_sections_slips_and_fairness_have_their_tables(
+    reports: list[Report],
+    with_finding: Change,
+    printed: Callable[..., bytes],
+    text_of: Callable[[bytes], str],
+) -> None:
+    slip = with_finding(
+        reports[0], "bore", outcome=Outcome.SLIP, slip="unit:mm>cm", given=6.3, points=0.0
+    )
+    written = text_of(printed([*reports, slip], "en"))
+    for heading in (
+        "Sections",
+        "Were schemes and variants equally hard?",
+        "Most common slips",
+        "Kinds of mistakes",
+        "another unit",
+        "not explained",
+    ):
+        assert heading in written
+
+
+def test_without_a_mistake_there_is_no_table_of_mistakes(
+    perfect: Report, printed: Callable[..., bytes], text_of: Callable[[bytes], str]
+) -> None:
+    written = text_of(printed([perfect], "en"))
+    assert "Most common slips" not in written
+    assert "Kinds of mistakes" not in written

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.report.figures import Bar, Box, box_plot, facility_plot, score_plot
 from gripcourse.words import Words
 
 ENGLISH = Words("en")
@@ -24,7 +24,7 @@ def test_a_drawing_says_nothing_about_the_time() -> None:
 
 def test_axes_are_named() -> None:
     assert {"score, %", "students"} <= set(texts(score_plot([0.5], ENGLISH)))
-    assert "mean share of the points, %" in texts(facility_plot([Bar("bore", 0.5)], ENGLISH))
+    assert "mean share of the points, %" in texts(facility_plot([Bar("bore", 0.5, 0.4)], ENGLISH))
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.7, 1.0])
@@ -38,10 +38,22 @@ def test_students_are_whole() -> None:
 
 
 def test_a_title_is_text_and_never_a_formula() -> None:
-    assert "цена, $x$ и $y$" in texts(facility_plot([Bar("цена, $x$ и $y$", 0.5)], ENGLISH))
+    assert "цена, $x$ и $y$" in texts(facility_plot([Bar("цена, $x$ и $y$", 0.5, 0.4)], ENGLISH))
 
 
 def test_a_long_title_is_cut() -> None:
-    (label,) = [text for text in texts(facility_plot([Bar("д" * 90, 0.5)], ENGLISH)) if "д" in text]
+    (label,) = [
+        text for text in texts(facility_plot([Bar("д" * 90, 0.5, 0.4)], ENGLISH)) if "д" in text
+    ]
     assert label.endswith("…")
     assert len(label) < 50
+
+
+def test_both_parts_of_a_facility_bar_are_named_beside_the_plot() -> None:
+    written = texts(facility_plot([Bar("bore", 0.9, 0.4)], ENGLISH))
+    assert {"by the reference", "carried forward"} <= set(written)
+
+
+def test_sections_stand_beside_their_boxes() -> None:
+    written = texts(box_plot([Box("Drive, $x$ and $y$", (0.2, 0.8)), Box("Grip", (1.0,))], ENGLISH))
+    assert {"Drive, $x$ and $y$", "Grip", "score, %"} <= set(written)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, Outcome, Report
 from gripcourse.report.grades import grades_csv, grades_text
 from gripcourse.words import message
 
@@ -83,3 +83,15 @@ def test_excel_is_told_that_it_is_utf8(perfect: Report, tmp_path: Path) -> None:
     grades_csv([perfect], target)
     assert target.read_bytes().startswith(b"\xef\xbb\xbfstudent,name,group,variant,score")
     assert [path.name for path in tmp_path.iterdir()] == ["grades.csv"]
+
+
+def test_recognised_slips_are_listed_where_they_were_made(
+    perfect: Report, with_finding: Change
+) -> None:
+    slipped = with_finding(perfect, "bore_required", outcome=Outcome.SLIP, slip="unit:cm")
+    earlier = with_finding(
+        slipped, "drive_force", outcome=Outcome.CARRIED, slip="swapped:a", roots=("grip_force",)
+    )
+    (row,) = rows(grades_text([earlier]))
+    assert set(row["slips"].split("; ")) == {"bore_required=unit:cm", "grip_force=swapped:a"}
+    assert rows(grades_text([perfect]))[0]["slips"] == ""

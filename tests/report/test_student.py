@@ -8,7 +8,7 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy, Reveal
-from gripcourse.grading.model import Against, Flag, Outcome, Report
+from gripcourse.grading.model import Against, Cause, Flag, Outcome, Report
 from gripcourse.pdf import Document, render_html
 from gripcourse.report.student import TEMPLATE, student_report, student_values
 from gripcourse.solver.plan import Plan
@@ -74,7 +74,7 @@ def test_what_cost_points_is_named(
 ) -> None:
     written = text(wrong(perfect, "drive_force", 500.0), words=Words("en"))
     losses = written[written.index("What cost most points") :]
-    assert losses.startswith("What cost most points −2 P required force of the drive wrong")
+    assert losses.startswith("What cost most points −2 P required force of the drive ✗ wrong")
 
 
 @pytest.mark.parametrize("outcome", [Outcome.WRONG, Outcome.SLIP, Outcome.BLANK])
@@ -141,8 +141,71 @@ def test_what_follows_from_own_numbers_is_shown_with_its_result(
         against=Against.OWN_INPUTS,
         given=4200.0,
         expected=4201.4,
+        band=42.0,
     )
     assert "= 4201,4 Н" in text(report)
+
+
+def test_what_follows_from_a_slip_in_a_blank_step_does_not_bring_the_right_value(
+    perfect: Report, with_finding: Change, blank: Change, text: Callable[..., str]
+) -> None:
+    # The formula's value at the right value of the blank step is the reference.
+    report = with_finding(
+        blank(perfect, "bore_required"),
+        "grip_force",
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        given=4200.0,
+        expected=TELLTALE,
+        low=TELLTALE,
+        high=TELLTALE,
+        band=TELLTALE / 100,
+        slip="unit:cm",
+        roots=("bore_required",),
+        message=message("Follows from a slip in a step that you left blank."),
+    )
+    written = text(report)
+    assert "77,777" not in written
+    assert "Follows from a slip in a step that you left blank." in written
+    assert "77,777" in text(report, Reveal.REFERENCE)
+
+
+def test_a_consequence_names_the_answer_that_it_follows_from(
+    perfect: Report, with_finding: Change, wrong: Change, text: Callable[..., str]
+) -> None:
+    report = with_finding(
+        wrong(perfect, "grip_force", 1.0),
+        "drive_force",
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        roots=("grip_force",),
+    )
+    assert "↪ carried forward from F 2 / 2" in text(report, words=Words("en"))
+
+
+def test_roots_and_next_steps_come_before_the_answers(
+    perfect: Report, with_finding: Change, wrong: Change, text: Callable[..., str]
+) -> None:
+    carried = with_finding(
+        wrong(perfect, "grip_force", 1.0),
+        "drive_force",
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        roots=("grip_force",),
+    )
+    cause = Cause("grip_force", ("drive_force",), message("It explains a later answer."))
+    written = text(replace(carried, causes=(cause,)), words=Words("en"))
+    places = [
+        written.index(said)
+        for said in (
+            "What cost most points",
+            "What is behind it",
+            "What to do next",
+            "Go over first: F",
+            "Your answer",
+        )
+    ]
+    assert places == sorted(places)
 
 
 def test_a_sound_decision_is_shown_as_the_student_took_it(

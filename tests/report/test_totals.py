@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.grading.model import Against, Outcome, Report
-from gripcourse.report.totals import quantity_totals, section_totals, shares, spread
+from gripcourse.grading.model import Outcome, Report
+from gripcourse.report.totals import quantity_totals, section_shares, section_totals, shares, spread
 
 Change = Callable[..., Report]
 
@@ -29,20 +29,16 @@ def test_outcomes_of_a_quantity_are_counted(perfect: Report, wrong: Change) -> N
     totals = quantity_totals([perfect, perfect, wrong(perfect, "drive_force", 1.0)])
     found = next(total for total in totals if total.quantity == "drive_force")
     assert found.outcomes == {Outcome.CORRECT: 2, Outcome.WRONG: 1}
-    assert found.facility is not None
-    assert math.isclose(found.facility, 2 / 3)
 
 
-def test_what_nobody_decided_yet_says_nothing_about_a_quantity(
-    perfect: Report, with_finding: Change
+def test_a_section_has_a_share_of_each_judged_report(
+    perfect: Report, wrong: Change, rejected: Change
 ) -> None:
-    waiting = with_finding(
-        perfect, "drive_force", outcome=Outcome.NOT_JUDGED, against=Against.NOTHING, points=0.0
+    found = section_shares(
+        [perfect, wrong(perfect, "drive_force", 1.0), rejected(perfect)], "drive"
     )
-    totals = {total.quantity: total for total in quantity_totals([waiting])}
-    assert totals["drive_force"].facility is None
-    assert totals["general_view_drawing"].facility is None
-    assert totals["bore"].facility == 1.0
+    assert len(found) == 2
+    assert found[0] == 1.0 > found[1]
 
 
 @pytest.mark.parametrize("scores", [[], [0.5]])

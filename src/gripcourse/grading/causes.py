@@ -3,10 +3,12 @@
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
+from gripcourse.course.model import Kind
 from gripcourse.grading.model import Against, Cause, Finding, Outcome
 from gripcourse.grading.substitution import Substitution
+from gripcourse.pdf import amount_text
 from gripcourse.solver.plan import Plan
-from gripcourse.words import Message, message
+from gripcourse.words import LANGUAGES, Message, Texts, Words, message
 
 _AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
 
@@ -48,14 +50,12 @@ def causes_of(
         if finding.outcome is Outcome.CARRIED:
             for root in finding.roots:
                 explained[root].append(finding.quantity)
-    causes = [
-        Cause(
-            one.quantity,
-            one.explains,
-            _used(plan, one),
-        )
-        for one in substituted
-    ]
+    causes = []
+    for one in substituted:
+        # What follows from the first answer that the number spoiled follows from the number too.
+        further = explained.pop(one.explains[0], [])
+        names = sorted({*one.explains, *further}, key=lambda name: order[name])
+        causes.append(Cause(one.quantity, tuple(names), _used(plan, one)))
     causes += [
         Cause(
             root,
@@ -72,19 +72,78 @@ def causes_of(
 
 
 def _used(plan: Plan, found: Substitution) -> Message:
-    quantity = plan.quantities[found.quantity]
+    title = plan.quantities[found.quantity].title
     if found.tied:
         return message(
-            "{count} answers fit together if another number was used for {title} ({value}) or for "
-            "{other}.",
-            count=len(found.explains),
-            title=quantity.title,
-            value=found.value,
+            "{title} or {other}: these answers fit together if another number was used.",
+            title=title,
             other=plan.quantities[found.tied].title,
         )
+    if not _may_be_told(plan, found):
+        return message(
+            "{title}: these answers fit together if another number was used.", title=title
+        )
     return message(
-        "{count} answers fit together if {value} was used for {title}.",
-        count=len(found.explains),
-        value=found.value,
-        title=quantity.title,
+        "{title}: these answers fit together if {value} was used.",
+        title=title,
+        value=_value(plan, found),
     )
+
+
+def spoiled_first(plan: Plan, found: Substitution) -> Message:
+    """Say of the first answer that a wrong number spoiled what it follows from."""
+    title, more = plan.quantities[found.quantity].title, len(found.explains) - 1
+    if found.tied:
+        return message(
+            "A wrong number: this answer and {count} more follow if another one is used for "
+            "{title} or for {other}.",
+            count=more,
+            title=title,
+            other=plan.quantities[found.tied].title,
+        )
+    if not _may_be_told(plan, found):
+        return message(
+            "A wrong number: this answer and {count} more follow if another one is used for "
+            "{title}.",
+            count=more,
+            title=title,
+        )
+    return message(
+        "A wrong number: this answer and {count} more follow if {value} is used for {title}.",
+        count=more,
+        value=_value(plan, found),
+        title=title,
+    )
+
+
+def spoiled_later(plan: Plan, found: Substitution) -> Message:
+    """Say of a later answer that a wrong number spoiled what it follows from."""
+    title = plan.quantities[found.quantity].title
+    if found.tied or not _may_be_told(plan, found):
+        return message(
+            "Follows from another number for {title}, which has cost an earlier answer.",
+            title=title,
+        )
+    return message(
+        "Follows from the wrong number {value} for {title}, which has cost an earlier answer.",
+        value=_value(plan, found),
+        title=title,
+    )
+
+
+def _may_be_told(plan: Plan, found: Substitution) -> bool:
+    """Tell whether the number that was used gives nothing away.
+
+    What a given value was taken for is the student's own; what answers fit to in the place of
+    another answer may be the reference, where that answer was typed wrongly but not used so.
+    """
+    return plan.quantities[found.quantity].kind in {Kind.GIVEN, Kind.CONSTANT}
+
+
+def _value(plan: Plan, found: Substitution) -> Texts:
+    """Write the number that was used; its last digits are only as sure as the answers' are."""
+    unit = plan.quantities[found.quantity].unit
+    return Texts({
+        language: amount_text(found.value, unit, Words(language), figures=4)
+        for language in LANGUAGES
+    })  # fmt: skip

@@ -65,11 +65,11 @@ def diagnose(
     if explanation is None:
         return judgement
     if explanation.likeliest.of == view.quantity.id:
-        return _with_slip(judgement, explanation)
+        return _with_slip(view, judgement, explanation)
     return _with_earlier_slip(view, judgement, explanation)
 
 
-def _with_slip(judgement: Judgement, explanation: Explanation) -> Judgement:
+def _with_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
     likeliest = explanation.likeliest.candidate
     return replace(
         judgement,
@@ -77,23 +77,49 @@ def _with_slip(judgement: Judgement, explanation: Explanation) -> Judgement:
         credit=likeliest.credit,
         slip=likeliest.id,
         tied=tuple(one.candidate.id for one in explanation.tied),
-        message=_said(explanation),
+        message=_said(view, explanation),
     )
 
 
-def _said(explanation: Explanation) -> Message:
+def _said(view: View, explanation: Explanation) -> Message:
     hint = explanation.likeliest.candidate.hint
     for other in explanation.tied:
+        if other.of != view.quantity.id:
+            return message(
+                "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
+                "{other}",
+                hint=hint,
+                title=view.plan.quantities[other.of].title,
+                other=other.candidate.hint,
+            )
         return message(
             "One of two known slips. {hint} Or: {other}", hint=hint, other=other.candidate.hint
         )
     return message("A known slip: {hint}", hint=hint)
 
 
+def _said_of_earlier(view: View, explanation: Explanation) -> Message:
+    title = view.plan.quantities[explanation.likeliest.of].title
+    hint = explanation.likeliest.candidate.hint
+    for other in explanation.tied:
+        return message(
+            "Follows from a slip in a step that you left blank, {title}: {hint} Or from another "
+            "one, {step}: {other}",
+            title=title,
+            hint=hint,
+            step=view.plan.quantities[other.of].title,
+            other=other.candidate.hint,
+        )
+    return message(
+        "Follows from a slip in a step that you left blank, {title}: {hint}",
+        title=title,
+        hint=hint,
+    )
+
+
 def _with_earlier_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
     """The slip was made in a step that is blank and earns nothing there; it costs once."""
     likeliest = explanation.likeliest
-    earlier = view.plan.quantities[likeliest.of]
     return replace(
         judgement,
         outcome=Outcome.CARRIED,
@@ -102,11 +128,7 @@ def _with_earlier_slip(view: View, judgement: Judgement, explanation: Explanatio
         slip=likeliest.candidate.id,
         tied=tuple(one.candidate.id for one in explanation.tied),
         roots=(likeliest.of,),
-        message=message(
-            "Follows from a slip in a step that you left blank, {title}: {hint}",
-            title=earlier.title,
-            hint=likeliest.candidate.hint,
-        ),
+        message=_said_of_earlier(view, explanation),
     )
 
 

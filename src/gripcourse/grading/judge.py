@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
-from gripcourse.grading.causes import causes_of, roots_of
+from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.diagnose import CandidatesOf, diagnose
 from gripcourse.grading.figures import figures_remark
 from gripcourse.grading.flags import flags_of
@@ -199,17 +199,14 @@ def _substituted(case: _Case, judged: _Judged, found: Mapping[str, Substitution]
     one = found.get(judged.quantity.id)
     if one is None:
         return judged
-    used = case.plan.quantities[one.quantity]
     first = one.explains[0]
     if judged.quantity.id == first:
-        said = message(
-            "A wrong number: this and {count} more answers follow if {value} is used for {title}.",
-            count=len(one.explains) - 1,
-            value=one.value,
-            title=used.title,
-        )
         judgement = replace(
-            judged.judgement, outcome=Outcome.SLIP, slip=f"used:{one.quantity}", message=said
+            judged.judgement,
+            outcome=Outcome.SLIP,
+            slip=f"used:{one.quantity}",
+            tied=(f"used:{one.tied}",) if one.tied else (),
+            message=spoiled_first(case.plan, one),
         )
         return replace(judged, judgement=judgement)
     judgement = replace(
@@ -218,11 +215,7 @@ def _substituted(case: _Case, judged: _Judged, found: Mapping[str, Substitution]
         against=Against.OWN_INPUTS,
         credit=case.policy.carried_credit,
         roots=(first,),
-        message=message(
-            "Follows from the wrong number {value} for {title}, which has cost an earlier answer.",
-            value=one.value,
-            title=used.title,
-        ),
+        message=spoiled_later(case.plan, one),
     )
     return replace(judged, judgement=judgement)
 

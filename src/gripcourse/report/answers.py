@@ -9,6 +9,7 @@ from gripcourse.course.policy import Policy, Reveal
 from gripcourse.formula.boxes import Box
 from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.pdf import NO_BREAK_SPACE, amount_text, points_text
+from gripcourse.report.behind import name_of
 from gripcourse.report.marked import MarkedItem, marked_item
 from gripcourse.report.totals import is_open
 from gripcourse.report.verdicts import AGAINST_WORDS, OUTCOME_WORDS, SIGNS
@@ -34,6 +35,7 @@ class AnswerRow:
         answer: the student's value with its unit, or what the cell shows.
         sign, verdict: the outcome.
         against: what it was judged against.
+        roots: symbols of the wrong answers that it follows from.
         reference: the reference with its unit; empty where it is not revealed or there is none.
         points: `2 / 2`.
         outcome: for the style sheet.
@@ -50,6 +52,7 @@ class AnswerRow:
     sign: str
     verdict: str
     against: str
+    roots: tuple[str, ...]
     reference: str
     points: str
     outcome: str
@@ -87,6 +90,7 @@ def answer_row(
         sign=SIGNS[finding.outcome],
         verdict=words.say(OUTCOME_WORDS[finding.outcome]),
         against=_against(finding, words),
+        roots=_roots(finding, plan, words),
         reference=value_text(finding.reference, quantity, words) if reveal else "",
         points=_points(finding, words),
         outcome=finding.outcome.value,
@@ -139,6 +143,12 @@ def _against(finding: Finding, words: Words) -> str:
     return "—" if said is None else words.say(said)
 
 
+def _roots(finding: Finding, plan: Plan, words: Words) -> tuple[str, ...]:
+    if finding.outcome is not Outcome.CARRIED:
+        return ()
+    return tuple(name_of(root, plan, words) for root in finding.roots)
+
+
 def _line(
     finding: Finding, plan: Plan, own: Mapping[str, float], words: Words, *, reveal: bool
 ) -> Box | None:
@@ -152,9 +162,27 @@ def _line(
 def _result(finding: Finding, quantity: Quantity, *, reveal: bool) -> float | None:
     """Return what may stand at the end of the calculation."""
     if finding.outcome in _RESULT_KNOWN:
-        # Of several sound decisions the student's own is shown, not the smallest.
-        return finding.given if quantity.kind is Kind.CHOICE else finding.expected
+        if quantity.kind is Kind.CHOICE:
+            # Of several sound decisions the student's own is shown, not the smallest.
+            return finding.given
+        return finding.expected if reveal or _follows(finding) else None
     return finding.expected if reveal else None
+
+
+def _follows(finding: Finding) -> bool:
+    """Whether the answer meets what its formula gives at the student's own numbers.
+
+    What follows from a slip in a blank step, or from a number used wrongly, does not: there the
+    formula's value is another one than the student's, and may be the reference.
+    """
+    if finding.given is None or finding.expected is None:
+        return False
+    low = finding.expected if finding.low is None else finding.low
+    high = finding.expected if finding.high is None else finding.high
+    nearest = min(max(finding.given, low), high)
+    # A relative band grows with the point that it is laid round.
+    grown = max(1.0, abs(nearest / finding.expected)) if finding.expected else 1.0
+    return abs(finding.given - nearest) <= finding.band * grown + _SAME * abs(nearest)
 
 
 def _only_own(inputs: Mapping[str, float], own: Mapping[str, float]) -> dict[str, float]:
@@ -168,7 +196,9 @@ def _only_own(inputs: Mapping[str, float], own: Mapping[str, float]) -> dict[str
 def _spoken(finding: Finding) -> bool:
     """Whether the verdict's sentence says more than its word and its points."""
     if finding.outcome in _RESULT_KNOWN:
-        return finding.against is Against.PRINTED or finding.points < finding.max_points
+        explained = finding.outcome is Outcome.CARRIED and not _follows(finding)
+        costs = finding.points < finding.max_points
+        return costs or explained or finding.against is Against.PRINTED
     return finding.outcome not in _SAID_ELSEWHERE
 
 

@@ -1,4 +1,4 @@
-"""The report on a cohort, for the instructor: summary, what to look at, students, quantities."""
+"""The report on a cohort, for the instructor: what to look at, slips, fairness, every quantity."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -7,15 +7,19 @@ from datetime import date
 from pathlib import PurePath
 
 from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course, Quantity, Section
 from gripcourse.course.policy import Policy
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.pdf import Document, percent_text, picture, points_text, render_pdf
-from gripcourse.report.figures import Bar, facility_plot, score_plot
+from gripcourse.report.fairness import extent_text, fairness_rows
+from gripcourse.report.figures import Bar, Box, box_plot, facility_plot, score_plot
+from gripcourse.report.items import FEWEST, Item, ItemView, item_statistics
 from gripcourse.report.marked import decision_rows, marked_tables
+from gripcourse.report.mistakes import kind_rows, slip_rows
 from gripcourse.report.totals import (
     QuantityTotal,
     quantity_totals,
+    section_shares,
     section_totals,
     shares,
     spread,
@@ -53,12 +57,32 @@ class StudentRow:
 
 @dataclass(frozen=True, slots=True)
 class QuantityRow:
-    """A quantity's line: how often each outcome of `COUNTED` occurred, and its facility."""
+    """A quantity's line: how often each outcome of `COUNTED` occurred, and its statistics.
+
+    Attributes:
+        symbol, title: of the quantity.
+        counts: in the order of `COUNTED`.
+        facility, discrimination: each with consequences of earlier mistakes and without.
+    """
 
     symbol: str
     title: str
     counts: tuple[str, ...]
-    facility: str
+    facility: tuple[str, str]
+    discrimination: tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class SectionRow:
+    """A section's line: its number, title and points, and how scores in it are spread."""
+
+    number: int
+    title: str
+    points: float
+    mean: str
+    median: str
+    deviation: str
+    extent: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,25 +115,28 @@ def cohort_values(
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `cohort_report` for the arguments."""
     declared, totals, scores = _declared(reports, course), quantity_totals(reports), shares(reports)
-    bars = [
-        Bar(_title(total, declared, words), total.facility)
-        for total in totals
-        if total.facility is not None
-    ]
+    items = item_statistics(reports)
     sections = [section for section in course.sections if section.id in policy.section_points]
+    rows = [_section(reports, section, number, policy, words)
+            for number, section in enumerate(sections, start=1)]  # fmt: skip
     return {
         "course": course.title.of(words.language),
         "summary": list(_summary(reports, scores, words)),
-        "sections": [
-            (number, section.title.of(words.language), policy.section_points[section.id])
-            for number, section in enumerate(sections, start=1)
-        ],
+        "sections": rows,
         "students": [_student(one, [section.id for section in sections], words) for one in reports],
         "score_plot": picture(score_plot(scores, words)) if scores else "",
-        "facility_plots": [picture(facility_plot(part, words)) for part in _pages(bars)],
+        "section_plot": _section_plot(reports, sections, words),
+        "facility_plots": [
+            picture(facility_plot(part, words))
+            for part in _pages(list(_bars(totals, items, declared, words)))
+        ],
+        "slips": slip_rows(reports, declared, words),
+        "kinds": kind_rows(reports, policy.slips, words),
+        "fairness": fairness_rows(reports, course, words),
+        "fewest": FEWEST,
         "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
         "quantities": [
-            _quantity(total, declared, words)
+            _quantity(total, items.get(total.quantity), declared, words)
             for total in totals
             if any(total.outcomes.get(outcome) for outcome in COUNTED)
         ],
@@ -145,7 +172,7 @@ def _summary(
         (message("Mean"), _share(found.mean, words)),
         (message("Median"), _share(found.median, words)),
         (message("Standard deviation"), _share(found.deviation, words)),
-        (message("Lowest and highest"), _range(found.lowest, found.highest, words)),
+        (message("Lowest and highest"), extent_text(found.lowest, found.highest, words)),
     )
     for label, value in numbers:
         yield words.say(label), value
@@ -155,10 +182,44 @@ def _share(share: float | None, words: Words) -> str:
     return "—" if share is None else percent_text(share, words)
 
 
-def _range(lowest: float | None, highest: float | None, words: Words) -> str:
-    if lowest is None or highest is None:
-        return "—"
-    return f"{percent_text(lowest, words)} … {percent_text(highest, words)}"
+def _section(
+    reports: Sequence[Report], section: Section, number: int, policy: Policy, words: Words
+) -> SectionRow:
+    found = spread(section_shares(reports, section.id))
+    return SectionRow(
+        number=number,
+        title=section.title.of(words.language),
+        points=policy.section_points[section.id],
+        mean=_share(found.mean, words),
+        median=_share(found.median, words),
+        deviation=_share(found.deviation, words),
+        extent=extent_text(found.lowest, found.highest, words),
+    )
+
+
+def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words: Words) -> str:
+    boxes = [
+        Box(section.title.of(words.language), found)
+        for section in sections
+        if (found := section_shares(reports, section.id))
+    ]
+    return picture(box_plot(boxes, words)) if boxes else ""
+
+
+def _bars(
+    totals: Sequence[QuantityTotal],
+    items: Mapping[str, Item],
+    declared: Mapping[str, Quantity],
+    words: Words,
+) -> Iterator[Bar]:
+    for total in totals:
+        item = items.get(total.quantity)
+        if item is not None:
+            yield Bar(
+                _title(total, declared, words),
+                item.without.facility,
+                item.with_consequences.facility,
+            )
 
 
 def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
@@ -176,14 +237,29 @@ def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRo
     )
 
 
-def _quantity(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words) -> QuantityRow:
+def _quantity(
+    total: QuantityTotal, item: Item | None, declared: Mapping[str, Quantity], words: Words
+) -> QuantityRow:
     quantity = declared.get(total.quantity)
+    views = (item.with_consequences, item.without) if item else (None, None)
+    first, second = views
     return QuantityRow(
         symbol=quantity.symbol.of(words.language) if quantity else "",
         title=_title(total, declared, words),
         counts=tuple(str(total.outcomes.get(outcome, 0) or "") for outcome in COUNTED),
-        facility=_share(total.facility, words),
+        facility=(_facility(first, words), _facility(second, words)),
+        discrimination=(_discrimination(first, words), _discrimination(second, words)),
     )
+
+
+def _facility(view: ItemView | None, words: Words) -> str:
+    return "—" if view is None else percent_text(view.facility, words)
+
+
+def _discrimination(view: ItemView | None, words: Words) -> str:
+    if view is None or view.discrimination is None:
+        return "—"
+    return words.number(round(view.discrimination, 2), 3).replace("-", "−")
 
 
 def _title(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words) -> str:

@@ -52,10 +52,25 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Bar:
-    """A bar of the facility plot: a name in the reader's language and a share of one."""
+    """A bar of the facility plot: a name in the reader's language and two shares of one.
+
+    Attributes:
+        label: the name.
+        share: the length of the bar.
+        dark: how much of it is filled darker.
+    """
 
     label: str
     share: float
+    dark: float
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A row of the box plot: a name in the reader's language and shares of one, at least one."""
+
+    label: str
+    shares: Sequence[float]
 
 
 def score_plot(shares: Sequence[float], words: Words) -> str:
@@ -87,23 +102,63 @@ def score_plot(shares: Sequence[float], words: Words) -> str:
 
 
 def facility_plot(bars: Sequence[Bar], words: Words) -> str:
-    """Draw the mean share of the points that each quantity earned, in the order given."""
+    """Draw for each quantity how often it was right, in the order given.
+
+    The dark part of a bar is without what only followed from earlier mistakes, its whole length
+    with it.
+    """
 
     def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
         places = range(len(bars))
-        values = [100 * bar.share for bar in bars]
-        axes.barh(places, values, height=0.66, color=_FILL, edgecolor=_EDGE, linewidth=0.5)
+        whole, dark = [100 * bar.share for bar in bars], [100 * bar.dark for bar in bars]
+        edge: dict[str, Any] = {"height": 0.66, "edgecolor": _EDGE, "linewidth": 0.5}
+        axes.barh(places, whole, color="white", label=words.say(message("carried forward")), **edge)
+        axes.barh(places, dark, color=_FILL, label=words.say(message("by the reference")), **edge)
         axes.set_yticks(places, [_short(bar.label) for bar in bars], parse_math=False)
         axes.tick_params(axis="y", length=0)
         axes.set_ylim(len(bars) - 0.4, -0.6)
-        axes.set_xlim(0, 100)
+        axes.set_xlim(0, 100.5)  # the edge of a full bar shows
         axes.set_xticks(range(0, 101, 20))
         axes.xaxis.set_major_formatter(_whole(words))
         axes.set_xlabel(words.say(message("mean share of the points, %")))
         axes.xaxis.grid(visible=True, color=_GRID, linewidth=0.5)
         axes.set_axisbelow(True)
+        place = {"loc": "lower right", "bbox_to_anchor": (1, 1), "borderpad": 0}
+        axes.legend(ncols=2, frameon=False, reverse=True, **place)
 
-    return _svg(draw, height=0.7 + 0.165 * len(bars))
+    return _svg(draw, height=0.95 + 0.165 * len(bars))
+
+
+def box_plot(boxes: Sequence[Box], words: Words) -> str:
+    """Draw how scores are spread in each section: quartiles, median, mean and every extreme."""
+
+    def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
+        line = {"color": _EDGE, "linewidth": 0.8}
+        axes.boxplot(
+            [[100 * share for share in box.shares] for box in boxes],
+            orientation="horizontal",
+            whis=(0, 100),
+            widths=0.55,
+            patch_artist=True,
+            showmeans=True,
+            boxprops={"facecolor": _FILL, "edgecolor": _EDGE, "linewidth": 0.6},
+            medianprops=line | {"linewidth": 1.8},
+            whiskerprops=line,
+            capprops=line,
+            meanprops={"marker": "D", "markersize": 3.5, "mfc": "white", "mec": _EDGE},
+        )
+        names = [_short(box.label) for box in boxes]
+        axes.set_yticks(range(1, len(boxes) + 1), names, parse_math=False)
+        axes.tick_params(axis="y", length=0)
+        axes.invert_yaxis()
+        axes.set_xlim(-1, 101)
+        axes.set_xticks(range(0, 101, 20))
+        axes.xaxis.set_major_formatter(_whole(words))
+        axes.set_xlabel(words.say(message("score, %")))
+        axes.xaxis.grid(visible=True, color=_GRID, linewidth=0.5)
+        axes.set_axisbelow(True)
+
+    return _svg(draw, height=0.55 + 0.24 * len(boxes))
 
 
 def share_plot(pairs: Sequence[int], limit: float, words: Words) -> str:

@@ -4,13 +4,14 @@ UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and c
 in every language, so that a program reads it the same everywhere.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
 from gripcourse.files import write_bytes
 from gripcourse.grading.model import Report
 from gripcourse.report.csv_text import number_cell, table_text, text_cell
+from gripcourse.report.mistakes import mistakes_of
 from gripcourse.report.totals import section_totals
 
 _NO_GROUPS: Mapping[str, str] = MappingProxyType({})
@@ -44,7 +45,7 @@ def grades_text(reports: Sequence[Report], groups: Mapping[str, str] = _NO_GROUP
         *("student", "name", "group", "variant"),
         *("score", "max_score", "percent", "open_points"),
         *sections,
-        *("flags", "file"),
+        *("slips", "flags", "file"),
     )
     return table_text(header, (_row(report, sections, groups) for report in reports))
 
@@ -57,6 +58,7 @@ def _row(report: Report, sections: tuple[str, ...], groups: Mapping[str, str]) -
         ),
         *_points(report),
         *_section_points(report, sections),
+        text_cell("; ".join(_slips(report))),
         text_cell(flags),
         text_cell(report.file),
     )
@@ -81,3 +83,10 @@ def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...
     return tuple(
         number_cell(totals[section].points) if section in totals else "" for section in sections
     )
+
+
+def _slips(report: Report) -> Iterator[str]:
+    """Yield the recognised slips as `quantity=slip`, each once, where they were made."""
+    for mistake in mistakes_of(report):
+        if mistake.slip:
+            yield f"{mistake.quantity}={mistake.slip}"

@@ -1,4 +1,4 @@
-"""The report that a student gets: the result, what cost points, and every answer with its verdict.
+"""The report that a student gets: the result, what is behind it, and every answer with its verdict.
 
 What the policy keeps back never reaches the template: where it reveals nothing, neither a reference
 value, nor a result that would be one, nor a number that is not the student's own is put into words.
@@ -14,6 +14,8 @@ from gripcourse.course.policy import Policy, Reveal
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.pdf import Document, percent_text, points_text, render_pdf
 from gripcourse.report.answers import AnswerRow, answer_row, own_numbers
+from gripcourse.report.behind import cause_rows
+from gripcourse.report.next_steps import next_steps
 from gripcourse.report.totals import SectionTotal, is_open, section_totals
 from gripcourse.report.verdicts import OUTCOME_WORDS, SIGNS
 from gripcourse.solver.plan import Plan
@@ -46,23 +48,13 @@ class SectionBlock:
 
 @dataclass(frozen=True, slots=True)
 class Loss:
-    """An answer that cost points: how many, which, and the verdict."""
+    """An answer that cost points: how many, which, and the verdict with its sign."""
 
     points: str
     symbol: str
     title: str
+    sign: str
     verdict: str
-
-
-@dataclass(frozen=True, slots=True)
-class Missing:
-    """A cell that held no answer that could be judged: where, what it shows, what is wrong."""
-
-    symbol: str
-    title: str
-    cell: str
-    typed: str
-    remarks: tuple[str, ...]
 
 
 def student_report(
@@ -102,8 +94,8 @@ def student_values(
         "remarks": [words.say(remark) for remark in report.remarks],
         "sections": list(_sections(report, plan, policy, course, words)),
         "losses": [_loss(finding, plan, words) for finding in _costly(report)],
-        "blank": list(_missing(report, Outcome.BLANK, plan, words)),
-        "unreadable": list(_missing(report, Outcome.UNREADABLE, plan, words)),
+        "causes": list(cause_rows(report, plan, words)),
+        "steps": next_steps(report, plan, words),
         "legend": [
             (SIGNS[outcome], words.say(OUTCOME_WORDS[outcome]), words.say(meaning))
             for outcome, meaning in LEGEND
@@ -170,18 +162,6 @@ def _loss(finding: Finding, plan: Plan, words: Words) -> Loss:
         points=f"−{points_text(finding.max_points - finding.points, words)}",
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
+        sign=SIGNS[finding.outcome],
         verdict=words.say(OUTCOME_WORDS[finding.outcome]),
     )
-
-
-def _missing(report: Report, outcome: Outcome, plan: Plan, words: Words) -> Iterator[Missing]:
-    for finding in report.findings:
-        if finding.outcome is outcome:
-            quantity = plan.quantities[finding.quantity]
-            yield Missing(
-                symbol=quantity.symbol.of(words.language),
-                title=quantity.title.of(words.language),
-                cell=finding.cell,
-                typed=finding.typed,
-                remarks=tuple(words.say(remark) for remark in finding.remarks),
-            )

@@ -30,14 +30,11 @@ class QuantityTotal:
     Attributes:
         quantity, section: ids.
         outcomes: how often each outcome occurred.
-        facility: mean share of the points earned, 0…1, over the answers that are judged; None for
-            none.
     """
 
     quantity: str
     section: str
     outcomes: Mapping[Outcome, int]
-    facility: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +81,12 @@ def shares(reports: Sequence[Report]) -> list[float]:
     ]
 
 
+def section_shares(reports: Sequence[Report], section: str) -> list[float]:
+    """Return what each judged report earned in a section, as a share of what could be earned."""
+    totals = (section_totals(report).get(section) for report in reports if report.judged)
+    return [total.points / total.max_points for total in totals if total and total.max_points]
+
+
 def spread(scores: Sequence[float]) -> Spread:
     """Summarise scores."""
     if not scores:
@@ -108,15 +111,8 @@ def quantity_totals(reports: Sequence[Report]) -> tuple[QuantityTotal, ...]:
 
 
 def _quantity_total(findings: Sequence[Finding]) -> QuantityTotal:
-    closed = [finding for finding in findings if not is_open(finding) and finding.max_points]
-    facility = (
-        statistics.fmean(finding.points / finding.max_points for finding in closed)
-        if closed
-        else None
-    )
     return QuantityTotal(
         quantity=findings[0].quantity,
         section=findings[0].section,
         outcomes=Counter(finding.outcome for finding in findings),
-        facility=facility,
     )
