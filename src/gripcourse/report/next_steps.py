@@ -67,9 +67,7 @@ class NextSteps:
 def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     """Gather what a student should do next."""
     found = {finding.quantity: finding for finding in report.findings}
-    used = {
-        one.quantity: hit.quantity for one in report.causes if (hit := spoiled(one, report))
-    }
+    used = {one.quantity: hit.quantity for one in report.causes if (hit := spoiled(one, report))}
     wrong = [name for name in plan.quantities if name in found and found[name].outcome in _AT_FAULT]
     roots = {
         root for one in report.findings if one.outcome is Outcome.CARRIED for root in one.roots
