@@ -98,8 +98,8 @@ class TestHappyPaths:
         run = gripcourse("solve", "001", "--json")
         values = json.loads(run.out)["values"]
         assert run.code == 0
-        assert values["drive_force"]["unit"] == "N"
-        assert values["drive_force"]["value"] > 0
+        assert values["lifting_load"]["unit"] == "N"
+        assert values["lifting_load"]["value"] > 0
 
     def test_the_guides_example_is_solved_with_values_set_by_hand(
         self, gripcourse: Command
