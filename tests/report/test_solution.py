@@ -1,8 +1,10 @@
 """The worked solution of a variant: every answer, with its source."""
 
 from collections.abc import Callable
+from io import BytesIO
 
 import pytest
+from pypdf import PdfReader
 
 from gripcourse.course.model import Course
 from gripcourse.report.solution import solution_pdf, solution_values
@@ -69,3 +71,13 @@ def test_a_variant_that_cannot_be_solved_to_the_end_is_still_printed(
     written = text_of(solution_pdf(plan, variant, broken, course, Words("en")))
     assert "nan" not in written.casefold().split()
     assert "→ 63" not in written
+
+
+def test_it_ends_with_the_general_view_on_a_sheet_of_its_own(
+    printed: Callable[[str], bytes], plan: Plan
+) -> None:
+    pages = PdfReader(BytesIO(printed("uk"))).pages
+    width, height = (float(pages[-1].mediabox[side]) for side in (2, 3))
+    assert width > height
+    assert all(float(page.mediabox[3]) > float(page.mediabox[2]) for page in pages[:-1])
+    assert plan.scheme.title.of("uk").split()[0] in pages[-1].extract_text()

@@ -6,7 +6,7 @@ from gripcourse.commands.solve import Solved
 from gripcourse.drawing.document import dxf_bytes
 from gripcourse.drawing.general_view import general_view
 from gripcourse.drawing.svg import svg_text
-from gripcourse.drawing.title_block import TitleBlock
+from gripcourse.drawing.title_block import variant_block
 from gripcourse.errors import Problem, UsageError
 from gripcourse.files import write_bytes, write_text
 from gripcourse.words import Words, message
@@ -29,7 +29,7 @@ def write_general_view(solved: Solved, out: Path, student: str, words: Words) ->
         what = message("The scheme {scheme} declares no general view.", scheme=scheme.id)
         remedy = message("Write drawing.toml into its folder.")
         raise UsageError([Problem("", "", what, remedy)])
-    block = title_block(solved, student, words)
+    block = variant_block(solved.plan, solved.variant.id, student, words)
     drawn = general_view(solved.plan, scheme.view, solved.values, block, words)
     sheet = drawn.arranged.sheet
     stem = f"{solved.variant.id}-general-view"
@@ -38,15 +38,3 @@ def write_general_view(solved: Solved, out: Path, student: str, words: Words) ->
     title = f"{block.document}: {block.title}, {block.designation}"
     write_text(paths[1], svg_text(drawn.document, sheet.width, sheet.height, title))
     return paths
-
-
-def title_block(solved: Solved, student: str, words: Words) -> TitleBlock:
-    """Return what the title block of a variant's general view says."""
-    plan = solved.plan
-    return TitleBlock(
-        designation=words.say(message("Variant {variant} GA", variant=solved.variant.id)),
-        title=plan.scheme.title.of(words.language),
-        document=words.say(message("General arrangement")),
-        student=student,
-        organisation=plan.course.title.of(words.language),
-    )

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from gripcourse.drawing.cells import LARGE, NORMAL, PAD, SMALL, Cells
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.text import wrapped
+from gripcourse.solver.plan import Plan
 from gripcourse.words import Message, Words, message
 
 BLOCK_WIDTH, BLOCK_HEIGHT = 185.0, 55.0
@@ -51,6 +52,24 @@ class TitleBlock:
     checked: str = ""
     organisation: str = ""
     date: str = ""
+
+
+def variant_block(plan: Plan, variant: str, student: str, words: Words) -> TitleBlock:
+    """Return what the title block says on the general view of a variant.
+
+    Args:
+        plan: of the variant.
+        variant: its id.
+        student: name; may be empty.
+        words: of the reader.
+    """
+    return TitleBlock(
+        designation=words.say(message("Variant {variant} GA", variant=variant)),
+        title=plan.scheme.title.of(words.language),
+        document=words.say(message("General arrangement")),
+        student=student,
+        organisation=plan.course.title.of(words.language),
+    )
 
 
 def draw_title_block(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:

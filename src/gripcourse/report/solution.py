@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 from gripcourse.assignment.sheet import drawn_diagram, given_data, option_pairs
 from gripcourse.course.model import Course, Quantity
+from gripcourse.drawing.general_view import general_view
+from gripcourse.drawing.svg import svg_text
+from gripcourse.drawing.title_block import variant_block
 from gripcourse.formula.boxes import Box
-from gripcourse.pdf import Document, render_pdf
+from gripcourse.pdf import Document, picture, render_pdf
 from gripcourse.report.worked import entering_units, worked_line
 from gripcourse.solver.plan import Plan
 from gripcourse.variants.model import Variant
@@ -65,7 +68,21 @@ def solution_values(
         "constants": given_data(plan.constants, known, words),
         "chapters": list(_chapters(plan, known, course, words)),
         "works": _works(plan, course),
+        "view": _general_view(plan, variant, known, words),
     }
+
+
+def _general_view(
+    plan: Plan, variant: Variant, values: Mapping[str, float], words: Words
+) -> tuple[str, str] | None:
+    """Return the general view as an address with its alternative text; None where there is none."""
+    if plan.scheme.view is None:
+        return None
+    block = variant_block(plan, variant.id, "", words)
+    drawn = general_view(plan, plan.scheme.view, values, block, words)
+    sheet = drawn.arranged.sheet
+    title = f"{block.document}: {block.title}, {block.designation}"
+    return picture(svg_text(drawn.document, sheet.width, sheet.height, title)), title
 
 
 def _pairs(plan: Plan, variant: Variant, words: Words) -> Iterator[tuple[str, str]]:
