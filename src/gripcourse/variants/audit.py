@@ -38,7 +38,7 @@ from gripcourse.variants.space import Space
 from gripcourse.words import Message
 
 CLOSEST = 20  # pairs that are told of a table that keeps its limits
-COUNTED = 300  # variants that slips of all kinds are counted in; a larger table gives that many
+COUNTED = 64  # variants that slips of all kinds are counted in, evenly taken from a larger table
 
 
 @dataclass(frozen=True, slots=True)
