@@ -10,7 +10,7 @@ from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.marking.bands import band
 from gripcourse.slips.candidates import candidates_of
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.units import factor
 from gripcourse.variants.answers import solve_groups
@@ -49,17 +49,28 @@ def raw_audit(
     return audit(course, policy, raw, spaces)
 
 
-def planted(sound: tuple[Variant, ...]) -> tuple[Variant, ...]:
-    """The table with a near-duplicate of its first variant: one given number differs."""
+def planted(course: Course, sound: tuple[Variant, ...]) -> tuple[Variant, ...]:
+    """The table with a near-duplicate of its first variant: the least important number differs."""
     first = sound[0]
-    changed = {**first.given, "load_offset": first.given["load_offset"] + 1.0}
+    plan = make_plan(course, first.scheme, first.options)
+    least = min(plan.givens, key=lambda one: (len(needing(plan, one.id)), one.id)).id
+    changed = {**first.given, least: 1.1 * first.given[least]}
     return (*sound, replace(first, id="planted", given=changed))
+
+
+def needing(plan: Plan, wanted: str) -> set[str]:
+    """Everything that is computed from a quantity, directly or not."""
+    found = {wanted}
+    for name in plan.quantities:
+        if found.intersection(plan.inputs[name]):
+            found.add(name)
+    return found
 
 
 def test_a_planted_near_duplicate_is_found(
     course: Course, policy: Policy, spaces: tuple[Space, ...], sound: tuple[Variant, ...]
 ) -> None:
-    found = audit(course, policy, planted(sound), spaces)
+    found = audit(course, policy, planted(course, sound), spaces)
     above = {one.variant.id for one in found.variants if one.above}
     assert above == {sound[0].id, "planted"}
     assert not found.passed
@@ -181,12 +192,13 @@ def test_a_size_that_rests_on_sizes_alone_is_never_at_an_edge(
 
 
 def test_a_quantity_that_hardly_differs_is_named_as_weak(raw_audit: Audit) -> None:
-    weak = {(one.scheme, one.quantity): one for one in raw_audit.weak_items}
-    thread = weak["screw", "thread_pitch_diameter"]
-    assert thread.equal > raw_audit.rules.weak_item
-    assert thread.lowest <= thread.median <= thread.highest
-    assert thread.unit == "mm"
+    weak = {(one.scheme, one.quantity) for one in raw_audit.weak_items}
+    limit = raw_audit.rules.weak_item
+    assert weak == {(one.scheme, one.quantity) for one in raw_audit.spreads if one.equal > limit}
+    assert weak
     assert ("screw", "grip_force") not in weak
+    for one in raw_audit.spreads:
+        assert one.lowest <= one.median <= one.highest
 
 
 def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: Audit) -> None:
