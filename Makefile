@@ -49,8 +49,9 @@ gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
 	@mkdir -p docs/gallery
 	@$(BIN)/python -m gripcourse solve 014 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
 	@$(BIN)/python -m gripcourse atlas lever-arms --out $(OUT)/atlas >$(OUT)/atlas.log
-	@while read -r name file; do \
-	  pdftoppm -r 80 -png -f 1 -l 1 -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \
+	@while read -r name page file; do \
+	  if [ "$$page" = last ]; then page=$$(pdfinfo "$(OUT)/$$file" | sed -n 's/^Pages: *//p'); fi; \
+	  pdftoppm -r 80 -png -f "$$page" -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \
 	done <scripts/gallery
 	@ls docs/gallery
 

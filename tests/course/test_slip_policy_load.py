@@ -100,7 +100,7 @@ def test_the_course_looks_for_every_kind(policy: Policy) -> None:
         ("figures = 3", "figures = 0", "rounding.figures", "The number is 0."),
         ("gravity = [9.8, 10]", "gravty = [9.8]", "rounding.habits.gravty", "means nothing here"),
         ("pi = [3.14]", "pi = 3.14", "rounding.habits.pi", "wrong type"),
-        ("widest = 20", 'widest = "wide"', "rounding.widest", "wrong type"),
+        ("widest = 40", 'widest = "wide"', "rounding.widest", "wrong type"),
     ],
 )
 def test_a_fault_of_the_rounding_rules_is_told_with_its_key(
