@@ -75,13 +75,13 @@ def substitutions(wrong: Sequence[View]) -> tuple[Substitution, ...]:
     for one in found:
         if taken.isdisjoint(one.explains):
             taken |= set(one.explains)
-            kept.append(_with_tie(one, found))
+            kept.append(_with_tie(one, found, open_views[0].policy.slips.tie))
     return tuple(kept)
 
 
-def _with_tie(best: Substitution, found: Sequence[Substitution]) -> Substitution:
+def _with_tie(best: Substitution, found: Sequence[Substitution], tie: float) -> Substitution:
     others = (o for o in found if o.quantity != best.quantity and o.explains == best.explains)
-    rival = next((o for o in others if 4 * o.odds > best.odds), None)
+    rival = next((o for o in others if tie * o.odds > best.odds), None)
     if rival is None:
         return best
     return Substitution(best.quantity, best.value, best.explains, best.odds, rival.quantity)
