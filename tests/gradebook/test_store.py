@@ -8,7 +8,7 @@ from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
 import pytest
-from sqlalchemy import event
+from sqlalchemy import create_engine, event, inspect
 
 from gripcourse.errors import GradebookError
 from gripcourse.gradebook.model import Attempt, Mark
@@ -161,9 +161,11 @@ class TestManyGraders:
         book.add_attempts(attempts(report()))
         other, rivals = open_gradebook(book.place), [mark(credit=0.25, marker="Rival")]
 
-        @event.listens_for(book.engine, "before_execute")
-        def get_in_between(_connection: object, statement: object, *_: object) -> None:
-            if rivals and str(statement).startswith("INSERT"):
+        @event.listens_for(book.engine, "before_cursor_execute")
+        def get_in_between(
+            _connection: object, _cursor: object, statement: str, *_: object
+        ) -> None:
+            if rivals and statement.startswith("BEGIN"):
                 other.add_marks([rivals.pop()])
 
         book.add_marks([mark(credit=0.75)])
@@ -171,6 +173,18 @@ class TestManyGraders:
             (1, 0.25),
             (2, 0.75),
         ]
+
+    def test_a_gradebook_is_never_seen_half_made(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """Where its making fails, there are no tables at all, and the next one makes them."""
+        place = str(tmp_path / "gradebook.sqlite")
+        with monkeypatch.context() as patch:
+            patch.setattr("gripcourse.gradebook.opening.VERSION", "no number")
+            with pytest.raises(GradebookError):
+                open_gradebook(place)
+        assert inspect(create_engine(f"sqlite:///{place}")).get_table_names() == []
+        assert open_gradebook(place).attempts() == ()
 
     def test_processes_that_write_at_once_lose_nothing(self, tmp_path: Path) -> None:
         """They make the gradebook together, too."""

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from sqlalchemy import Engine, create_engine, insert, inspect, select
+from sqlalchemy import Connection, Engine, create_engine, insert, inspect, select
 from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError, SQLAlchemyError
 from sqlalchemy.pool import NullPool
@@ -67,6 +67,19 @@ def shown(url: URL) -> str:
 
 
 @contextmanager
+def writing(engine: Engine) -> Iterator[Connection]:
+    """Open a transaction that changes something: kept whole, or not at all where it fails.
+
+    SQLite is asked for the right to write at once: a reader that wants to write later can be
+    refused without waiting.
+    """
+    with engine.begin() as connection:
+        if engine.dialect.name == "sqlite":
+            connection.exec_driver_sql("BEGIN IMMEDIATE")
+        yield connection
+
+
+@contextmanager
 def told(place: str) -> Iterator[None]:
     """Turn what a database says into an error that names the place.
 
@@ -99,8 +112,9 @@ def _url(place: str) -> URL:
 
 def _engine(url: URL) -> Engine:
     if url.get_backend_name() == "sqlite":
-        # Its driver gives up after five seconds otherwise.
-        return create_engine(url, poolclass=NullPool, connect_args={"timeout": _SECONDS_TO_WAIT})
+        # Its driver gives up after five seconds otherwise, and would commit each table it makes.
+        arguments = {"timeout": _SECONDS_TO_WAIT, "isolation_level": None}
+        return create_engine(url, poolclass=NullPool, connect_args=arguments)
     return create_engine(url, poolclass=NullPool)
 
 
@@ -116,7 +130,7 @@ def _make_tables(engine: Engine) -> None:
         if _is_made(engine):
             return
         try:
-            with engine.begin() as connection:
+            with writing(engine) as connection:
                 metadata.create_all(connection, checkfirst=False)
                 connection.execute(insert(format_table).values(version=VERSION))
         except DBAPIError:

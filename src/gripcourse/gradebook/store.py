@@ -14,7 +14,7 @@ from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, inse
 from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem
-from gripcourse.gradebook import rows, schema
+from gripcourse.gradebook import opening, rows, schema
 from gripcourse.gradebook.model import Attempt, Entry, Mark, same_results
 from gripcourse.gradebook.opening import open_engine, shown, told
 from gripcourse.words import message
@@ -140,7 +140,7 @@ class Gradebook:
             if not found:
                 return ()
             try:
-                with told(self.place), self.engine.begin() as connection:
+                with told(self.place), opening.writing(self.engine) as connection:
                     _insert(connection, writing(found))
             except GradebookError as fault:
                 if not isinstance(fault.__cause__, IntegrityError):
