@@ -37,6 +37,10 @@ class SlipKind(StrEnum):
     OTHER_ROW = "other_row"  # of a table
 
 
+OF_WRITING: Final = frozenset({SlipKind.UNIT, SlipKind.POWER_OF_TEN})
+"""Kinds that may concern only what was written: the number in the calculator can be right."""
+
+
 @dataclass(frozen=True, slots=True)
 class GenericSlip:
     """One kind of wrong method.

@@ -6,52 +6,32 @@ numbers; the better counts. So one mistake costs once, and rounding on the way c
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.model import Quantity
 from gripcourse.course.policy import Policy
+from gripcourse.grading.case import (
+    Case,
+    Judged,
+    explain,
+    is_unexplained,
+    judge_answer,
+    make_case,
+)
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
-from gripcourse.grading.diagnose import CandidatesOf, diagnose
+from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.figures import figures_remark
 from gripcourse.grading.flags import flags_of
-from gripcourse.grading.judge_choice import judge_choice_answer
-from gripcourse.grading.judge_value import judge_value
+from gripcourse.grading.meant import as_meant
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
-from gripcourse.grading.own import Own, follow
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
-from gripcourse.grading.view import Judgement, View
-from gripcourse.marking.points import points_of
+from gripcourse.grading.view import View
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import evaluate, from_si, to_si
-from gripcourse.submission.model import Answer, Reading, Submission
+from gripcourse.solver.solve import from_si
+from gripcourse.submission.model import Answer, Submission
 from gripcourse.variants.model import Issued
 from gripcourse.words import Message, message
-
-
-@dataclass(frozen=True, slots=True)
-class _Case:
-    """One submission on the judge's table."""
-
-    plan: Plan
-    policy: Policy
-    given: Mapping[str, float]
-    reference: Mapping[str, float]
-    own: Own
-    own_values: Mapping[str, float]
-    points: Mapping[str, float]
-    candidates_of: CandidatesOf
-    is_own: bool
-
-
-@dataclass(frozen=True, slots=True)
-class _Judged:
-    """One quantity with what was concluded; `view` is None where there is no value to look at."""
-
-    quantity: Quantity
-    answer: Answer | None
-    view: View | None
-    judgement: Judgement
 
 
 def judge(
@@ -71,10 +51,9 @@ def judge(
         candidates_of: the wrong methods of each quantity of the plan; None makes them anew.
     """
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
-    case = _case(submission, issued, plan, policy, methods)
-    first = [_judged(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
-    views = {one.quantity.id: one.view for one in first if one.view is not None}
-    judged = [_explained(case, one, views) for one in first]
+    case = make_case(submission, issued, plan, policy, methods)
+    judged = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    judged = as_meant(case, explain(case, judged))
     substituted = substitutions(_still_wrong(case, judged))
     judged = [_substituted(case, one, by_answer(substituted)) for one in judged]
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
@@ -103,98 +82,23 @@ def judge(
     )
 
 
-def _case(
-    submission: Submission,
-    issued: Issued,
-    plan: Plan,
-    policy: Policy,
-    candidates_of: CandidatesOf,
-) -> _Case:
-    given = issued.variant.given
-    reference = {
-        name: float(value) for name, value in evaluate(plan, to_si(plan, given)).values.items()
-    }
-    # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
-    is_own = submission.identity.student in {"", issued.student.id}
-    own = follow(plan, given, submission.answers if is_own else {}, reference, policy)
-    return _Case(
-        plan=plan,
-        policy=policy,
-        given=given,
-        reference=reference,
-        own=own,
-        own_values=from_si(plan, own.evaluation.values),
-        points=points_of(plan, policy),
-        candidates_of=candidates_of,
-        is_own=is_own,
-    )
-
-
 def _in_order(plan: Plan) -> list[Quantity]:
     """Order as the assignment does: by section, manual items last in theirs."""
     sections = {section.id: rank for rank, section in enumerate(plan.course.sections)}
     return sorted((*plan.answered, *plan.manual), key=lambda one: sections[one.section])
 
 
-def _judged(case: _Case, quantity: Quantity, answer: Answer | None) -> _Judged:
-    if quantity.kind is Kind.MANUAL:
-        judgement = _without_value(Outcome.MANUAL, message("Marked by hand."))
-    elif answer is None or answer.reading is Reading.BLANK:
-        judgement = _without_value(Outcome.BLANK, message("No answer."))
-    elif answer.reading is Reading.UNREADABLE or answer.value is None:
-        judgement = _without_value(Outcome.UNREADABLE, message("The answer could not be read."))
-    else:
-        return _viewed(case, quantity, answer, answer.value)
-    return _Judged(quantity, answer, None, judgement)
-
-
-def _viewed(case: _Case, quantity: Quantity, answer: Answer, value: float) -> _Judged:
-    view = View(
-        plan=case.plan,
-        policy=case.policy,
-        quantity=quantity,
-        answer=answer,
-        value=value,
-        reference_values=case.reference,
-        own=case.own,
-    )
-    if not view.has_reference:
-        said = message("There is no reference value for this variant; a person decides.")
-        return _Judged(quantity, answer, view, _without_value(Outcome.NOT_JUDGED, said))
-    judgement = judge_choice_answer(view) if quantity.kind is Kind.CHOICE else judge_value(view)
-    return _Judged(quantity, answer, view, judgement)
-
-
-def _explained(case: _Case, judged: _Judged, views: Mapping[str, View]) -> _Judged:
-    """Name the slip behind a wrong answer; a unit that does not fit explains itself."""
-    wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
-    if judged.view is None or not wrong or not judged.view.answer.unit_fits:
-        return judged
-    name = judged.quantity.id
-    later = [
-        view
-        for other, view in views.items()
-        if name in case.plan.inputs[other] and view.quantity.kind is Kind.FORMULA
-    ]
-    judgement = diagnose(judged.view, judged.judgement, case.candidates_of, later)
-    return replace(judged, judgement=judgement)
-
-
-def _still_wrong(case: _Case, judged: Sequence[_Judged]) -> list[View]:
+def _still_wrong(case: Case, judged: Sequence[Judged]) -> list[View]:
     """Return the answers that nothing explains yet, in order of calculation."""
-    if not case.is_own:
-        return []
     views = {
         one.quantity.id: one.view
         for one in judged
-        if one.view is not None
-        and one.judgement.outcome is Outcome.WRONG
-        and one.view.answer.unit_fits
+        if one.view is not None and is_unexplained(case, one)
     }
     return [views[name] for name in case.plan.quantities if name in views]
 
 
-def _substituted(case: _Case, judged: _Judged, found: Mapping[str, Substitution]) -> _Judged:
+def _substituted(case: Case, judged: Judged, found: Mapping[str, Substitution]) -> Judged:
     """A number that was used wrongly costs the first answer that it spoils, and no other."""
     one = found.get(judged.quantity.id)
     if one is None:
@@ -220,7 +124,7 @@ def _substituted(case: _Case, judged: _Judged, found: Mapping[str, Substitution]
     return replace(judged, judgement=judgement)
 
 
-def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Finding:
+def _finding(case: Case, judged: Judged, roots: Mapping[str, set[str]]) -> Finding:
     quantity, answer, judgement = judged.quantity, judged.answer, judged.judgement
     available = case.points[quantity.id]
     follows = None if judged.view is None else judged.view.follows
@@ -239,7 +143,7 @@ def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Fin
         reference=reference,
         expected=judgement.expected,
         band=judgement.band,
-        inputs={name: case.own_values[name] for name in case.plan.inputs[quantity.id]},
+        inputs=_inputs(case, judged),
         points=available * judgement.credit * share,
         max_points=available,
         slip=judgement.slip,
@@ -257,15 +161,18 @@ def _finding(case: _Case, judged: _Judged, roots: Mapping[str, set[str]]) -> Fin
     )
 
 
-def _sorted(case: _Case, names: set[str]) -> tuple[str, ...]:
+def _inputs(case: Case, judged: Judged) -> dict[str, float]:
+    """Return what the worked line substitutes, in declared units."""
+    own = case.own if judged.view is None else judged.view.own
+    names = case.plan.inputs[judged.quantity.id]
+    return from_si(case.plan, {name: own.evaluation.values[name] for name in names})
+
+
+def _sorted(case: Case, names: set[str]) -> tuple[str, ...]:
     return tuple(name for name in case.plan.quantities if name in names)
 
 
-def _without_value(outcome: Outcome, said: Message) -> Judgement:
-    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", (), (), said, ())
-
-
-def _reading_remarks(case: _Case, quantity: Quantity, answer: Answer | None) -> tuple[Message, ...]:
+def _reading_remarks(case: Case, quantity: Quantity, answer: Answer | None) -> tuple[Message, ...]:
     if answer is None:
         return ()
     if quantity.id in case.own.not_carried and answer.unit_fits:
@@ -276,7 +183,7 @@ def _reading_remarks(case: _Case, quantity: Quantity, answer: Answer | None) -> 
     return answer.remarks
 
 
-def _declared(case: _Case, quantity: Quantity, value: float | None) -> float | None:
+def _declared(case: Case, quantity: Quantity, value: float | None) -> float | None:
     if value is None or math.isnan(value):
         return None
     return from_si(case.plan, {quantity.id: value})[quantity.id]
