@@ -67,6 +67,18 @@ class TestTypedPrecision:
         shown = replace(answer("pitch_radius", whole), half_unit=0.5)
         assert finding(hydraulic, "pitch_radius", shown).slip == "diameter_for_radius"
 
+    def test_a_large_number_rounded_to_three_figures_is_named(
+        self, hydraulic: "Case", answer: "Callable[..., Answer]"
+    ) -> None:
+        """The cell shows 22700, the student computed 22650.6: five digits, three count."""
+        slip = 2 * hydraulic.reference["tooth_force"]
+        rounded = float(f"{slip:.2e}")
+        assert abs(rounded - slip) > 0.5
+        shown = replace(answer("tooth_force", rounded), half_unit=0.5, figures=3)
+        assert finding(hydraulic, "tooth_force", shown).slip
+        as_typed = replace(shown, figures=5)
+        assert not finding(hydraulic, "tooth_force", as_typed).slip
+
     def test_a_zero_is_explained_by_nothing(
         self, hydraulic: "Case", answer: "Callable[..., Answer]"
     ) -> None:

@@ -38,6 +38,14 @@ class TestTypedNumbers:
         five = replace(read_answer("jaw_travel", 5.0), half_unit=0.5)
         assert typed_half_unit(five, policy) == pytest.approx(0.005)
 
+    def test_zeros_that_end_a_whole_number_may_stand_for_anything(
+        self, policy: Policy, read_answer: ReadAnswer
+    ) -> None:
+        whole = replace(read_answer("grip_force", 102000.0), half_unit=0.5, figures=3)
+        assert reach_of(whole, replace(policy, last_digit=0.5)) == pytest.approx(500)
+        exact = replace(read_answer("grip_force", 102345.0), half_unit=0.5, figures=6)
+        assert reach_of(exact, replace(policy, last_digit=0.5)) == pytest.approx(0.5)
+
     def test_a_number_may_have_been_cut_off(self, policy: Policy, typed: Typed) -> None:
         answer = typed("jaw_travel", 12.345, 4)
         assert reach_of(answer, replace(policy, last_digit=1.0)) == pytest.approx(0.01)

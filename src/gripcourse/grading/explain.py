@@ -13,7 +13,7 @@ from typing import Final
 
 from gripcourse.course.slip_policy import SlipPolicy
 from gripcourse.formula.tree import Formula, Name, walk
-from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.grading.view import Range, View
 from gripcourse.slips.model import Candidate
 from gripcourse.slips.rewrite import number, renamed
@@ -29,6 +29,8 @@ _ROUNDED, _CUT_OFF = 0.9, 0.1
 # A short number in a cell may have lost zeros of three figures, or of as many as the calculator
 # has, or may have been typed so coarsely.
 _ZEROS_LOST, _EXACT, _COARSE = 0.67, 0.3, 0.03
+# Few round large whole numbers to the figures that are asked.
+_ROUND_NUMBERS = 0.2
 # People compute from their own numbers; few take one of somebody else's that is right.
 _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 # Some carry on the typed number, some the one in the calculator.
@@ -138,9 +140,20 @@ def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
 
 def density(view: View, result: Range) -> float:
     """Return how densely typed numbers lie at an answer, for people who compute this result."""
-    value = view.value
-    if value == 0:
+    if view.value == 0:
         return 0.0  # it has no last digit, and says nothing about where it comes from
+    rounded = without_zeros(view.answer, view.policy)
+    as_typed = _as_typed(view, result)
+    if rounded == 0:
+        return as_typed
+    # Zeros end a number by rounding, or by chance: each with one in ten.
+    by_chance = (1 - _ROUND_NUMBERS) * view.answer.half_unit / rounded
+    share = _ROUND_NUMBERS / (_ROUND_NUMBERS + by_chance)
+    return share * _density(view, result, rounded) + (1 - share) * as_typed
+
+
+def _as_typed(view: View, result: Range) -> float:
+    value = view.value
     finest = _FINEST * abs(value)
     fine = max(typed_half_unit(view.answer, view.policy), finest)
     coarse = max(view.answer.half_unit, finest)

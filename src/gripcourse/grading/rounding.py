@@ -5,14 +5,18 @@ import math
 from gripcourse.course.policy import Policy
 from gripcourse.submission.model import Answer
 
+_MORE = 5.0  # a digit more is ten times; binary fractions are not exact
+
 
 def reach_of(answer: Answer, policy: Policy) -> float:
     """Return how far the number behind an answer may be from the typed one, in the declared unit.
 
     A spreadsheet drops the zeros of 5.00, so that a short number is no proof of a coarse one: a
-    number counts as written with at least the figures that the policy asks for.
+    number counts as written with at least the figures that the policy asks for. But the zeros at
+    the end of 102000 may only hold the place of digits that were rounded away.
     """
-    return 2 * policy.last_digit * typed_half_unit(answer, policy)
+    half_unit = max(typed_half_unit(answer, policy), without_zeros(answer, policy))
+    return 2 * policy.last_digit * half_unit
 
 
 def typed_half_unit(answer: Answer, policy: Policy) -> float:
@@ -20,6 +24,17 @@ def typed_half_unit(answer: Answer, policy: Policy) -> float:
     if answer.value is None:
         return 0.0
     return min(answer.half_unit, figure_half_unit(answer.value, policy.figures))
+
+
+def without_zeros(answer: Answer, policy: Policy) -> float:
+    """Return half a unit of the last digit before the zeros that end a whole number.
+
+    Digits that the policy asks for count though they are zeros; 0 where no other zero is there.
+    """
+    if answer.value is None or answer.figures is None:
+        return 0.0
+    half_unit = figure_half_unit(answer.value, max(answer.figures, policy.figures))
+    return half_unit if half_unit > answer.half_unit * _MORE else 0.0
 
 
 def figure_half_unit(value: float, figures: int) -> float:
