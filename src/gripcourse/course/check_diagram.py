@@ -41,16 +41,19 @@ def check_diagram(
     used = {name for one in drawn for names_ in one.points.values() for name in names_}
     for name, pair in diagram.points.items():
         for formula in pair if name in used else ():
-            yield from _formula_faults(diagram, f"point.{name}", formula, "mm", known)
+            yield from _formula_faults(diagram.file, f"point.{name}", formula, "mm", known)
     for element in drawn:
-        yield from _unknown_points(diagram, element, joints)
+        yield from _unknown_points(element, joints)
         for role, formula in element.sizes.items():
-            unit = _UNITS[VOCABULARY[element.kind].roles[role].sort]
-            yield from _formula_faults(diagram, f"{element.key}.{role}", formula, unit, known)
+            wanted = VOCABULARY[element.kind].roles[role]
+            if wanted.default == "" and not known.keys() >= set(formula.names):
+                continue  # not a size of this composition
+            key = f"{element.key}.{role}"
+            yield from _formula_faults(element.file, key, formula, _UNITS[wanted.sort], known)
         if element.quantity and element.quantity not in quantities:
             what = message("There is no quantity '{name}'.", name=element.quantity)
             remedy = did_you_mean(element.quantity, quantities)
-            yield Problem(diagram.file, f"{element.key}.quantity", what, remedy)
+            yield Problem(element.file, f"{element.key}.quantity", what, remedy)
 
 
 def _facts(
@@ -82,10 +85,11 @@ def check_diagram_use(scheme: Scheme) -> Iterator[Problem]:
             key = f"{element.key}.options.{option}"
             if option not in choices:
                 what = message("The scheme has no option '{option}'.", option=option)
-                yield Problem(diagram.file, key, what, did_you_mean(option, choices))
+                yield Problem(element.file, key, what, did_you_mean(option, choices))
                 continue
             for one in among:
-                if one not in choices[option]:
+                # What several schemes share may name a choice that one of them does not offer.
+                if one not in choices[option] and element.file == diagram.file:
                     what = message("The option has no choice '{choice}'.", choice=one)
                     yield Problem(diagram.file, key, what, did_you_mean(one, choices[option]))
 
@@ -99,30 +103,30 @@ def _dimensions(scheme: Scheme, quantities: Mapping[str, Quantity]) -> dict[str,
     return known
 
 
-def _unknown_points(diagram: Diagram, element: Element, joints: set[str]) -> Iterator[Problem]:
+def _unknown_points(element: Element, joints: set[str]) -> Iterator[Problem]:
     for role, written in element.points.items():
         for name in written:
             if name and name not in joints:
                 what = message("There is no point '{name}'.", name=name)
                 yield Problem(
-                    diagram.file, f"{element.key}.{role}", what, did_you_mean(name, joints)
+                    element.file, f"{element.key}.{role}", what, did_you_mean(name, joints)
                 )
 
 
 def _formula_faults(
-    diagram: Diagram, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
+    file: str, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
     unknown = [name for name in names(formula.tree) if name not in known]
     for name in unknown:
         what = message("The name '{name}' is not known.", name=name)
-        yield Problem(diagram.file, key, what, did_you_mean(name, known))
+        yield Problem(file, key, what, did_you_mean(name, known))
     if unknown or _is_zero(formula):
         return
     try:
         check_dimension(formula, unit, known, {})
     except FormulaFault as fault:
         remedy = message("Compare the units of both sides.")
-        yield Problem(diagram.file, key, fault.what, remedy, caret(formula.text, fault.span))
+        yield Problem(file, key, fault.what, remedy, caret(formula.text, fault.span))
 
 
 def _is_zero(formula: Formula) -> bool:

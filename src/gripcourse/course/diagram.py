@@ -2,10 +2,11 @@
 
 `diagram.toml` beside a scheme's declarations lists elements of a vocabulary (`diagram_words`).
 An element names joints of the kinematics or points of its own, sizes as formulas, and the quantity
-whose symbol is written beside it. How an element looks is the business of `drawing`.
+whose symbol is written beside it. How an element looks is the business of `drawing`. Elements that
+several schemes share stand in `variants/diagram/`, and use points that each of these schemes names.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,7 +36,7 @@ class Element:
         positions: of the drive, at which it is drawn.
         mirror: `none`, `both` (on both sides of the gripper's axis) or `only` (on the other side).
         options: it is drawn only where a variant's options are among these.
-        key: where it stands in the file, for messages.
+        file, key: where it stands, for messages.
     """
 
     kind: str
@@ -46,6 +47,7 @@ class Element:
     positions: tuple[str, ...]
     mirror: str
     options: Mapping[str, tuple[str, ...]]
+    file: str
     key: str
 
     def is_drawn(self, options: Mapping[str, str]) -> bool:
@@ -70,22 +72,50 @@ class Diagram:
     file: str
 
 
-def read_diagram(folder: Path, root: Path, problems: list[Problem]) -> Diagram | None:
-    """Read the diagram of a scheme; None where there is no file, or no readable one."""
+def read_diagram(
+    folder: Path,
+    root: Path,
+    symbols: Mapping[str, tuple[Element, ...] | None],
+    problems: list[Problem],
+) -> Diagram | None:
+    """Read the diagram of a scheme, with the elements that it takes from the shared `symbols`.
+
+    None where there is no file, or no readable one.
+    """
     path = folder / FILE
     if not path.exists():
         return None
     table = read_toml(path, root, problems)
     if table is None:
         return None
-    table.known_keys({"axis", "point", "element"})
+    table.known_keys({"axis", "shared", "point", "element"})
+    shared = [one for name in table.strings("shared") for one in _named(table, name, symbols)]
     points = table.table("point")
     return Diagram(
         axis=_one_of(table, "axis", ("x", "y")),
         points={name: _pair(points, name) for name in points.values} if points else {},
-        elements=tuple(one for one in map(_element, table.tables("element")) if one is not None),
+        elements=(*_elements(table), *shared),
         file=table.file,
     )
+
+
+def read_elements(table: Table) -> tuple[Element, ...]:
+    """Read a file of elements that several diagrams share."""
+    table.known_keys({"element"})
+    return tuple(_elements(table))
+
+
+def _named(
+    table: Table, name: str, symbols: Mapping[str, tuple[Element, ...] | None]
+) -> tuple[Element, ...]:
+    if name not in symbols:
+        what = message("There is no shared part of a diagram '{name}'.", name=name)
+        table.add("shared", what, did_you_mean(name, symbols))
+    return symbols.get(name) or ()
+
+
+def _elements(table: Table) -> Iterator[Element]:
+    return (one for one in map(_element, table.tables("element")) if one is not None)
 
 
 def _element(table: Table) -> Element | None:
@@ -111,6 +141,7 @@ def _element(table: Table) -> Element | None:
         positions=_positions(table, word),
         mirror=_one_of(table, "mirror", (word.mirror, *MIRRORS)),
         options=_options(table),
+        file=table.file,
         key=table.key,
     )
 

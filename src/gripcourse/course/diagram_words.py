@@ -28,7 +28,8 @@ class Role:
 
     Attributes:
         sort: what it holds.
-        default: where it is not written; None where it must be, empty where it may be absent.
+        default: where it is not written; None where it must be, empty where it may be absent:
+            a size may then also name quantities that not all variants have.
         words: of a WORD, the first is the default.
     """
 
@@ -62,6 +63,7 @@ _POINTS: Final = Role(Sort.POINTS)
 _LENGTH: Final = Role(Sort.LENGTH)
 _ANGLE: Final = Role(Sort.ANGLE)
 _SYMBOL: Final = Role(Sort.QUANTITY)
+_SURFACES: Final = Role(Sort.WORD, words=("flat", "convex", "concave", "crossed"))
 _LINES: Final = Role(Sort.WORD, words=("outline", "thin", "centre", "hidden"))
 
 # Every element may be repeated along and across the picture: so many times, so far apart.
@@ -75,6 +77,11 @@ _ROW: Final = {
 
 def _number(default: float) -> Role:
     return Role(Sort.NUMBER, str(default))
+
+
+def _if_any(sort: Sort) -> Role:
+    """Make a role that only some variants have a size for."""
+    return Role(sort, "")
 
 
 def _turn(default: str) -> Role:
@@ -117,7 +124,9 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     # Bodies.
     "plate": _moving(through=_POINTS, line=_LINES, hatch=Role(Sort.WORD, words=("none", "hatch"))),
     "roller": _moving(at=_POINT, diameter=_LENGTH),
-    "jaw": _moving(at=_POINT, turn=_turn("-pi/2"), long=_number(14), thick=_number(2.5)),
+    "jaw": _moving(at=_POINT, holds=_POINT, surface=_SURFACES, radius=_if_any(Sort.LENGTH),
+                   angle=_if_any(Sort.ANGLE), mouth=_if_any(Sort.LENGTH), smallest=_LENGTH,
+                   largest=_LENGTH, long=_number(14), thick=_number(2.5)),
     "prism": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH),
     "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, "none", _BOTH_ENDS),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),

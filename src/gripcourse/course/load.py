@@ -6,6 +6,7 @@ from pathlib import Path
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
+from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.errata import read_errata
 from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
@@ -130,8 +131,9 @@ def _schemes(
 ) -> dict[str, Scheme]:
     shared = read_options(folder / "options", root, problems)
     drawings = _drawings(folder / "drawing", root, problems)
+    symbols = _symbols(folder / "diagram", root, problems)
     paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, raw, shared, drawings, problems) for path in paths)
+    found = (read_scheme(path, root, raw, shared, drawings, symbols, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not paths:
         problems.append(
@@ -149,6 +151,14 @@ def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Vi
     """Read what several general views share, by the names of the files; None: cannot be read."""
     found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
     return {name: None if table is None else read_shared(table) for name, table in found}
+
+
+def _symbols(
+    folder: Path, root: Path, problems: list[Problem]
+) -> dict[str, tuple[Element, ...] | None]:
+    """Read what several diagrams share, by the names of the files; None: cannot be read."""
+    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    return {name: None if table is None else read_elements(table) for name, table in found}
 
 
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:

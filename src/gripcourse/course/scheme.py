@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
-from gripcourse.course.diagram import read_diagram
+from gripcourse.course.diagram import Element, read_diagram
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import (
     Convention,
@@ -27,6 +27,7 @@ def read_scheme(
     raw_parts: Mapping[str, RawPart],
     shared: Mapping[str, Option],
     drawings: Mapping[str, View | None],
+    symbols: Mapping[str, tuple[Element, ...] | None],
     problems: list[Problem],
 ) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
@@ -58,7 +59,7 @@ def read_scheme(
         },
         overrides=read_overrides(table, part_ids, raw_parts, complete=all_options is not None),
         kinematics=_motion(table, optional, raw_parts),
-        diagram=read_diagram(folder, root, problems),
+        diagram=read_diagram(folder, root, symbols, problems),
         view=_view(folder / "drawing.toml", root, drawings, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,

@@ -55,13 +55,6 @@ def roller(shape: Shape) -> Iterator[Mark]:
     yield Ring(shape.at, JOINT * 0.7, edge(shape))
 
 
-def jaw(shape: Shape) -> Iterator[Mark]:
-    """Draw a flat jaw whose face is at the point and looks along `turn`."""
-    half, thick = shape.numbers["long"] / 2, shape.numbers["thick"]
-    corners = ((0, -half), (0, half), (-thick, half), (-thick, -half))
-    yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
-
-
 def prism(shape: Shape) -> Iterator[Mark]:
     """Draw a prismatic jaw: its apex at the point, its bisector along `turn`."""
     half, face = shape.lengths["length"], shape.angles["angle"] / 2

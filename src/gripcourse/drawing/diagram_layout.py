@@ -6,10 +6,10 @@ from itertools import product
 from typing import Final, TypeAlias
 
 from gripcourse.course.diagram import Diagram, Element
-from gripcourse.drawing import bodies, drives, gears, joints, measures
+from gripcourse.drawing import bodies, drives, gears, jaws, joints, measures
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.letters import Box, Written, bounds, lines_of, write_letters
-from gripcourse.drawing.marks import Letter, Mark, Path, cut_at_rings, mirrored, shifted
+from gripcourse.drawing.marks import Letter, Mark, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.places import MILLIMETRES, Shape, Stop, is_placed, shape_of, stops_of
 from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
@@ -42,7 +42,7 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "spring": gears.spring,
     "plate": bodies.plate,
     "roller": bodies.roller,
-    "jaw": bodies.jaw,
+    "jaw": jaws.jaw,
     "prism": bodies.prism,
     "object": bodies.held_object,
     "cup": bodies.cup,
@@ -159,7 +159,7 @@ def _marks(
         if element.is_drawn(plan.options):
             for shape in _shapes(element, plan, stops, scale, language):
                 drawn[shape.is_main] += _everywhere(shape)
-    marks = [mark for is_main in drawn for mark in cut_at_rings(drawn[is_main])]
+    marks = [mark for is_main in drawn for mark in cut_under(drawn[is_main])]
     if plan.scheme.kinematics is not None:
         size = bounds(marks)
         ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)

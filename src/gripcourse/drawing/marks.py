@@ -24,7 +24,7 @@ class Path:
         points: two or more.
         line: what it means.
         closed: whether the last point is joined to the first.
-        under: whether it disappears behind the rings of joints.
+        under: whether it disappears behind the rings of joints and behind masks.
     """
 
     points: tuple[Point, ...]
@@ -68,7 +68,14 @@ class Letter:
     places: tuple[Point, ...]
 
 
-Mark: TypeAlias = Path | Arc | Fill | Ring | Letter
+@dataclass(frozen=True, slots=True)
+class Mask:
+    """A polygon that nobody sees; what is `under` ends at its edge."""
+
+    points: tuple[Point, ...]
+
+
+Mark: TypeAlias = Path | Arc | Fill | Ring | Mask | Letter
 
 
 def circle(centre: Point, radius: float, line: LineKind) -> Arc:
@@ -105,7 +112,7 @@ def place(shape: Iterable[Point], origin: Point, turn: float) -> tuple[Point, ..
 def mirrored(mark: Mark) -> Mark:
     """Return the mark on the other side of the gripper's axis."""
     match mark:
-        case Path() | Fill():
+        case Path() | Fill() | Mask():
             return replace(mark, points=tuple((x, -y) for x, y in mark.points))
         case Arc(centre, _, start, sweep):
             return replace(mark, centre=(centre[0], -centre[1]), start=-start - sweep)
@@ -118,7 +125,7 @@ def mirrored(mark: Mark) -> Mark:
 def shifted(mark: Mark, x: float, y: float) -> Mark:
     """Return the mark moved."""
     match mark:
-        case Path() | Fill():
+        case Path() | Fill() | Mask():
             return replace(mark, points=tuple((one[0] + x, one[1] + y) for one in mark.points))
         case Arc(centre) | Ring(centre):
             return replace(mark, centre=(centre[0] + x, centre[1] + y))
@@ -138,31 +145,33 @@ def chain(mark: Mark) -> tuple[Point, ...]:
             return tuple(polar(centre, radius, start + sweep * k / steps) for k in range(steps + 1))
         case Ring(centre, radius):
             return chain(Arc(centre, radius, 0.0, math.tau, LineKind.OUTLINE))
-        case Letter():
+        case Letter() | Mask():
             return ()
 
 
-def cut_at_rings(marks: Iterable[Mark]) -> Iterator[Mark]:
-    """Yield the marks, with what is under a ring cut off at its edge."""
+def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
+    """Yield what is seen of the marks: what is under a ring or a mask ends at its edge."""
     all_marks = list(marks)
-    rings = [mark for mark in all_marks if isinstance(mark, Ring)]
+    covers = [mark for mark in all_marks if isinstance(mark, (Ring, Mask))]
     for mark in all_marks:
         if isinstance(mark, Path) and mark.under:
-            yield from _cut(mark, rings)
-        else:
+            yield from _cut(mark, covers)
+        elif not isinstance(mark, Mask):
             yield mark
 
 
-def _cut(path: Path, rings: Iterable[Ring]) -> Iterator[Path]:
+def _cut(path: Path, covers: Iterable[Ring | Mask]) -> Iterator[Path]:
     points = chain(path)
     for start, end in pairwise(points):
-        for a, b in _outside(start, end, rings):
+        for a, b in _outside(start, end, covers):
             yield Path((a, b), path.line)
 
 
-def _outside(start: Point, end: Point, rings: Iterable[Ring]) -> Iterator[tuple[Point, Point]]:
-    """Yield the parts of a line that no ring covers."""
-    covered = sorted(one for one in (_covered(start, end, ring) for ring in rings) if one)
+def _outside(
+    start: Point, end: Point, covers: Iterable[Ring | Mask]
+) -> Iterator[tuple[Point, Point]]:
+    """Yield the parts of a line that nothing covers."""
+    covered = sorted(one for cover in covers for one in _shares(start, end, cover))
     at = 0.0
     for enter, leave in (*covered, (1.0, 1.0)):
         if enter > at + _NEAR:
@@ -170,7 +179,39 @@ def _outside(start: Point, end: Point, rings: Iterable[Ring]) -> Iterator[tuple[
         at = max(at, leave)
 
 
-def _covered(start: Point, end: Point, ring: Ring) -> tuple[float, float] | None:
+def _shares(start: Point, end: Point, cover: Ring | Mask) -> Iterator[tuple[float, float]]:
+    """Yield the shares of a line between which it runs inside a ring or a mask."""
+    if isinstance(cover, Mask):
+        crossed = sorted({0.0, 1.0, *_crossings(start, end, cover.points)})
+        for enter, leave in pairwise(crossed):
+            if _is_inside(between(start, end, (enter + leave) / 2), cover.points):
+                yield enter, leave
+    elif (found := _in_ring(start, end, cover)) is not None:
+        yield found
+
+
+def _crossings(start: Point, end: Point, corners: tuple[Point, ...]) -> Iterator[float]:
+    """Yield the shares of a line at which it crosses the edges of a polygon."""
+    ux, uy = end[0] - start[0], end[1] - start[1]
+    for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
+        vx, vy, wx, wy = b[0] - a[0], b[1] - a[1], a[0] - start[0], a[1] - start[1]
+        cross = ux * vy - uy * vx
+        if abs(cross) > _NEAR and 0 <= (wx * uy - wy * ux) / cross <= 1:
+            share = (wx * vy - wy * vx) / cross
+            if 0 < share < 1:
+                yield share
+
+
+def _is_inside(point: Point, corners: tuple[Point, ...]) -> bool:
+    x, y = point
+    left_of = 0
+    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        if min(ay, by) <= y < max(ay, by):
+            left_of += x < ax + (bx - ax) * (y - ay) / (by - ay)
+    return left_of % 2 == 1
+
+
+def _in_ring(start: Point, end: Point, ring: Ring) -> tuple[float, float] | None:
     """Return the shares of a line between which it runs inside a ring."""
     along = (end[0] - start[0], end[1] - start[1])
     off = (start[0] - ring.centre[0], start[1] - ring.centre[1])

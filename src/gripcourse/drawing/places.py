@@ -125,6 +125,8 @@ def shape_of(
     units = {Sort.LENGTH: "mm", Sort.ANGLE: "deg", Sort.NUMBER: ""}
     for role, formula in element.sizes.items():
         sort = roles[role].sort
+        if roles[role].default == "" and not stops[position].values.keys() >= set(formula.names):
+            continue  # a size that this variant does not have
         sizes[sort][role] = _number(plan, formula, units[sort], stops[position].values)
     quantity = plan.quantities.get(element.quantity)
 

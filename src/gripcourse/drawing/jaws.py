@@ -1,0 +1,96 @@
+"""The jaws of a diagram as their working surfaces are chosen; they touch the object to scale.
+
+A jaw has one face across the direction in which it presses, or the two faces of a prism. A face is
+flat, convex, concave, or a round bar across the object. The body behind it is a symbol.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Final
+
+from gripcourse.drawing.document import LineKind
+from gripcourse.drawing.joints import edge
+from gripcourse.drawing.marks import Mark, Mask, Path, angle_of, place, polar
+from gripcourse.drawing.places import Shape
+from gripcourse.drawing.text import Point
+
+_STEPS: Final = 16  # chords of an arc
+_NARROW: Final = 2.0  # half of the length of a face, at least
+_DEPTH: Final = 0.35  # of the smallest object's radius that a concave face may embrace
+_ROOM: Final = 0.96  # of a radius that a face may take up
+_LIP: Final = 1.25  # how far the faces of a prism reach beyond the largest object's contacts
+_AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
+
+
+def jaw(shape: Shape) -> Iterator[Mark]:
+    """Draw a jaw; its face is towards the centre of the object that it `holds`.
+
+    The centre and the point `at` where a face across the direction would touch give the radius of
+    the object; the faces of a prism, whose half angle is `angle`, touch it elsewhere.
+    """
+    centre = shape.points["holds"][0]
+    turn, radius = angle_of(shape.at, centre), math.dist(shape.at, centre)
+    half_angle = shape.angles.get("angle")
+    if half_angle is None:
+        yield from _face(shape, shape.at, turn, shape.numbers["long"] / 2)
+    elif shape.element.words["surface"] == "flat":
+        yield from _prism(shape, centre, turn, radius)
+    else:
+        yield from _two_faces(shape, centre, turn, radius)
+
+
+def _face(shape: Shape, at: Point, turn: float, half: float) -> Iterator[Mark]:
+    """Draw one face with the body behind it; it touches at the point and looks along `turn`."""
+    surface = shape.element.words["surface"]
+    front = _front(shape, surface, half)
+    reach = front[-1][1]
+    back = -shape.numbers["thick"]
+    if surface == "crossed":
+        back = min(back, -2 * shape.lengths["radius"])
+        ends = place(((back / 2, reach + _AXIS), (back / 2, -reach - _AXIS)), at, turn)
+        yield Path(ends, LineKind.CENTRE)
+    elif surface == "convex":
+        back += min(x for x, _ in front)
+    corners = (*front, (back, reach), (back, -reach))
+    yield Path(place(corners, at, turn), edge(shape), closed=True)
+    yield Mask(place(((max(x for x, _ in front), reach), (back, reach), (back, -reach),
+                      (max(x for x, _ in front), -reach)), at, turn))  # fmt: skip
+
+
+def _front(shape: Shape, surface: str, half: float) -> tuple[Point, ...]:
+    """Return the line of a face from its right end to its left, the contact at the origin."""
+    if surface not in {"convex", "concave"}:
+        return (0.0, -half), (0.0, half)
+    radius = shape.lengths["radius"]
+    half = min(half, _ROOM * radius)
+    if surface == "concave":
+        depth = min(_DEPTH * shape.lengths["smallest"] / 2, radius)
+        half = min(half, math.sqrt(radius**2 - (radius - depth) ** 2))
+    sense = 1 if surface == "concave" else -1
+    across = [half * (2 * k / _STEPS - 1) for k in range(_STEPS + 1)]
+    return tuple((sense * (radius - math.sqrt(radius**2 - y**2)), y) for y in across)
+
+
+def _prism(shape: Shape, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
+    """Draw a prism whose flat faces touch an object of that radius."""
+    half_angle = shape.angles["angle"]
+    mouth = shape.lengths.get("mouth", _LIP * shape.lengths["largest"] * math.cos(half_angle)) / 2
+    deep, back = mouth / math.tan(half_angle), -shape.numbers["thick"]
+    apex = polar(centre, -radius / math.sin(half_angle), turn)
+    outer = ((deep, mouth), (back, mouth), (back, -mouth), (deep, -mouth))
+    yield Path(place(((0.0, 0.0), *outer), apex, turn), edge(shape), closed=True)
+    yield Mask(place(outer, apex, turn))
+
+
+def _two_faces(shape: Shape, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
+    """Draw the two faces of a prism that are not flat, and the bridge that carries them."""
+    lean = math.pi / 2 - shape.angles["angle"]
+    contacts = [polar(centre, -radius, turn + side * lean) for side in (-1, 1)]
+    room = math.dist(*contacts) / 2 / math.cos(lean) * _ROOM
+    half = max(_NARROW, min(shape.numbers["long"] / 4, room))
+    for contact in contacts:
+        yield from _face(shape, contact, angle_of(contact, centre), half)
+    backs = [polar(contact, -shape.numbers["thick"], angle_of(contact, centre))
+             for contact in contacts]  # fmt: skip
+    yield Path((backs[0], backs[1]), edge(shape))
+    yield Mask((*contacts, *reversed(backs)))
