@@ -20,11 +20,9 @@ Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
 WIDEST: Final = 170.0  # mm
 HIGHEST: Final = 95.0  # mm
 
-# Scales of GOST 2.302, millimetres of paper for a millimetre.
-SCALES: Final = (
-    10, 5, 4, 2.5, 2, 1, 1 / 2, 1 / 2.5, 1 / 4, 1 / 5, 1 / 10, 1 / 15, 1 / 20, 1 / 25, 1 / 40,
-    1 / 50, 1 / 75, 1 / 100, 1 / 200, 1 / 400, 1 / 500, 1 / 800, 1 / 1000,
-)  # fmt: skip
+# Millimetres of paper for a millimetre. A kinematic diagram needs no scale of GOST 2.302; preferred
+# numbers (R20) let it fill its place, whatever the proportions of the mechanism.
+SCALES: Final = tuple(float(f"{10 ** (1 - k / 20):.3g}") for k in range(81))
 SYMBOLS: Final[Mapping[str, Symbol]] = {
     "link": joints.link,
     "pivot": joints.pivot,

@@ -19,6 +19,7 @@ _NARROW: Final = 2.0  # half of the length of a face, at least
 _DEPTH: Final = 0.35  # of the smallest object's radius that a concave face may embrace
 _ROOM: Final = 0.96  # of a radius that a face may take up
 _LIP: Final = 1.25  # how far the faces of a prism reach beyond the largest object's contacts
+_BAR: Final = 5.0  # thickness of a bar, at most
 _AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
 
 
@@ -46,7 +47,7 @@ def _face(shape: Shape, at: Point, turn: float, half: float) -> Iterator[Mark]:
     reach = front[-1][1]
     back = -shape.numbers["thick"]
     if surface == "crossed":
-        back = min(back, -2 * shape.lengths["radius"])
+        back = min(back, -min(2 * shape.lengths["radius"], _BAR))
         ends = place(((back / 2, reach + _AXIS), (back / 2, -reach - _AXIS)), at, turn)
         yield Path(ends, LineKind.CENTRE)
     elif surface == "convex":
@@ -90,7 +91,9 @@ def _two_faces(shape: Shape, centre: Point, turn: float, radius: float) -> Itera
     half = max(_NARROW, min(shape.numbers["long"] / 4, room))
     for contact in contacts:
         yield from _face(shape, contact, angle_of(contact, centre), half)
-    backs = [polar(contact, -shape.numbers["thick"], angle_of(contact, centre))
-             for contact in contacts]  # fmt: skip
-    yield Path((backs[0], backs[1]), edge(shape))
-    yield Mask((*contacts, *reversed(backs)))
+    # The backs of both faces lie on two lines that meet behind the apex.
+    behind = radius + shape.numbers["thick"]
+    corner = polar(centre, -behind / math.cos(lean), turn)
+    backs = [polar(centre, -behind, turn + side * lean) for side in (-1, 1)]
+    yield Path((backs[0], corner, backs[1]), edge(shape))
+    yield Mask((*contacts, backs[1], corner, backs[0]))
