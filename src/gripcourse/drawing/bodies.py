@@ -11,7 +11,6 @@ from gripcourse.drawing.places import Shape
 from gripcourse.drawing.text import Point
 
 _CROSS: Final = 2.0  # how far the axes of an object reach over its edge
-_PRISM_BACK: Final = 0.35  # of the length of a face: how thick a prism is behind its apex
 _HATCH_PITCH: Final = 2.2
 _LIP: Final = 0.34  # of a cup's height
 _NECK: Final = 0.36  # of a cup's diameter
@@ -53,15 +52,6 @@ def roller(shape: Shape) -> Iterator[Mark]:
     radius = shape.lengths["diameter"] / 2
     yield circle(shape.at, max(radius, JOINT + 0.8), edge(shape))
     yield Ring(shape.at, JOINT * 0.7, edge(shape))
-
-
-def prism(shape: Shape) -> Iterator[Mark]:
-    """Draw a prismatic jaw: its apex at the point, its bisector along `turn`."""
-    half, face = shape.lengths["length"], shape.angles["angle"] / 2
-    tip = (half * math.cos(face), half * math.sin(face))
-    back = -_PRISM_BACK * half
-    corners = ((0.0, 0.0), tip, (back, tip[1]), (back, -tip[1]), (tip[0], -tip[1]))
-    yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
 
 
 def held_object(shape: Shape) -> Iterator[Mark]:

@@ -41,7 +41,7 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "plate": bodies.plate,
     "roller": bodies.roller,
     "jaw": jaws.jaw,
-    "prism": bodies.prism,
+    "prism": jaws.prism,
     "object": bodies.held_object,
     "cup": bodies.cup,
     "coil": bodies.coil,

@@ -11,8 +11,9 @@ from gripcourse.drawing.places import Shape
 
 _LEAST_MODULE: Final = 0.7  # mm of paper
 _ROOT: Final = 1.25  # modules from the pitch line to the bottom of the teeth
-# A tooth over one pitch: share of the pitch, modules above the pitch line.
-_TOOTH: Final = ((0.0, -_ROOT), (0.15, -_ROOT), (0.35, 1.0), (0.65, 1.0), (0.85, -_ROOT))
+# A tooth about its middle: shares of the pitch, modules above the pitch line.
+_TOOTH: Final = ((-0.35, -_ROOT), (-0.15, 1.0), (0.15, 1.0), (0.35, -_ROOT))
+_NEAR: Final = 1e-6
 _BACK: Final = 2.0  # modules of a rack behind its pitch line, at least
 _THREAD: Final = 2.2  # pitch of the drawn thread
 _THREAD_LINE: Final = 0.8  # of its width
@@ -25,40 +26,56 @@ def _module(shape: Shape) -> float:
 
 
 def rack(shape: Shape) -> Iterator[Mark]:
-    """Draw a rack along its pitch line, teeth on the left or right side of it."""
+    """Draw a rack along its pitch line, teeth on the left or right side of it.
+
+    Of three points the inner one is where a gear meshes: a tooth stands there.
+    """
     start, end = shape.through[0], shape.through[-1]
     module, turn = _module(shape), angle_of(start, end)
     up = 1 if shape.element.words["side"] == "left" else -1
-    length = math.dist(start, end)
-    count = max(2, round(length / (math.pi * module)))
-    pitch = length / count
-    teeth = [((k + share) * pitch, up * height * module)
-             for k in range(count) for share, height in _TOOTH]  # fmt: skip
+    length, pitch = math.dist(start, end), math.pi * module
+    at = math.dist(start, shape.through[1]) if len(shape.through) > len((start, end)) else 0.0
+    teeth = [(x, up * height * module) for x, height in _teeth(0.0, length, pitch, at)]
     back = -up * max(shape.lengths["thick"], _BACK * module)
-    outline = [*teeth, (length, -up * _ROOT * module), (length, back), (0.0, back)]
+    foot = -up * _ROOT * module
+    outline = [(0.0, foot), *teeth, (length, foot), (length, back), (0.0, back)]
     yield Path(place(outline, start, turn), edge(shape), closed=True)
     yield Path((start, end), LineKind.CENTRE)
 
 
+def _teeth(start: float, end: float, pitch: float, at: float) -> Iterator[tuple[float, float]]:
+    """Yield the corners of the teeth between two ends, one of which stands at a place."""
+    half = _TOOTH[-1][0]
+    first = math.ceil((start - at) / pitch + half)
+    last = math.floor((end - at) / pitch - half)
+    for number in range(first, last + 1):
+        yield from ((at + (number + share) * pitch, height) for share, height in _TOOTH)
+
+
 def gear(shape: Shape) -> Iterator[Mark]:
-    """Draw a gear, or the sector from `start` over `sweep`."""
+    """Draw a gear, or the sector from `start` over `sweep`.
+
+    Where it meshes, at the angle `mesh`, it has a gap; with `tooth` a tooth, for a second gear.
+    """
     centre, radius, sweep = shape.at, shape.lengths["radius"], shape.angles["sweep"]
     start, module = shape.angles["start"], min(_module(shape), radius / 4)
-    count = max(3, round(abs(sweep) * radius / (math.pi * module)))
-    step = sweep / count
-    teeth = tuple(
-        polar(centre, radius + height * module, start + (k + share) * step)
-        for k in range(count)
-        for share, height in _TOOTH
-    )
-    is_whole = abs(sweep) > math.tau - step / 2
+    pitch = math.pi * module / radius
+    is_whole = abs(sweep) > math.tau - pitch / 2
+    if is_whole:  # as many teeth as give a gap on both sides
+        pitch = math.tau / max(4, 2 * round(math.pi / pitch))
+    at = shape.angles.get("mesh", start) + (0 if shape.element.words["has"] == "tooth" else pitch / 2)
+    end = start + (math.tau - _NEAR if is_whole else sweep)
+    corners = [
+        polar(centre, radius + height * module, turn)
+        for turn, height in _teeth(start, end, pitch, at)
+    ]
     if is_whole:
-        yield Path(teeth, edge(shape), closed=True)
+        yield Path(tuple(corners), edge(shape), closed=True)
     else:
-        last = polar(centre, radius - _ROOT * module, start + sweep)
-        hub = JOINT
-        yield Path((polar(centre, hub, start), *teeth, last,
-                    polar(centre, hub, start + sweep)), edge(shape))  # fmt: skip
+        root = radius - _ROOT * module
+        outline = (polar(centre, root, start), *corners, polar(centre, root, start + sweep))
+        hubs = polar(centre, JOINT, start), polar(centre, JOINT, start + sweep)
+        yield Path((hubs[0], *outline, hubs[1]), edge(shape))
     if shape.is_main:
         yield Arc(centre, radius, start, sweep, LineKind.CENTRE)
 

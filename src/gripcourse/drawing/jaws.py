@@ -20,6 +20,8 @@ _DEPTH: Final = 0.35  # of the smallest object's radius that a concave face may 
 _ROOM: Final = 0.96  # of a radius that a face may take up
 _LIP: Final = 1.25  # how far the faces of a prism reach beyond the largest object's contacts
 _BAR: Final = 5.0  # thickness of a bar, at most
+_PRISM_BACK: Final = 0.35  # of the length of a face: how thick a prism is behind its apex
+_PAD: Final = 4.0  # half of the length of a convex face of a prism, at most
 _AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
 
 
@@ -97,3 +99,31 @@ def _two_faces(shape: Shape, centre: Point, turn: float, radius: float) -> Itera
     backs = [polar(centre, -behind, turn + side * lean) for side in (-1, 1)]
     yield Path((backs[0], corner, backs[1]), edge(shape))
     yield Mask((*contacts, backs[1], corner, backs[0]))
+
+
+def prism(shape: Shape) -> Iterator[Mark]:
+    """Draw a prismatic jaw: its apex at the point, its bisector along `turn`.
+
+    Faces with a `radius` are convex; they touch the object where flat ones would.
+    """
+    half, face = shape.lengths["length"], shape.angles["angle"] / 2
+    contact = shape.lengths["diameter"] / 2 / math.tan(face)
+    along = [(x * math.cos(face) - y * math.sin(face), x * math.sin(face) + y * math.cos(face))
+             for x, y in _prism_face(shape, half, contact)]  # fmt: skip
+    back = -_PRISM_BACK * half
+    wide = max(y for _, y in along)
+    mirrored = [(x, -y) for x, y in reversed(along)]
+    corners = (*along, (back, wide), (back, -wide), *mirrored)
+    yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
+
+
+def _prism_face(shape: Shape, length: float, contact: float) -> list[Point]:
+    """Return a face from the apex on: along it, and behind it where it is convex."""
+    radius = shape.lengths.get("radius")
+    if radius is None:
+        return [(0.0, 0.0), (length, 0.0)]
+    half = min(_PAD, _ROOM * radius, contact, length - contact)
+    depth = radius - math.sqrt(radius**2 - half**2)
+    arc = [half * (2 * k / _STEPS - 1) for k in range(_STEPS + 1)]
+    pad = [(contact + x, radius - math.sqrt(radius**2 - x**2)) for x in arc]
+    return [(0.0, depth), *pad, (length, depth)]

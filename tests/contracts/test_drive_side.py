@@ -1,0 +1,159 @@
+"""What a diagram shows of a drive is what its declarations compute: it pushes, or it pulls."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import pytest
+
+from gripcourse.course.diagram import Element
+from gripcourse.course.model import Convention, Course
+from gripcourse.drawing.drives import cylinder, floating_cylinder
+from gripcourse.drawing.jaws import jaw
+from gripcourse.drawing.marks import Path
+from gripcourse.drawing.places import Shape, Stop, shape_of, stops_of
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import evaluate, to_si
+from gripcourse.variants.model import Variant
+
+DRAWN = 12
+CLOSING = ("at_max", "at_min")
+SEEN = 0.02  # mm of paper: an arc is drawn as a chain of chords
+SOONEST = 0.1  # mm of paper that a rod travels at least
+DRIVES = {"cylinder": cylinder, "floating_cylinder": floating_cylinder}
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A variant of a scheme with one of its drives.
+
+    Attributes:
+        name: for messages.
+        plan: with the options of the variant.
+        stops: where the joints are.
+        pulls: whether the declarations take the rod's section from the piston; None: no cylinder.
+    """
+
+    name: str
+    plan: Plan
+    stops: dict[str, Stop]
+    pulls: bool | None
+
+    def shapes(self, kinds: set[str], quantity: str = "") -> Iterator[tuple[Shape, Shape]]:
+        """Yield each drawn element of these kinds, with the largest and with the smallest object."""
+        diagram = self.plan.scheme.diagram
+        assert diagram is not None
+        for element in diagram.elements:
+            if element.kind in kinds and element.is_drawn(self.plan.options):
+                if not quantity or element.quantity == quantity:
+                    yield self.shape(element, "at_max"), self.shape(element, "at_min")
+
+    def shape(self, element: Element, position: str) -> Shape:
+        """Return an element at a position, a millimetre of paper for one of the gripper."""
+        return shape_of(element, self.plan, self.stops, position, 1.0, "en")
+
+
+@pytest.fixture
+def cases(
+    course: Course, scheme_id: str, drawn_of: Callable[[str, int], tuple[Variant, ...]]
+) -> tuple[Case, ...]:
+    """Drawn variants of a scheme, and one for each drive that it offers; none where nothing moves."""
+    scheme = course.schemes[scheme_id]
+    if scheme.kinematics is None:
+        return ()
+    drawn = drawn_of(scheme_id, DRAWN)
+    found = [case(course, one, dict(one.options)) for one in drawn]
+    for option in scheme.options:
+        for choice in option.choices if option.id == "drive" else ():
+            of_choice = (case(course, one, {**one.options, "drive": choice.id}) for one in drawn)
+            found.append(next(one for one in of_choice if one is not None))
+    return tuple(one for one in found if one is not None)
+
+
+def case(course: Course, variant: Variant, options: dict[str, str]) -> Case | None:
+    """Solve a variant with other options; None where it lacks numbers for them."""
+    plan = make_plan(course, variant.scheme, options, Convention.CORRECTED)
+    given = {name: one for name, one in variant.given.items() if name in plan.quantities}
+    values = evaluate(plan, to_si(plan, given)).values
+    diagram = plan.scheme.diagram
+    assert diagram is not None
+    pulls = None
+    if "piston_area" in values:
+        area, bore = float(values["piston_area"]), float(values["bore"])
+        if not math.isfinite(area):
+            return None
+        pulls = area < math.pi * bore**2 / 4 * (1 - 1e-9)
+    name = f"{variant.scheme} {variant.id} {options}"
+    return Case(name, plan, stops_of(plan, diagram, given), pulls)
+
+
+def out_of_the_cylinder(open_: Shape, closed: Shape) -> float:
+    """Return how far the rod comes out of the drawn body while the jaws close."""
+    if closed.element.kind == "floating_cylinder":
+        ends = (one.through for one in (open_, closed))
+        before, after = (math.dist(one[0], one[-1]) for one in ends)
+        return after - before
+    body = next(mark for mark in cylinder(closed) if isinstance(mark, Path) and mark.closed)
+    middle = tuple(sum(one) / len(body.points) for one in zip(*body.points, strict=True))
+    return math.dist(closed.at, middle) - math.dist(open_.at, middle)
+
+
+def test_the_rod_leaves_a_pushing_cylinder_and_enters_a_pulling_one(
+    cases: tuple[Case, ...],
+) -> None:
+    faults = []
+    for one in cases:
+        cylinders = list(one.shapes(set(DRIVES)))
+        if len(cylinders) != (one.pulls is not None):
+            faults.append(f"{one.name}: {len(cylinders)} cylinders")
+        for open_, closed in cylinders:
+            out = out_of_the_cylinder(open_, closed)
+            if abs(out) < SOONEST or (out < 0) is not one.pulls:
+                faults.append(f"{one.name}: the rod moves {out} mm, pulls: {one.pulls}")
+    assert faults == []
+
+
+def test_the_force_of_the_drive_points_where_the_rod_goes(cases: tuple[Case, ...]) -> None:
+    faults = []
+    for one in cases:
+        arrows = list(one.shapes({"force"}, "drive_force"))
+        if len(arrows) != ("drive_force" in one.plan.quantities):
+            faults.append(f"{one.name}: {len(arrows)} arrows")
+        for open_, closed in arrows:
+            turn = closed.angles["turn"]
+            moved = [after - before for before, after in zip(open_.at, closed.at, strict=True)]
+            if moved[0] * math.cos(turn) + moved[1] * math.sin(turn) <= 0:
+                faults.append(f"{one.name}: the rod moves by {moved}, the force points to {turn}")
+    assert faults == []
+
+
+def test_every_jaw_touches_the_object_and_never_cuts_it(cases: tuple[Case, ...]) -> None:
+    faults = []
+    for one in cases:
+        jaws = list(one.shapes({"jaw", "prism"}))
+        if len(jaws) != 1:
+            faults.append(f"{one.name}: {len(jaws)} kinds of jaws")
+        for shape in (found for pair in jaws for found in pair if found.element.kind == "jaw"):
+            centre = shape.points["holds"][0]
+            radius = math.dist(shape.at, centre)
+            outlines = [mark for mark in jaw(shape) if isinstance(mark, Path) and mark.closed]
+            for outline in outlines:
+                gap = distance(outline, centre) - radius
+                if abs(gap) > SEEN:
+                    faults.append(f"{one.name}: {gap} mm from the object of {radius} mm")
+    assert faults == []
+
+
+def distance(outline: Path, point: tuple[float, float]) -> float:
+    """Return the distance of a point from a closed outline, negative inside it."""
+    corners = outline.points
+    sides = zip(corners, (*corners[1:], corners[0]), strict=True)
+    return min(from_side(a, b, point) for a, b in sides)
+
+
+def from_side(a: tuple[float, float], b: tuple[float, float], point: tuple[float, float]) -> float:
+    along = (b[0] - a[0], b[1] - a[1])
+    square = along[0] ** 2 + along[1] ** 2
+    share = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / square
+    share = min(max(share, 0.0), 1.0)
+    return math.dist(point, (a[0] + share * along[0], a[1] + share * along[1]))
