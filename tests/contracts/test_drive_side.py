@@ -107,6 +107,8 @@ def test_the_rod_leaves_a_pushing_cylinder_and_enters_a_pulling_one(
         if len(cylinders) != (one.pulls is not None):
             faults.append(f"{one.name}: {len(cylinders)} cylinders")
         for open_, closed in cylinders:
+            if (closed.element.words["rod"] == "pulls") is not one.pulls:
+                faults.append(f"{one.name}: the pressure is drawn on the wrong side")
             out = out_of_the_cylinder(open_, closed)
             if abs(out) < SOONEST or (out < 0) is not one.pulls:
                 faults.append(f"{one.name}: the rod moves {out} mm, pulls: {one.pulls}")

@@ -63,6 +63,8 @@ _POINTS: Final = Role(Sort.POINTS)
 _LENGTH: Final = Role(Sort.LENGTH)
 _ANGLE: Final = Role(Sort.ANGLE)
 _SYMBOL: Final = Role(Sort.QUANTITY)
+# Which side of the piston is under pressure while the jaws close.
+_PRESSED: Final = Role(Sort.WORD, words=("pushes", "pulls"))
 _SURFACES: Final = Role(Sort.WORD, words=("flat", "convex", "concave", "crossed"))
 _LINES: Final = Role(Sort.WORD, words=("outline", "thin", "centre", "hidden"))
 
@@ -135,8 +137,10 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "coil": _fixed(through=_POINTS),
     "spring": _fixed(through=_POINTS),
     # Drives.
-    "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free"))),
-    "floating_cylinder": Word({"through": _POINTS} | _ROW, "none", _HELD),
+    "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free")),
+                        rod=_PRESSED, quantity=Role(Sort.QUANTITY, "")),
+    "floating_cylinder": Word({"through": _POINTS, "rod": _PRESSED,
+                               "quantity": Role(Sort.QUANTITY, "")} | _ROW, "none", _HELD),
     "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
     # Forces, sizes and letters.
     "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),

@@ -6,7 +6,8 @@ from typing import Final
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.joints import JOINT, hatching
-from gripcourse.drawing.marks import Mark, Path, angle_of, between, circle, place, polar
+from gripcourse.drawing.marks import Letter, Mark, Path, angle_of, between, circle, place, polar
+from gripcourse.drawing.measures import head
 from gripcourse.drawing.places import Shape
 from gripcourse.drawing.text import Point
 
@@ -15,6 +16,7 @@ _PISTON: Final = 1.8  # length of the piston
 _ROOM: Final = 1.0  # between piston and end cover
 _GAP: Final = 4.0  # of the rod that stays outside
 _PORT: Final = 2.0
+_FLOW: Final = 7.0  # from the body to the tail of the arrow of the pressure
 _MOTOR: Final = 4.5  # radius of a motor
 # The letter M in a motor (GOST 2.722), as lines from its middle.
 _LETTER: Final = ((-1.4, -1.6), (-1.4, 1.6), (0.0, -0.4), (1.4, 1.6), (1.4, -1.6))
@@ -34,6 +36,7 @@ def cylinder(shape: Shape) -> Iterator[Mark]:
     rear = front - stroke - _PISTON - 2 * _ROOM - 4.0
     piston = (rear + _ROOM) - min(path)  # from the end of the rod, wherever that is
     yield from _body(shape.at, turn, (rear, front), (piston, 0.0))
+    yield from _pressure(shape, shape.at, turn, (rear, front))
     if shape.element.words["base"] == "fixed":
         ends = place(((rear, _HALF + 1.5), (rear, -_HALF - 1.5)), shape.at, turn)
         yield Path(ends, LineKind.OUTLINE)
@@ -48,6 +51,7 @@ def floating_cylinder(shape: Shape) -> Iterator[Mark]:
     front = rear + 0.62 * (length - rear)
     yield from _body(start, turn, (rear, front), (between((rear, 0), (front, 0))[0], length))
     yield Path((start, polar(start, rear, turn)), LineKind.OUTLINE, under=True)
+    yield from _pressure(shape, start, turn, (rear, front))
 
 
 def _body(
@@ -65,6 +69,19 @@ def _body(
                under=True)  # fmt: skip
     for x in (rear + _ROOM, front - _ROOM):
         yield Path(place(((x, -_HALF), (x, -_HALF - _PORT)), origin, turn), LineKind.THIN)
+
+
+def _pressure(
+    shape: Shape, origin: Point, turn: float, ends: tuple[float, float]
+) -> Iterator[Mark]:
+    """Draw the pressure that closes the jaws at its port: behind the piston, or on its rod's side."""
+    if not shape.symbol:
+        return
+    x = ends[0] + _ROOM if shape.element.words["rod"] == "pushes" else ends[1] - _ROOM
+    port, tip, tail = place(((x, -_HALF), (x, -_HALF - _PORT), (x, -_HALF - _FLOW)), origin, turn)
+    yield Path((tail, tip), LineKind.THIN)
+    yield head(tip, angle_of(tail, port))
+    yield Letter(shape.symbol, (tail, between(tail, tip)))
 
 
 def motor(shape: Shape) -> Iterator[Mark]:

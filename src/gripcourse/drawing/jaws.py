@@ -21,6 +21,7 @@ _ROOM: Final = 0.96  # of a radius that a face may take up
 _LIP: Final = 1.25  # how far the faces of a prism reach beyond the largest object's contacts
 _BAR: Final = 5.0  # thickness of a bar, at most
 _PRISM_BACK: Final = 0.35  # of the length of a face: how thick a prism is behind its apex
+_RELIEF: Final = 0.9  # how far a convex face of a prism stands out of it, at most
 _PAD: Final = 4.0  # half of the length of a convex face of a prism, at most
 _AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
 
@@ -123,6 +124,8 @@ def _prism_face(shape: Shape, length: float, contact: float) -> list[Point]:
     if radius is None:
         return [(0.0, 0.0), (length, 0.0)]
     half = min(_PAD, _ROOM * radius, contact, length - contact)
+    if radius > _RELIEF:
+        half = min(half, math.sqrt(radius**2 - (radius - _RELIEF) ** 2))
     depth = radius - math.sqrt(radius**2 - half**2)
     arc = [half * (2 * k / _STEPS - 1) for k in range(_STEPS + 1)]
     pad = [(contact + x, radius - math.sqrt(radius**2 - x**2)) for x in arc]
