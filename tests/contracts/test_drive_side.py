@@ -17,7 +17,6 @@ from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.variants.model import Variant
 
 DRAWN = 12
-CLOSING = ("at_max", "at_min")
 SEEN = 0.02  # mm of paper: an arc is drawn as a chain of chords
 SOONEST = 0.1  # mm of paper that a rod travels at least
 DRIVES = {"cylinder": cylinder, "floating_cylinder": floating_cylinder}
@@ -40,13 +39,13 @@ class Case:
     pulls: bool | None
 
     def shapes(self, kinds: set[str], quantity: str = "") -> Iterator[tuple[Shape, Shape]]:
-        """Yield each drawn element of these kinds, with the largest and with the smallest object."""
+        """Yield each drawn element of these kinds, on the largest object and on the smallest."""
         diagram = self.plan.scheme.diagram
         assert diagram is not None
         for element in diagram.elements:
-            if element.kind in kinds and element.is_drawn(self.plan.options):
-                if not quantity or element.quantity == quantity:
-                    yield self.shape(element, "at_max"), self.shape(element, "at_min")
+            is_meant = element.kind in kinds and quantity in {"", element.quantity}
+            if is_meant and element.is_drawn(self.plan.options):
+                yield self.shape(element, "at_max"), self.shape(element, "at_min")
 
     def shape(self, element: Element, position: str) -> Shape:
         """Return an element at a position, a millimetre of paper for one of the gripper."""
@@ -57,7 +56,7 @@ class Case:
 def cases(
     course: Course, scheme_id: str, drawn_of: Callable[[str, int], tuple[Variant, ...]]
 ) -> tuple[Case, ...]:
-    """Drawn variants of a scheme, and one for each drive that it offers; none where nothing moves."""
+    """Drawn variants of a scheme, one at least for each drive; none where nothing moves."""
     scheme = course.schemes[scheme_id]
     if scheme.kinematics is None:
         return ()

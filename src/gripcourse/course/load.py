@@ -21,7 +21,7 @@ from gripcourse.course.model import (
 )
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
-from gripcourse.course.scheme import read_scheme
+from gripcourse.course.scheme import Shared, read_scheme
 from gripcourse.course.toml_table import Table, did_you_mean, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_read import read_shared
@@ -129,11 +129,14 @@ def _scheme_folders(folder: Path) -> list[Path]:
 def _schemes(
     folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
 ) -> dict[str, Scheme]:
-    shared = read_options(folder / "options", root, problems)
-    drawings = _drawings(folder / "drawing", root, problems)
-    symbols = _symbols(folder / "diagram", root, problems)
+    shared = Shared(
+        parts=raw,
+        options=read_options(folder / "options", root, problems),
+        drawings=_drawings(folder / "drawing", root, problems),
+        symbols=_symbols(folder / "diagram", root, problems),
+    )
     paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, raw, shared, drawings, symbols, problems) for path in paths)
+    found = (read_scheme(path, root, shared, problems) for path in paths)
     schemes = {scheme.id: scheme for scheme in found if scheme is not None}
     if not paths:
         problems.append(

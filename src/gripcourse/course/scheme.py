@@ -1,6 +1,7 @@
 """Reading the folder of a scheme: `scheme.toml`, `worked_example.toml` and `diagram.toml`."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
@@ -21,15 +22,23 @@ from gripcourse.errors import Problem
 from gripcourse.words import message
 
 
-def read_scheme(
-    folder: Path,
-    root: Path,
-    raw_parts: Mapping[str, RawPart],
-    shared: Mapping[str, Option],
-    drawings: Mapping[str, View | None],
-    symbols: Mapping[str, tuple[Element, ...] | None],
-    problems: list[Problem],
-) -> Scheme | None:
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """What schemes take from files that they share, by the names of the files.
+
+    Attributes:
+        parts: declarations of quantities, as they are written.
+        options: with their choices.
+        drawings, symbols: parts of general views and of diagrams; None for what cannot be read.
+    """
+
+    parts: Mapping[str, RawPart]
+    options: Mapping[str, Option]
+    drawings: Mapping[str, View | None]
+    symbols: Mapping[str, tuple[Element, ...] | None]
+
+
+def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem]) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
     table = read_toml(folder / "scheme.toml", root, problems)
     if table is None:
@@ -44,7 +53,7 @@ def read_scheme(
             message("The id '{id}' differs from the name of the folder.", id=identifier),
             message("Give both the same name."),
         )
-    all_options = scheme_options(table, shared)
+    all_options = scheme_options(table, shared.options)
     options = all_options or ()
     optional = [part for option in options for choice in option.choices for part in choice.parts]
     part_ids = [*table.strings("parts"), *optional]
@@ -57,10 +66,10 @@ def read_scheme(
         quantities={
             name: declare(name, one) for name, one in table.named_tables("quantity").items()
         },
-        overrides=read_overrides(table, part_ids, raw_parts, complete=all_options is not None),
-        kinematics=_motion(table, optional, raw_parts),
-        diagram=read_diagram(folder, root, symbols, problems),
-        view=_view(folder / "drawing.toml", root, drawings, problems),
+        overrides=read_overrides(table, part_ids, shared.parts, complete=all_options is not None),
+        kinematics=_motion(table, optional, shared.parts),
+        diagram=read_diagram(folder, root, shared.symbols, problems),
+        view=_view(folder / "drawing.toml", root, shared.drawings, problems),
         example=_example(folder / "worked_example.toml", root, problems),
         file=table.file,
     )

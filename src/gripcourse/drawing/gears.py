@@ -63,7 +63,9 @@ def gear(shape: Shape) -> Iterator[Mark]:
     is_whole = abs(sweep) > math.tau - pitch / 2
     if is_whole:  # as many teeth as give a gap on both sides
         pitch = math.tau / max(4, 2 * round(math.pi / pitch))
-    at = shape.angles.get("mesh", start) + (0 if shape.element.words["has"] == "tooth" else pitch / 2)
+    at = shape.angles.get("mesh", start)
+    if shape.element.words["has"] == "gap":
+        at += pitch / 2
     end = start + (math.tau - _NEAR if is_whole else sweep)
     corners = [
         polar(centre, radius + height * module, turn)
