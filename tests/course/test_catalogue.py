@@ -38,7 +38,7 @@ def test_a_fault_of_a_catalogue_is_one_problem(
     draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
 ) -> None:
     problem = draft.edit(PIN, old, new).problem()
-    assert (problem.file, problem.key) == (PIN, key)
+    assert (problem.file, str(problem.key)) == (PIN, key)
     assert what in str(problem.what)
     assert remedy in str(problem.remedy)
 

@@ -81,7 +81,7 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
             problems.append(
                 _problem(
                     file,
-                    f"column {cell}",
+                    message("column {column}", column=cell),
                     message("The heading of the column cannot be used."),
                     message("Write a new name and a known unit: 'bore [mm]'."),
                 )
@@ -107,7 +107,7 @@ def _values(
             problems.append(
                 _problem(
                     file,
-                    f"row {number}",
+                    message("row {row}", row=number),
                     message("The row does not hold {width} numbers.", width=width),
                     message("Write a number with a point in every column."),
                 )
@@ -125,12 +125,12 @@ def _check_order(
         problems.append(
             _problem(
                 file,
-                f"column {next(iter(units))}",
+                message("column {column}", column=next(iter(units))),
                 message("The sizes do not grow from row to row."),
                 message("Sort the rows by the first column and remove doubled sizes."),
             )
         )
 
 
-def _problem(file: str, key: str, what: Message, remedy: Message) -> Problem:
+def _problem(file: str, key: str | Message, what: Message, remedy: Message) -> Problem:
     return Problem(file, key, what, remedy)
