@@ -229,7 +229,7 @@ def demo(
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
-    sys.exit(_guard(lambda: app(standalone_mode=False)))
+    sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
 
 
 def _guard(run: Callable[[], int | None]) -> int:

@@ -111,7 +111,8 @@ def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # 
 def _write_page(
     command: "Command", context: "Context", formatter: "HelpFormatter", words: Words
 ) -> None:
-    pieces = [f"[{words.translate('options')}]"]
+    some, one_of = words.translate("options"), words.translate("command")
+    pieces = [f"[{some}]"]
     arguments: list[tuple[str, str]] = []
     options: list[tuple[str, str]] = []
     for parameter in command.get_params(context):
@@ -120,11 +121,12 @@ def _write_page(
             pieces.append(name)
             arguments.append((name, _described(parameter, context, words)))
         elif isinstance(parameter, TyperOption) and not parameter.hidden:
-            written = " ".join((", ".join(parameter.opts), _value_name(parameter, words))).strip()
+            value = _value_name(parameter, words)
+            written = ", ".join(parameter.opts) + (f" <{value}>" if value else "")
             options.append((written, _described(parameter, context, words)))
     commands: list[tuple[str, str]] = []
     if isinstance(command, TyperGroup):
-        pieces.append(f"<{words.translate('command')}>…")
+        pieces.append(f"<{one_of}>…")
         commands = [(name, words.declared(one.help)) for name, one in command.commands.items()]
     usage = words.translate("Usage")
     formatter.write_usage(context.command_path, " ".join(pieces), prefix=f"{usage}: ")
@@ -151,15 +153,15 @@ def _value_name(parameter: TyperOption, words: Words) -> str:
     if parameter.is_flag:
         return ""
     if parameter.metavar:
-        return f"<{words.declared(parameter.metavar)}>"
+        return words.declared(parameter.metavar)
     kind = parameter.type_descriptor.annotation
     if kind is datetime:
-        return f"<{words.translate('YYYY-MM-DD')}>"
+        return words.translate("YYYY-MM-DD")
     if kind is Path:
-        return f"<{words.translate('path')}>"
+        return words.translate("path")
     if kind in {int, float}:
-        return f"<{words.translate('number')}>"
-    return f"<{words.translate('text')}>"
+        return words.translate("number")
+    return words.translate("text")
 
 
 def _described(parameter: TyperOption | TyperArgument, context: "Context", words: Words) -> str:
@@ -206,7 +208,7 @@ def _refused(error: typer.TyperException, context: "Context") -> Problem:
     name = getattr(error, "option_name", "")
     if not name:
         return Problem("", "", message("{reason}", reason=error.format_message()), remedy)
-    options = {two: one for one in context.command.params for two in one.opts}
+    options = {two: one for one in context.command.get_params(context) for two in one.opts}
     if name not in options:
         from gripcourse.course.toml_table import did_you_mean  # noqa: PLC0415 (not for --help)
 

@@ -50,7 +50,8 @@ SeedOption = Annotated[
 ]
 CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many.")]
 DateOption = Annotated[
-    datetime | None, typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; today.")
+    datetime | None,
+    typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; default: today."),
 ]
 WorkersOption = Annotated[
     int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
