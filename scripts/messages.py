@@ -5,8 +5,9 @@
 
 A sentence is what stands first in `message("...")` or `translate("...")` in Python and in
 `_("...")` in a template; and what the help of the command line shows: what a command is documented
-with, and the texts of its options. Catalogues are sorted and carry no places and no dates, so that a change
-shows nothing but itself. A sentence that changed has lost its translation: nothing is guessed.
+with, and the texts of its options. Catalogues are sorted and carry no places and no dates, so that
+a change shows nothing but itself. A sentence that changed has lost its translation: nothing is
+guessed.
 """
 
 import argparse
@@ -44,6 +45,7 @@ def help_texts(
         stream: Python that declares commands.
         keywords: names of the arguments that are shown, in any call; and of the functions whose
             first argument is.
+        options: of the way to read; there are none.
     """
     shown = set(keywords)
     for node in ast.walk(ast.parse(stream.read())):

@@ -22,8 +22,10 @@ SOURCES = Path(__file__).parents[1] / "src" / "gripcourse"
 
 # Names of formats, ids and values that are typed as they stand, whatever the language.
 TYPED = frozenset(
-    "csv xlsx json dxf svg url en ru uk corrected guide "
-    "drive force hydraulic lever arms private gradebook sqlite".split()
+    (
+        *("csv", "xlsx", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "guide"),
+        *("drive", "force", "hydraulic", "lever", "arms", "private", "gradebook", "sqlite"),
+    )
 )
 
 Help = Callable[..., str]
