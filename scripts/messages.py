@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from babel.messages.catalog import Catalog
 from babel.messages.extract import extract
@@ -80,7 +80,7 @@ class Source:
 
     folder: str
     pattern: str
-    method: str | Callable[..., Iterator[Found]]
+    method: str | Callable[..., Any]
     functions: tuple[str, ...]
     options: Mapping[str, str]
 
