@@ -310,7 +310,7 @@ class Catalogue:
     id: str
     columns: Mapping[str, NDArray[np.float64]]
     units: Mapping[str, str]
-    source: str
+    source: Texts
     file: str
 
 
