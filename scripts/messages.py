@@ -4,17 +4,20 @@
     scripts/messages.py missing    list what still has no translation
 
 A sentence is what stands first in `message("...")` or `translate("...")` in Python and in
-`_("...")` in a template. Catalogues are sorted and carry no places and no dates, so that a change
-shows nothing but itself. A sentence that changed has lost its translation: nothing is guessed.
+`_("...")` in a template; and what the help of the command line shows: what a command is documented
+with, and the texts of its options. Catalogues are sorted and carry no places and no dates, so that
+a change shows nothing but itself. A sentence that changed has lost its translation: nothing is
+guessed.
 """
 
 import argparse
+import ast
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from babel.messages.catalog import Catalog
 from babel.messages.extract import extract
@@ -26,6 +29,43 @@ LANGUAGES = ("ru", "uk")
 LINE_WIDTH = 100
 
 
+# Line, function, sentence, comments: as Babel wants it from a way to read a file.
+Found = tuple[int, None, str, list[str]]
+
+
+def help_texts(
+    stream: BinaryIO,
+    keywords: Iterable[str],
+    _tags: object,
+    options: Mapping[str, str],  # noqa: ARG001 (Babel names it)
+) -> Iterator[Found]:
+    """Read what the help of commands shows.
+
+    Args:
+        stream: Python that declares commands.
+        keywords: names of the arguments that are shown, in any call; and of the functions whose
+            first argument is.
+        options: of the way to read; there are none.
+    """
+    shown = set(keywords)
+    for node in ast.walk(ast.parse(stream.read())):
+        texts: list[ast.expr] = []
+        if isinstance(node, ast.Call):
+            texts = [one.value for one in node.keywords if one.arg in shown]
+            if isinstance(node.func, ast.Name) and node.func.id in shown:
+                texts += node.args[:1]
+        elif isinstance(node, ast.FunctionDef) and any(map(_makes_command, node.decorator_list)):
+            yield node.lineno, None, ast.get_docstring(node) or "", []
+        for text in texts:
+            if isinstance(text, ast.Constant) and isinstance(text.value, str):
+                yield text.lineno, None, text.value, []
+
+
+def _makes_command(decorator: ast.expr) -> bool:
+    made = decorator.func if isinstance(decorator, ast.Call) else decorator
+    return isinstance(made, ast.Attribute) and made.attr == "command"
+
+
 @dataclass(frozen=True, slots=True)
 class Source:
     """A kind of file with sentences.
@@ -33,20 +73,21 @@ class Source:
     Attributes:
         folder: below which the files are.
         pattern: of their names.
-        method: Babel's name of the way to read them.
+        method: Babel's name of the way to read them, or the way itself.
         functions: names of the functions whose first argument is a sentence.
         options: of the method.
     """
 
     folder: str
     pattern: str
-    method: str
+    method: str | Callable[..., Any]
     functions: tuple[str, ...]
     options: Mapping[str, str]
 
 
 SOURCES = (
     Source("src", "*.py", "python", ("message", "translate"), {}),
+    Source("src", "cli*.py", help_texts, ("help", "metavar", "show_default", "command_group"), {}),
     # Not silent: a template that does not parse would count as one without sentences.
     Source("templates", "*.j2", "jinja2.ext:babel_extract", ("_",), {"silent": "false"}),
 )

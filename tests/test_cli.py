@@ -407,7 +407,7 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_pa
     other.write_bytes(own.read_bytes())
     looked_at = gripcourse("grade", *place, other, "--out", graded)
     assert looked_at.code == cli.NEEDS_PERSON
-    assert "issued_to_other" in looked_at.out
+    assert "issued to another" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
 
 

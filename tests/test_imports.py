@@ -43,9 +43,10 @@ LEVELS = (
     ("init",),
     ("commands",),
     ("cli_text",),
-    ("cli_virtual_text",),
+    ("cli_grading_text", "cli_virtual_text"),
     ("cli_options",),
-    ("cli_draw", "cli_mark", "cli_trace", "cli_variants", "cli_virtual"),
+    ("cli_help",),
+    ("cli_course", "cli_draw", "cli_mark", "cli_trace", "cli_variants", "cli_virtual"),
     ("cli",),
     ("__main__",),
 )

@@ -101,6 +101,6 @@ def test_nothing_is_left_behind_when_it_fails_half_way(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(init, "write_text", full_disk)
-    with pytest.raises(UsageError, match="No space left on device"):
+    with pytest.raises(UsageError, match="The disk is full"):
         init_course(tmp_path / "mine", SECRET, WORDS)
     assert list(tmp_path.rglob("*")) == ([tmp_path / "mine"] if exists else [])

@@ -12,7 +12,17 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_draw, cli_mark, cli_text, cli_trace, cli_variants, cli_virtual
+from gripcourse import (
+    cli_course,
+    cli_draw,
+    cli_grading_text,
+    cli_mark,
+    cli_text,
+    cli_trace,
+    cli_variants,
+    cli_virtual,
+)
+from gripcourse.cli_help import SpokenCommand, command_group
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -23,6 +33,7 @@ from gripcourse.cli_options import (
     DateOption,
     GradebookOption,
     LanguageOption,
+    OutFileOption,
     OutOption,
     TableOption,
     WorkersOption,
@@ -34,55 +45,48 @@ from gripcourse.cli_options import (
     main_table,
     words_for,
 )
-from gripcourse.errors import GripcourseError
+from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-app = typer.Typer(
-    add_completion=False,
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-    help="Course assignments for robot gripper design: issue variants, check, grade, report.",
+app = command_group(
+    "Course assignments for robot gripper design: issue variants, check, grade, report."
 )
+for part in (cli_mark, cli_trace, cli_draw, cli_course, cli_virtual):
+    app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
-app.add_typer(cli_virtual.app)
-app.command()(cli_trace.trace)
-app.command()(cli_mark.mark)
-app.command()(cli_draw.draw)
+app.add_typer(cli_virtual.tolerance_app, name="tolerance")
 
 
-@app.command()
-def validate(course: CourseOption = None, language: LanguageOption = None) -> None:
-    """Check a whole course and list all its problems at once."""
-    from gripcourse.commands.validate import all_problems
-
-    words = words_for(language)
-    problems = all_problems(course_folder(course))
-    if problems:
-        raise GripcourseError(problems)
-    typer.echo(words.say(message("The course is valid.")))
-
-
-@app.command()
+@app.command(cls=SpokenCommand)
 def solve(  # noqa: PLR0913 (one parameter per option)
-    variant: Annotated[str | None, typer.Argument(help="Variant of the table.")] = None,
+    variant: Annotated[
+        str | None, typer.Argument(metavar="variant", help="Variant of the table.")
+    ] = None,
     *,
     scheme: Annotated[str | None, typer.Option(help="Scheme to solve without a table.")] = None,
     settings: Annotated[
-        list[str] | None, typer.Option("--set", help="name=value, in the declared unit.")
+        list[str] | None,
+        typer.Option("--set", metavar="name=value", help="A given number, in the declared unit."),
     ] = None,
     options: Annotated[
-        list[str] | None, typer.Option("--option", help="name=choice, for example drive=hydraulic.")
+        list[str] | None,
+        typer.Option(
+            "--option", metavar="name=choice", help="What is chosen, for example drive=hydraulic."
+        ),
     ] = None,
     convention: Annotated[
-        str | None, typer.Option(help="corrected, or guide: as the source prints it.")
+        str | None,
+        typer.Option(
+            metavar="corrected|guide", help="Errata corrected, or as the guide prints it."
+        ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the values as JSON.")] = False,
     pdf: Annotated[bool, typer.Option("--pdf", help="Write the worked solution.")] = False,
     xlsx: Annotated[bool, typer.Option("--xlsx", help="Write the key workbook.")] = False,
-    out: Annotated[Path | None, typer.Option("--out", help="File to write.")] = None,
+    out: OutFileOption = None,
     table: TableOption = None,
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -115,10 +119,10 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         typer.echo(cli_text.solution_table(solved, words))
 
 
-@app.command()
+@app.command(cls=SpokenCommand)
 def issue(  # noqa: PLR0913 (one parameter per option)
     *,
-    roster: Annotated[Path, typer.Option(help="CSV of students.")],
+    roster: Annotated[Path, typer.Option(help="Table of the students, csv or xlsx.")],
     out: OutOption,
     table: TableOption = None,
     deadline: Annotated[
@@ -150,9 +154,11 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
-@app.command()
+@app.command(cls=SpokenCommand)
 def grade(  # noqa: PLR0913 (one parameter per option)
-    paths: Annotated[list[Path], typer.Argument(help="Workbooks, or folders with workbooks.")],
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+    ],
     *,
     out: OutOption,
     json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
@@ -181,13 +187,13 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     if json:
         typer.echo(command.json_text(outcome.reports, words))
     else:
-        typer.echo(cli_text.grading_text(outcome, out, words))
+        typer.echo(cli_grading_text.grading_text(outcome, out, words))
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
 
 
-@app.command()
+@app.command(cls=SpokenCommand)
 def check(
-    file: Annotated[Path, typer.Argument(help="Your answer workbook.")],
+    file: Annotated[Path, typer.Argument(metavar="file", help="Your answer workbook.")],
     *,
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -203,68 +209,7 @@ def check(
     typer.echo(cli_text.check_text(checked, words))
 
 
-@app.command()
-def atlas(
-    name: Annotated[str, typer.Argument(help="Atlas of the course, for example lever-arms.")],
-    *,
-    out: OutOption = Path("atlas"),
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Reproduce the figures and cases of a source from the course's own formulas."""
-    from gripcourse.commands.atlas import draw_atlas
-    from gripcourse.course.load import load_course
-
-    loaded = load_course(course_folder(course))
-    words = Words(document_language(language, loaded.language))
-    for path in draw_atlas(loaded, name, out, words):
-        typer.echo(str(path))
-
-
-@app.command()
-def reference(
-    *,
-    out: OutOption = Path("reference"),
-    course: CourseOption = None,
-    language: Annotated[str, typer.Option("--language", help="en, ru or uk.")] = "en",
-) -> None:
-    """Write the formula reference: a page for each scheme, made from the declarations alone."""
-    from gripcourse.commands.reference import write_reference
-    from gripcourse.course.load import load_course
-
-    words = words_for(language)
-    for path in write_reference(load_course(course_folder(course)), out, words):
-        typer.echo(str(path))
-
-
-@app.command()
-def init(
-    folder: Annotated[Path, typer.Argument(help="New folder of the course.")],
-    *,
-    language: LanguageOption = None,
-) -> None:
-    """Make a course of your own: a copy of the reference course with a key of its own."""
-    import secrets
-
-    from gripcourse.init import init_course
-
-    words = words_for(language)
-    init_course(folder, secrets.token_bytes(32), words)
-    typer.echo(words.say(message("The course is in {folder}.", folder=str(folder))))
-
-
-@app.command()
-def doctor(language: LanguageOption = None) -> None:
-    """Check this machine and say how to mend what it lacks."""
-    from gripcourse.doctor import checks
-
-    words = words_for(language)
-    found = checks(Path.cwd())
-    typer.echo(cli_text.doctor_text(found, words))
-    raise typer.Exit(WRONG_USE if any(one.required and not one.ok for one in found) else DONE)
-
-
-@app.command()
+@app.command(cls=SpokenCommand)
 def demo(
     *,
     out: OutOption = Path("out"),
@@ -278,28 +223,28 @@ def demo(
     words = words_for(language)
     with cli_text.progress() as step:
         done = run_demo(course_folder(course), out, words, workers, step)
-    typer.echo(cli_text.demo_text(done, words))
+    typer.echo(cli_grading_text.demo_text(done, words))
 
 
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
-    _guard(app)
+    # Not standalone: what the parser refuses comes here, like all other refusals.
+    sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
 
 
-def _guard(run: Callable[[], object]) -> None:
+def _guard(run: Callable[[], int | None]) -> int:
     try:
-        run()
+        return run() or DONE
     except GripcourseError as error:
         words = chosen_words()
         for problem in error.problems:
             typer.echo(problem.say(words), err=True)
-        sys.exit(WRONG_USE)
+        return WRONG_USE
     except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        typer.echo(f"{place}{error.strerror or error}", err=True)
-        sys.exit(WRONG_USE)
+        typer.echo(system_problem(error).say(chosen_words()), err=True)
+        return WRONG_USE
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         log = cli_text.write_incident(traceback.format_exc())
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
         typer.echo(chosen_words().say(said), err=True)
-        sys.exit(OUR_MISTAKE)
+        return OUR_MISTAKE

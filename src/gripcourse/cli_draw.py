@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from gripcourse.cli_help import SpokenCommand
 from gripcourse.cli_options import (
     CourseOption,
     LanguageOption,
@@ -20,8 +21,12 @@ from gripcourse.words import Words
 # ruff: noqa: PLC0415
 
 
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
 def draw(
-    variant: Annotated[str, typer.Argument(help="Variant of the table.")],
+    variant: Annotated[str, typer.Argument(metavar="variant", help="Variant of the table.")],
     *,
     student: Annotated[str, typer.Option("--student-name", help="For the title block.")] = "",
     out: OutOption = Path("drawings"),

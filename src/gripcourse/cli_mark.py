@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from gripcourse import cli_text
+from gripcourse import cli_grading_text, cli_text
+from gripcourse.cli_help import SpokenCommand
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
@@ -25,13 +26,19 @@ from gripcourse.words import message
 # ruff: noqa: PLC0415
 
 
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
 def mark(  # noqa: PLR0913 (one parameter per option)
-    student: Annotated[str | None, typer.Argument(help="Whose item.")] = None,
-    quantity: Annotated[str | None, typer.Argument(help="Which item; see --list.")] = None,
+    student: Annotated[str | None, typer.Argument(metavar="student", help="Whose item.")] = None,
+    quantity: Annotated[
+        str | None, typer.Argument(metavar="item", help="Which item; see --list.")
+    ] = None,
     *,
     lines: Annotated[
         list[str] | None,
-        typer.Option("--line", help="id=share: what a line of the rubric earns, 0 to 1."),
+        typer.Option("--line", metavar="id=share", help="What a line of the rubric earns, 0 to 1."),
     ] = None,
     points: Annotated[
         float | None,
@@ -78,7 +85,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         )
     if show:
         waits = command.what_waits(place)
-        typer.echo(cli_text.waiting_text(waits, words))
+        typer.echo(cli_grading_text.waiting_text(waits, words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
     desk, marker, now = open_desk(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:
@@ -95,4 +102,4 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             withdraw=withdraw,
         )
         done = command.enter_mark(draft, desk, place, marker, now)
-    typer.echo(cli_text.marking_text(done, words))
+    typer.echo(cli_grading_text.marking_text(done, words))

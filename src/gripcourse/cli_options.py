@@ -22,15 +22,36 @@ CourseOption = Annotated[
         help="Folder of the course; default: this folder if it is one, else the one shipped.",
     ),
 ]
+
+
+def _inherited(context: typer.Context, chosen: str | None) -> str | None:
+    """Return the language of a command: its own, else the one named before the command."""
+    return chosen or (context.parent.params.get("language") if context.parent else None)
+
+
 LanguageOption = Annotated[
-    str | None, typer.Option("--language", help="en, ru or uk; default: the course's language.")
+    str | None,
+    typer.Option(
+        "--language",
+        metavar="en|ru|uk",
+        callback=_inherited,
+        help="Language of what is said; default: the system's, for documents the course's.",
+    ),
 ]
 TableOption = Annotated[
     Path | None, typer.Option("--table", help="Variant table; default: the course's main table.")
 ]
 OutOption = Annotated[Path, typer.Option("--out", help="Where to write.")]
+OutFileOption = Annotated[Path | None, typer.Option("--out", help="File to write.")]
+OutTableOption = Annotated[Path, typer.Option("--out", help="CSV file to write.")]
+SchemeOption = Annotated[str | None, typer.Option("--scheme", help="Only this scheme.")]
+SeedOption = Annotated[
+    int, typer.Option("--seed", min=0, help="The same seed gives the same variants and students.")
+]
+CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many.")]
 DateOption = Annotated[
-    datetime | None, typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; today.")
+    datetime | None,
+    typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; default: today."),
 ]
 WorkersOption = Annotated[
     int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
@@ -45,9 +66,17 @@ GradebookOption = Annotated[
 
 
 def chosen_words() -> Words:
-    """Return the language of a command that failed; a language that is none failed it."""
-    chosen = [two for one, two in pairwise(sys.argv) if one == "--language"]
-    return words_for(chosen[0] if chosen and chosen[0] in LANGUAGES else None)
+    """Return the language before a command is known, as for its help, or after it failed.
+
+    The command line itself tells: nothing has been parsed yet. The last one named counts, as in a
+    command; one that the program does not speak is refused by the command, in the system's.
+    """
+    chosen = [
+        two if one == "--language" else two.removeprefix("--language=")
+        for one, two in pairwise(sys.argv)
+        if one == "--language" or two.startswith("--language=")
+    ]
+    return words_for(chosen[-1] if chosen and chosen[-1] in LANGUAGES else None)
 
 
 def course_folder(course: Path | None) -> Path:

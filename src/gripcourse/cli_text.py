@@ -18,14 +18,10 @@ from gripcourse.words import Message, Texts, Words, message
 if TYPE_CHECKING:
     from gripcourse.commands.audit import Audited
     from gripcourse.commands.check import Checked
-    from gripcourse.commands.demo import Demo
-    from gripcourse.commands.grade import Outcome
     from gripcourse.commands.issue import Issuing
-    from gripcourse.commands.mark import Marking
     from gripcourse.commands.solve import Solved
     from gripcourse.course.model import Convention
     from gripcourse.doctor import Check as MachineCheck
-    from gripcourse.gradebook.waiting import Waiting
     from gripcourse.variants.draw import Drawn
 
 Step = Callable[[str, int | None], Callable[[], None]]
@@ -157,85 +153,6 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
     return "\n".join(lines)
 
 
-def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
-    """Return the scores as a table, what a person must look at, and where everything is."""
-    from gripcourse.commands.grade import COHORT_PDF, GRADES_CSV, REPORTS
-
-    rows = [
-        (
-            Path(one.file).name,
-            one.name or one.student or "—",
-            one.variant or "—",
-            f"{words.number(one.score, 4)} / {words.number(one.max_score, 4)}"
-            if one.judged
-            else "—",
-            ", ".join(flag.code for flag in one.flags),
-        )
-        for one in outcome.reports
-    ]
-    heads = (
-        message("file"),
-        message("student"),
-        message("variant"),
-        message("points"),
-        message("flags"),
-    )
-    lines = [table_text([words.say(head) for head in heads], rows, right={3})]
-    lines += [
-        f"{Path(one.file).name}: {words.say(flag.message)}"
-        for one in outcome.reports
-        for flag in one.flags
-    ]
-    for said, place in (
-        (message("Student reports"), out / REPORTS),
-        (message("Cohort summary"), out / COHORT_PDF),
-        (message("Grades"), out / GRADES_CSV),
-    ):
-        lines.append(f"{words.say(said)}: {place}")
-    return "\n".join(lines)
-
-
-def waiting_text(waits: "Sequence[Waiting]", words: Words) -> str:
-    """Return what waits for a person as a table."""
-    if not waits:
-        return words.say(message("Nothing waits for a person."))
-    again = words.say(message("marked; look again"))
-    rows = [
-        (one.student, one.quantity, Path(one.file).name, again if one.again else "")
-        for one in waits
-    ]
-    heads = (message("student"), message("item"), message("file"))
-    return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
-
-
-def marking_text(marking: "Marking", words: Words) -> str:
-    """Return what the marks came to."""
-    lines = []
-    for item in marking.items:
-        mark = item.mark
-        said = message("{student}, {item}: withdrawn.", student=mark.student, item=mark.quantity)
-        if item.points is not None:
-            said = message(
-                "{student}, {item}: {points} of {most} points.",
-                student=mark.student,
-                item=mark.quantity,
-                points=round(item.points, 2),
-                most=round(item.max_points, 2),
-            )
-        lines.append(words.say(said))
-    if marking.unchanged:
-        lines.append(
-            words.say(message("{count} marks were just so already.", count=marking.unchanged))
-        )
-    if marking.empty:
-        lines.append(
-            words.say(message("{count} rows without a mark were left out.", count=marking.empty))
-        )
-    if marking.items:
-        lines.append(words.say(message("Grade again to renew the reports.")))
-    return "\n".join(lines) or words.say(message("There was nothing to enter."))
-
-
 def check_text(checked: "Checked", words: Words) -> str:
     """Return what a student learns about a workbook."""
     from gripcourse.submission.model import Reading
@@ -269,38 +186,6 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
         sign = "✓" if check.ok else ("✗" if check.required else "–")
         remedy = "" if check.ok else f" {words.say(check.remedy)}"
         lines.append(f"{sign} {words.say(check.message)}{remedy}")
-    return "\n".join(lines)
-
-
-def demo_text(demo: "Demo", words: Words) -> str:
-    """Return what each scripted student did and got, and where everything is."""
-    from gripcourse.commands.students import TOLD
-
-    by_student = {one.student: one for one in demo.outcome.reports}
-    rows = []
-    for student, story in demo.students.items():
-        report = by_student[student]
-        score = f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
-        told = words.say(TOLD[story])
-        rows.append((student, told, score, ", ".join(flag.code for flag in report.flags)))
-    heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
-    lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
-    for item in demo.marking.items:
-        said = message(
-            "A person marked {item} of {student} from its rubric.",
-            item=item.mark.quantity,
-            student=item.mark.student,
-        )
-        lines += [words.say(said), ""]
-    for said, place in (
-        (message("Course with its key and register"), demo.course),
-        (message("Assignments, a folder per student"), demo.assignments),
-        (message("Workbooks that were handed in"), demo.submissions),
-        (message("Student reports"), demo.graded / "reports"),
-        (message("Cohort summary"), demo.graded / "cohort.pdf"),
-        (message("Grades"), demo.graded / "grades.csv"),
-    ):
-        lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gripcourse import cli_text
+from gripcourse.cli_help import SpokenCommand
 from gripcourse.cli_options import (
     CourseOption,
     LanguageOption,
@@ -30,14 +31,23 @@ SHOWN = 10  # variants
 _MANY = 1e6  # odds to one; more says nothing more
 
 
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
 def trace(
     numbers: Annotated[
-        list[str] | None, typer.Argument(help="Numbers as typed: 1843 22,6 '0,37 kN'.")
+        list[str] | None,
+        typer.Argument(metavar="number", help="Numbers as typed: 1843 22,6 '0,37 kN'."),
     ] = None,
     *,
     quantities: Annotated[
         list[str] | None,
-        typer.Option("--quantity", help="A number whose meaning is known: drive_force=1843."),
+        typer.Option(
+            "--quantity",
+            metavar="name=value",
+            help="A number whose meaning is known: drive_force=1843.",
+        ),
     ] = None,
     table: TableOption = None,
     issued: Annotated[

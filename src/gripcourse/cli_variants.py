@@ -6,13 +6,18 @@ from typing import Annotated
 import typer
 
 from gripcourse import cli_text
+from gripcourse.cli_help import SpokenCommand, command_group
 from gripcourse.cli_options import (
     DONE,
     NEEDS_PERSON,
+    CountOption,
     CourseOption,
     DateOption,
     LanguageOption,
     OutOption,
+    OutTableOption,
+    SchemeOption,
+    SeedOption,
     TableOption,
     course_folder,
     day_of,
@@ -25,19 +30,19 @@ from gripcourse.words import Words, message
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-app = typer.Typer(no_args_is_help=True, help="Variant tables: draw, import or audit.")
+app = command_group("Variant tables: draw, import or audit.")
 
 
-@app.command("draw")
+@app.command("draw", cls=SpokenCommand)
 def draw(  # noqa: PLR0913 (one parameter per option)
     *,
-    count: Annotated[int, typer.Option(min=1, max=100_000, help="How many variants.")],
-    seed: Annotated[int, typer.Option(min=0, help="The same seed gives the same table.")],
-    scheme: Annotated[str | None, typer.Option(help="Only this scheme.")] = None,
+    count: CountOption,
+    seed: SeedOption,
+    scheme: SchemeOption = None,
     freely: Annotated[
         bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
     ] = False,
-    out: Annotated[Path, typer.Option("--out", help="CSV file to write.")] = Path("variants.csv"),
+    out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
@@ -51,11 +56,13 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     typer.echo(cli_text.drawn_text(drawn, out, words))
 
 
-@app.command("import")
+@app.command("import", cls=SpokenCommand)
 def import_(
-    source: Annotated[Path, typer.Argument(help="An instructor's own table, xlsx or csv.")],
+    source: Annotated[
+        Path, typer.Argument(metavar="table", help="An instructor's own table, xlsx or csv.")
+    ],
     *,
-    out: Annotated[Path, typer.Option("--out", help="CSV file to write.")] = Path("variants.csv"),
+    out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
@@ -69,7 +76,7 @@ def import_(
     typer.echo(words.say(said))
 
 
-@app.command("audit")
+@app.command("audit", cls=SpokenCommand)
 def audit(
     *,
     table: TableOption = None,

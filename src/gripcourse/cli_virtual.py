@@ -7,12 +7,17 @@ from typing import Annotated
 import typer
 
 from gripcourse import cli_text, cli_virtual_text
+from gripcourse.cli_help import SpokenCommand, command_group
 from gripcourse.cli_options import (
     NEEDS_PERSON,
     PROCESSORS,
+    CountOption,
     CourseOption,
     LanguageOption,
+    OutFileOption,
     OutOption,
+    SchemeOption,
+    SeedOption,
     TableOption,
     WorkersOption,
     course_folder,
@@ -25,15 +30,10 @@ from gripcourse.words import message
 # ruff: noqa: PLC0415
 
 app = typer.Typer()
-tolerance_app = typer.Typer(no_args_is_help=True, help="Tolerances: derive them.")
-app.add_typer(tolerance_app, name="tolerance")
-
-CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many students.")]
-SeedOption = Annotated[int, typer.Option("--seed", min=0, help="The same seed, the same students.")]
-SchemeOption = Annotated[str | None, typer.Option("--scheme", help="Only this scheme.")]
+tolerance_app = command_group("Tolerances: derive them.")
 
 
-@app.command()
+@app.command(cls=SpokenCommand)
 def simulate(  # noqa: PLR0913 (one parameter per option)
     *,
     count: CountOption = 1000,
@@ -60,9 +60,11 @@ def simulate(  # noqa: PLR0913 (one parameter per option)
     typer.echo(cli_virtual_text.simulated_text(written, out, perf_counter() - started, words))
 
 
-@app.command()
+@app.command(cls=SpokenCommand)
 def evaluate(  # noqa: PLR0913 (one parameter per option)
-    folder: Annotated[Path | None, typer.Argument(help="Folder of a simulated cohort.")] = None,
+    folder: Annotated[
+        Path | None, typer.Argument(metavar="folder", help="Folder of a simulated cohort.")
+    ] = None,
     *,
     in_memory: Annotated[
         bool, typer.Option("--in-memory", help="Judge a new cohort without writing workbooks.")
@@ -99,7 +101,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
         raise typer.Exit(NEEDS_PERSON)
 
 
-@tolerance_app.command("audit")
+@tolerance_app.command("audit", cls=SpokenCommand)
 def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     *,
     apply: Annotated[
@@ -109,7 +111,7 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
         int, typer.Option("--count", min=0, max=100_000, help="Variants drawn besides the table's.")
     ] = 2000,
     seed: SeedOption = 1,
-    out: Annotated[Path | None, typer.Option("--out", help="CSV file to write.")] = None,
+    out: OutFileOption = None,
     table: TableOption = None,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,

@@ -11,10 +11,11 @@ A student's mistake is never an exception: it is a `Finding` or a `Rejected` fil
 Our own mistake is any other exception; a batch records it as an incident and goes on.
 """
 
+import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from gripcourse.words import Message, Words
+from gripcourse.words import Message, Words, message
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,14 +24,15 @@ class Problem:
 
     Attributes:
         file: the file it is in, as the user would type it.
-        key: where in the file: `quantity.bore.formula`, `row 7, column mass`, or empty.
+        key: where in the file: a key as it is written there, `quantity.bore.formula`, or a place
+            that has no name there, `row 7, column mass`, as a message; or empty.
         what: what is wrong.
         remedy: how to mend it.
         excerpt: lines to show under the sentence, for example a formula with a caret.
     """
 
     file: str
-    key: str
+    key: str | Message
     what: Message
     remedy: Message
     excerpt: str = ""
@@ -38,8 +40,52 @@ class Problem:
     def say(self, words: Words) -> str:
         """Put the problem into words: place, fault, remedy, and the excerpt on lines below."""
         said = f"{words.say(self.what)} {words.say(self.remedy)}".strip()
-        line = ": ".join(part for part in (self.file, self.key, said) if part)
+        key = self.key if isinstance(self.key, str) else words.say(self.key)
+        line = ": ".join(part for part in (self.file, key, said) if part)
         return f"{line}\n{self.excerpt}" if self.excerpt else line
+
+
+_SYSTEM = {
+    errno.ENOENT: (
+        message("There is no such file or folder."),
+        message("Check the path."),
+    ),
+    errno.EEXIST: (
+        message("This exists already."),
+        message("Name another place."),
+    ),
+    errno.EISDIR: (
+        message("This is a folder, not a file."),
+        message("Name a file."),
+    ),
+    errno.ENOTDIR: (
+        message("A part of this path is a file, not a folder."),
+        message("Name another place."),
+    ),
+    errno.EACCES: (
+        message("The system does not allow to read or write this."),
+        message("Change the permissions, or name another place."),
+    ),
+    errno.EPERM: (
+        message("The system does not allow to read or write this."),
+        message("Change the permissions, or name another place."),
+    ),
+    errno.EROFS: (
+        message("Nothing can be written to this disk."),
+        message("Name another place."),
+    ),
+    errno.ENOSPC: (
+        message("The disk is full."),
+        message("Make room, or name another place."),
+    ),
+}
+
+
+def system_problem(error: OSError) -> Problem:
+    """Say what the system refuses; what is rare stays as the system says it."""
+    other = message("{reason}", reason=error.strerror or str(error))
+    what, remedy = _SYSTEM.get(error.errno or 0, (other, message("Try again, or elsewhere.")))
+    return Problem(str(error.filename or ""), "", what, remedy)
 
 
 class GripcourseError(Exception):

@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 
 from gripcourse.assignment.signature import key_path, make_key
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import Problem, UsageError, system_problem
 from gripcourse.files import write_text
 from gripcourse.resources import COURSE_FOLDERS, course_root
 from gripcourse.words import Message, Words, message
@@ -45,7 +45,7 @@ def init_course(target: Path, key: bytes, words: Words, source: Path | None = No
             _build(course, origin, key, words)
             _put_in_place(course, target)
     except OSError as error:
-        what = message("The folder cannot be written: {reason}.", reason=error.strerror or error)
+        what = message("The folder cannot be written. {reason}", reason=system_problem(error).what)
         remedy = message("Name a folder in a place where you may write.")
         raise _refusal(target, what, remedy) from error
 

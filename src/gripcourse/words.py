@@ -65,6 +65,10 @@ class Words:
         """Return the translation of a plain English sentence (itself where there is none)."""
         return _catalogue(self.language).gettext(text) if text else ""
 
+    def declared(self, text: str | None) -> str:
+        """Put into words what was declared as plain English elsewhere, as the help of an option."""
+        return self.translate(text) if text else ""
+
     def number(self, value: float, figures: int = 5) -> str:
         """Write a number with so many significant figures, as the language writes it."""
         return format_number(value, self.language, figures)

@@ -145,7 +145,7 @@ def test_wrong_fixed_variants_are_told_all_at_once() -> None:
     ]
     with pytest.raises(TableError) as caught:
         extend(register, students, table(3), TERMS)
-    assert [(problem.key, str(problem.what)) for problem in caught.value.problems] == [
+    assert [(str(problem.key), str(problem.what)) for problem in caught.value.problems] == [
         ("student b", "The fixed variant '001' is issued to a already."),
         ("student c", "The fixed variant '9' is not in the table."),
         ("student e", "The fixed variant '002' is issued to d already."),

@@ -22,7 +22,9 @@ def write(folder: Path, *lines: str) -> Path:
 def problems_of(path: Path) -> list[tuple[str, str]]:
     with pytest.raises(TableError) as caught:
         read_roster(path)
-    return [(problem.key, f"{problem.what} {problem.remedy}") for problem in caught.value.problems]
+    return [
+        (str(problem.key), f"{problem.what} {problem.remedy}") for problem in caught.value.problems
+    ]
 
 
 def test_a_row_is_a_student(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.cli_text import demo_text
+from gripcourse.cli_grading_text import demo_text
 from gripcourse.commands.demo import MARKED_STORY, Demo, run_demo
 from gripcourse.commands.students import COPIED
 from gripcourse.grading.model import Outcome, Report

@@ -80,7 +80,7 @@ def item(report: Report, quantity: str) -> Finding:
 
 
 def said(error: GripcourseError) -> list[tuple[str, str]]:
-    return [(problem.key, str(problem.what)) for problem in error.problems]
+    return [(str(problem.key), str(problem.what)) for problem in error.problems]
 
 
 @pytest.fixture(scope="module")

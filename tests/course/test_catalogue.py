@@ -38,7 +38,7 @@ def test_a_fault_of_a_catalogue_is_one_problem(
     draft: "Draft", old: str, new: str, key: str, what: str, remedy: str
 ) -> None:
     problem = draft.edit(PIN, old, new).problem()
-    assert (problem.file, problem.key) == (PIN, key)
+    assert (problem.file, str(problem.key)) == (PIN, key)
     assert what in str(problem.what)
     assert remedy in str(problem.remedy)
 
@@ -66,8 +66,11 @@ def test_sizes_are_kept_in_si_with_their_source(course: Course) -> None:
     catalogue = course.catalogues["bore_pneumatic"]
     assert catalogue.units == {"bore": "mm", "rod": "mm", "ring_diameter": "mm"}
     assert catalogue.columns["bore"][0] == pytest.approx(0.008)
-    assert catalogue.source.startswith("ISO 6432")
-    assert catalogue.source.endswith("(handbook value, not read in the standard itself)")
+    assert catalogue.source.of("en").startswith("ISO 6432")
+    assert catalogue.source.of("en").endswith("(handbook value, not read in the standard itself)")
+    assert catalogue.source.of("ru").endswith(
+        "(значение из справочника, в самом стандарте не прочитано)"
+    )
 
 
 def test_every_column_is_found_by_catalogue_and_name(course: Course) -> None:

@@ -30,7 +30,7 @@ def problems(folder: Path, text: str) -> list[tuple[str, str]]:
         read_marks(path, LINES)
     assert {problem.file for problem in caught.value.problems} == {str(path)}
     assert all(str(problem.remedy) for problem in caught.value.problems)
-    return [(problem.key, str(problem.what)) for problem in caught.value.problems]
+    return [(str(problem.key), str(problem.what)) for problem in caught.value.problems]
 
 
 class TestReading:

@@ -28,7 +28,7 @@ def test_a_step_cites_its_source_and_its_errata(
     chapters = solution_values(plan, variant, values, course, Words("en"))["chapters"]
     assert isinstance(chapters, list)
     sources = {step.title: step.source for chapter in chapters for step in chapter.steps}
-    assert sources[plan.quantities["jaw_travel"].title.of("en")] == "guide (29)"
+    assert sources[plan.quantities["jaw_travel"].title.of("en")] == "[1] (29)"
     assert "corrected: E10" in sources[plan.quantities["module_required"].title.of("en")]
 
 
@@ -50,7 +50,7 @@ def test_the_document_has_given_data_results_and_sources(
     written = text_of(printed(language)).replace("\u00a0", " ")
     assert plan.quantities["mass"].title.of(language) in written
     assert Words(language).number(values["bore_required"]) in written
-    assert plan.course.works["guide"].title in written
+    assert f"[1] {plan.course.works['guide'].title.of(language)}" in written
 
 
 def test_the_same_variant_gives_the_same_bytes_with_its_fonts(

@@ -47,6 +47,21 @@ def test_only_the_two_functions_count(root: Path) -> None:
     assert sentences_of(root, 'print("a"); other("b"); def_message("c")') == []
 
 
+def test_the_help_of_commands_is_read_where_it_is_declared(root: Path) -> None:
+    source = (
+        'app = command_group("Some group.")\n'
+        'Speed = Annotated[int, typer.Option("--speed", metavar="number", help="How quickly.")]\n'
+        'Workers = typer.Option(help="How many.", show_default="processors", hidden=False)\n'
+        '@app.command("run", cls=Spoken)\n'
+        'def run(speed: Speed) -> None:\n    """Do it."""\n'
+        'def other() -> None:\n    """Nothing that is shown."""\n'
+    )
+    (root / "src" / "cli_some.py").write_text(source, encoding="utf-8")
+    assert sorted(messages.extracted(root)) == sorted(
+        ["Some group.", "number", "How quickly.", "How many.", "processors", "Do it."]
+    )
+
+
 def test_templates_are_read(root: Path) -> None:
     template = """{% if x %}<p title="{{ _('Marks') }}">{{ _("Total: ") }}{{ say(x) }}{% endif %}"""
     assert sentences_of(root, template=template) == ["Marks", "Total: "]

@@ -49,7 +49,9 @@ def problems_of(path: Path, course: Course) -> list[tuple[str, str]]:
     with pytest.raises(TableError) as caught:
         read_table(path, course)
     assert {problem.file for problem in caught.value.problems} == {str(path)}
-    return [(problem.key, f"{problem.what} {problem.remedy}") for problem in caught.value.problems]
+    return [
+        (str(problem.key), f"{problem.what} {problem.remedy}") for problem in caught.value.problems
+    ]
 
 
 def test_a_sound_row_is_a_variant(tmp_path: Path, small_course: Course) -> None:

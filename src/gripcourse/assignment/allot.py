@@ -142,7 +142,7 @@ def _refusal(
     variants: Sequence[Variant],
     holders: Mapping[str, str],
 ) -> Problem:
-    key = f"student {student.id}"
+    key = message("student {student}", student=student.id)
     if variant is None:
         what = message("The fixed variant '{variant}' is not in the table.",
                        variant=student.variant)  # fmt: skip

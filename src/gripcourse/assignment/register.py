@@ -103,7 +103,7 @@ def _entries(path: Path, written: list[object]) -> tuple[Issued, ...]:
     problems: list[Problem] = []
     entries: dict[str, Issued] = {}
     for number, one in enumerate(written, start=1):
-        key = f"entry {number}"
+        key = message("entry {number}", number=number)
         try:
             entry = _entry(one)
         except (KeyError, TypeError, ValueError) as fault:

@@ -16,7 +16,7 @@ from gripcourse.variants.headings import (
     roster_vocabulary,
 )
 from gripcourse.variants.model import Student
-from gripcourse.variants.sheet import Row, Sheet, read_sheet
+from gripcourse.variants.sheet import Row, Sheet, cell_place, read_sheet
 from gripcourse.words import LANGUAGES, Message, message
 
 _ID = re.compile(r"[\w-][\w.-]*")
@@ -140,5 +140,5 @@ class _Reader:
         return row.cells[column.position] if column is not None else ""
 
     def _add(self, row: Row, id_: str, what: Message, remedy: Message) -> None:
-        key = f"row {row.number}, column {self.columns[id_].name}"
-        self.problems.append(Problem(self.sheet.file, key, what, remedy))
+        place = cell_place(row.number, self.columns[id_].name)
+        self.problems.append(Problem(self.sheet.file, place, what, remedy))

@@ -13,11 +13,11 @@ from gripcourse.gradebook.enter import Draft, Fault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, Entry, Mark, latest_judged, latest_marks
 from gripcourse.gradebook.opening import exists
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.table import place as cell
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.cells import exact_number
+from gripcourse.variants.sheet import cell_place
 from gripcourse.words import message
 
 
@@ -126,7 +126,7 @@ def enter_table(path: Path, desk: Desk, place: str, marker: str, now: datetime) 
         raise UsageError(
             Problem(
                 table.file,
-                cell(table.rows[number].row, fault.field.removeprefix("line:")),
+                cell_place(table.rows[number].row, fault.field.removeprefix("line:")),
                 fault.what,
                 fault.remedy,
             )

@@ -235,4 +235,5 @@ def _finite(value: float) -> float | None:
 
 def _source(quantity: Quantity) -> dict[str, str]:
     source = quantity.source
-    return {"work": source.work, "equation": source.equation, "note": source.note}
+    note = "" if source.note is None else source.note.of(LANGUAGES[0])
+    return {"work": source.work, "equation": source.equation, "note": note}

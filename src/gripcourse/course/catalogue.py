@@ -1,6 +1,7 @@
 """Catalogues: CSV files of standard sizes, with their source and mark on top.
 
-Two lines `# source: …` and `# mark: …`, a heading such as `bore [mm],rod [mm]`, then the rows.
+Two lines `# source: …` and `# mark: …`, in other languages too if somebody translated them
+(`# source.ru: …`), a heading such as `bore [mm],rod [mm]`, then the rows.
 """
 
 import csv
@@ -15,7 +16,7 @@ from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
 from gripcourse.units import factor
 from gripcourse.units import known as known_unit
-from gripcourse.words import Message, message
+from gripcourse.words import LANGUAGES, Message, Texts, message
 
 _REMARKS = ("source", "mark")
 
@@ -39,7 +40,13 @@ def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue
     columns = {
         name: values[:, number] * factor(unit) for number, (name, unit) in enumerate(units.items())
     }
-    return Catalogue(path.stem, columns, units, f"{remarks['source']} ({remarks['mark']})", file)
+    source = Texts({language: _source(remarks, language) for language in LANGUAGES})
+    return Catalogue(path.stem, columns, units, source, file)
+
+
+def _source(remarks: Mapping[str, str], language: str) -> str:
+    source, mark = (remarks.get(f"{name}.{language}", remarks[name]) for name in _REMARKS)
+    return f"{source} ({mark})"
 
 
 def columns_of(catalogues: Mapping[str, Catalogue]) -> dict[str, Column]:
@@ -70,7 +77,7 @@ def _remarks(file: str, lines: list[str], problems: list[Problem]) -> dict[str, 
         for name in _REMARKS
         if not found.get(name)
     ]
-    return {name: found.get(name, "") for name in _REMARKS}
+    return dict.fromkeys(_REMARKS, "") | found
 
 
 def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[str, str]:
@@ -81,7 +88,7 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
             problems.append(
                 _problem(
                     file,
-                    f"column {cell}",
+                    message("column {column}", column=cell),
                     message("The heading of the column cannot be used."),
                     message("Write a new name and a known unit: 'bore [mm]'."),
                 )
@@ -107,7 +114,7 @@ def _values(
             problems.append(
                 _problem(
                     file,
-                    f"row {number}",
+                    message("row {row}", row=number),
                     message("The row does not hold {width} numbers.", width=width),
                     message("Write a number with a point in every column."),
                 )
@@ -125,12 +132,12 @@ def _check_order(
         problems.append(
             _problem(
                 file,
-                f"column {next(iter(units))}",
+                message("column {column}", column=next(iter(units))),
                 message("The sizes do not grow from row to row."),
                 message("Sort the rows by the first column and remove doubled sizes."),
             )
         )
 
 
-def _problem(file: str, key: str, what: Message, remedy: Message) -> Problem:
+def _problem(file: str, key: str | Message, what: Message, remedy: Message) -> Problem:
     return Problem(file, key, what, remedy)

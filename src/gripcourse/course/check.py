@@ -78,7 +78,7 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
-    return list({(one.file, one.key, str(one.what)): one for one in found}.values())
+    return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
 
 def _is_new(key: object, seen: set[object]) -> bool:

@@ -90,7 +90,8 @@ def _rubric(table: Table) -> str:
 def source(table: Table) -> Source:
     """Read where something comes from."""
     table.known_keys({"work", "equation", "note"})
-    return Source(table.text("work"), table.text("equation", ""), table.text("note", ""))
+    note = table.texts("note") if "note" in table.values else None
+    return Source(table.text("work"), table.text("equation", ""), note)
 
 
 def _check_id(identifier: str, table: Table) -> None:

@@ -178,7 +178,7 @@ def _section(table: Table) -> Section:
 
 def _works(table: Table) -> dict[str, Work]:
     return {
-        name: Work(name, inner.text("title")) for name, inner in table.named_tables("work").items()
+        name: Work(name, inner.texts("title")) for name, inner in table.named_tables("work").items()
     }
 
 

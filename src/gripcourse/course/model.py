@@ -56,7 +56,7 @@ class Source:
 
     work: str
     equation: str = ""
-    note: str = ""
+    note: Texts | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,10 +284,15 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """A published work that declarations cite."""
+    """A work that declarations cite.
+
+    Attributes:
+        id: short name in declarations.
+        title: of a published work the same in every language, which is the work's own.
+    """
 
     id: str
-    title: str
+    title: Texts
 
 
 @dataclass(frozen=True, slots=True)
@@ -305,7 +310,7 @@ class Catalogue:
     id: str
     columns: Mapping[str, NDArray[np.float64]]
     units: Mapping[str, str]
-    source: str
+    source: Texts
     file: str
 
 

@@ -9,7 +9,7 @@ from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem, TableError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.variants.cells import exact_number
-from gripcourse.variants.sheet import Row, Sheet, column_name, read_sheet
+from gripcourse.variants.sheet import Row, Sheet, cell_place, column_name, read_sheet
 from gripcourse.words import Message, message
 
 _REQUIRED = ("student", "quantity")
@@ -78,11 +78,6 @@ def read_marks(path: Path, lines: Collection[str]) -> MarksTable:
     return MarksTable(sheet.file, tuple(rows), empty)
 
 
-def place(row: int, column: str) -> str:
-    """Name a cell as a person finds it."""
-    return f"row {row}, column {column}"
-
-
 @dataclass(frozen=True, slots=True)
 class _Cells:
     """One row, and the list that its faults go to."""
@@ -122,7 +117,9 @@ class _Cells:
 
     def add(self, column: str, what: Message, remedy: Message) -> None:
         """Record a fault of a cell."""
-        self.problems.append(Problem(self.sheet.file, place(self.row.number, column), what, remedy))
+        self.problems.append(
+            Problem(self.sheet.file, cell_place(self.row.number, column), what, remedy)
+        )
 
 
 def _draft(cells: _Cells) -> Draft:
@@ -183,4 +180,4 @@ def _heading_problems(sheet: Sheet, lines: Collection[str]) -> Iterator[Problem]
 
 
 def _heading(sheet: Sheet, column: str, what: Message, remedy: Message) -> Problem:
-    return Problem(sheet.file, place(1, column), what, remedy)
+    return Problem(sheet.file, cell_place(1, column), what, remedy)

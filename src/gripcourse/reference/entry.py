@@ -179,7 +179,7 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
         rule=_rule(quantity, symbols, words),
         rubric=quantity.rubric,
         explain="" if quantity.explain is None else quantity.explain.of(language),
-        source=cited(quantity.source, content.course),
+        source=cited(quantity.source, content.course, language),
         inputs=tuple(_links(_inputs(quantity), one, content, language)),
         users=tuple(_users(one, content, language)),
         slips=tuple(
@@ -199,12 +199,13 @@ def titles_elsewhere(title: Texts, language: str) -> tuple[Named, ...]:
     return tuple(Named(each, None, title.of(each)) for each in LANGUAGES if each != language)
 
 
-def cited(source: Source, course: Course) -> Cited:
+def cited(source: Source, course: Course, language: str) -> Cited:
     """Cite a source in full: an equation by its number in brackets."""
     equation = source.equation
     numbered = f"({equation})" if equation[:1].isdigit() else equation
     work = course.works.get(source.work)
-    return Cited(source.work if work is None else work.title, numbered, source.note)
+    note = "" if source.note is None else source.note.of(language)
+    return Cited(source.work if work is None else work.title.of(language), numbered, note)
 
 
 def link_to(one: Occurrence, content: Content, language: str) -> Link:

@@ -50,7 +50,7 @@ def _fault(erratum: Erratum, course: Course, contents: tuple[Content, ...], word
     versions = tuple(_versions(erratum, contents, words.language))
     return Fault(
         erratum.id,
-        cited(Source(erratum.work, erratum.equation), course),
+        cited(Source(erratum.work, erratum.equation), course, words.language),
         erratum.printed.of(words.language),
         erratum.right.of(words.language),
         versions,

@@ -65,7 +65,7 @@ def example_of(content: Content, words: Words) -> Example | None:
     values = {one: _values(plan, example) for one, plan in plans.items()}
     places = _places(content, plans[Convention.CORRECTED])
     return Example(
-        cited(example.source, content.course),
+        cited(example.source, content.course, words.language),
         _options(content, example, words),
         _given(plans[Convention.CORRECTED], content, places, words),
         tuple(

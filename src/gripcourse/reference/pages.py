@@ -125,7 +125,7 @@ def index_values(course: Course, words: Words) -> dict[str, object]:
     """Return what the index page needs besides what every page has."""
     return {
         "others": titles_elsewhere(course.title, words.language),
-        "works": [(work.id, work.title) for work in course.works.values()],
+        "works": [(work.id, work.title.of(words.language)) for work in course.works.values()],
         "errata": len(course.errata),
     }
 

@@ -65,4 +65,4 @@ def _table(catalogue: Catalogue, users: tuple[Link, ...], words: Words) -> Table
         (name, unit_text(unit, words.language)) for name, unit in catalogue.units.items()
     )
     rows = tuple(zip(*columns, strict=True))
-    return Table(catalogue.id, catalogue.source, headings, rows, users)
+    return Table(catalogue.id, catalogue.source.of(words.language), headings, rows, users)

@@ -104,7 +104,7 @@ def atlas_pdf(atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Wor
     content = {
         "course": course.title.of(words.language),
         "title": atlas.title.of(words.language),
-        "work": course.works[atlas.work].title,
+        "work": course.works[atlas.work].title.of(words.language),
         "plates": [(one.number, one.title, picture(one.svg)) for one in drawn],
         "cases": list(_cases(atlas, plan, words)),
     }

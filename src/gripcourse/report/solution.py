@@ -1,7 +1,7 @@
 """One variant fully worked, for the instructor: every quantity as symbols = numbers = result."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.assignment.sheet import drawn_diagram, given_data, option_pairs
@@ -67,7 +67,7 @@ def solution_values(
         "data": given_data(plan.givens, known, words),
         "constants": given_data(plan.constants, known, words),
         "chapters": list(_chapters(plan, known, course, words)),
-        "works": _works(plan, course),
+        "works": [course.works[one].title.of(words.language) for one in _cited(plan, course)],
         "view": _general_view(plan, variant, known, words),
     }
 
@@ -94,15 +94,20 @@ def _pairs(plan: Plan, variant: Variant, words: Words) -> Iterator[tuple[str, st
 def _chapters(
     plan: Plan, values: Mapping[str, float], course: Course, words: Words
 ) -> Iterator[Chapter]:
+    cited = _cited(plan, course)
     for section in course.sections:
         inside = (quantity for quantity in plan.answered if quantity.section == section.id)
-        steps = tuple(step for one in inside for step in _steps(one, plan, values, words))
+        steps = tuple(step for one in inside for step in _steps(one, plan, values, cited, words))
         if steps:
             yield Chapter(section.title.of(words.language), steps)
 
 
 def _steps(
-    quantity: Quantity, plan: Plan, values: Mapping[str, float], words: Words
+    quantity: Quantity,
+    plan: Plan,
+    values: Mapping[str, float],
+    cited: Sequence[str],
+    words: Words,
 ) -> Iterator[Step]:
     """Yield the step of a quantity; none where nothing is computed."""
     inputs = {name: values[name] for name in plan.inputs[quantity.id] if name in values}
@@ -112,21 +117,23 @@ def _steps(
             title=quantity.title.of(words.language),
             line=line,
             units=entering_units(quantity, plan, words),
-            source=_source(quantity, words),
+            source=_source(quantity, cited, words),
         )
 
 
-def _source(quantity: Quantity, words: Words) -> str:
-    """Cite briefly: the id of the work, as the list below has it, and the equation."""
+def _source(quantity: Quantity, cited: Sequence[str], words: Words) -> str:
+    """Cite briefly: the number of the work in the list below, and the equation."""
     equation = quantity.source.equation
     numbered = f"({equation})" if equation[:1].isdigit() else equation
-    cited = f"{quantity.source.work} {numbered}".strip()
+    work = quantity.source.work
+    brief = f"[{cited.index(work) + 1}] {numbered}".strip() if work in cited else numbered
     errata = ", ".join(printed.erratum for printed in quantity.as_printed)
     if errata:
-        cited += words.say(message("; corrected: {errata}", errata=errata))
-    return cited
+        brief += words.say(message("; corrected: {errata}", errata=errata))
+    return brief
 
 
-def _works(plan: Plan, course: Course) -> list[tuple[str, str]]:
+def _cited(plan: Plan, course: Course) -> tuple[str, ...]:
+    """Return the ids of the works that the steps cite, in the order of the course's list."""
     cited = {quantity.source.work for quantity in plan.answered}
-    return [(work.id, work.title) for work in course.works.values() if work.id in cited]
+    return tuple(id_ for id_ in course.works if id_ in cited)

@@ -17,7 +17,7 @@ from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.units import dimension, read_unit
 from gripcourse.variants.sheet import Sheet, column_name
-from gripcourse.words import LANGUAGES, Texts, message
+from gripcourse.words import LANGUAGES, Message, Texts, message
 
 _SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
@@ -134,7 +134,7 @@ def find_columns(
     found: dict[str, Column] = {}
     for position, heading in enumerate(sheet.header):
         column = column_name(position, sheet.header)
-        key = f"column {column}"
+        key = message("column {column}", column=column)
         if not heading:
             what = message("The column has values but no heading.")
             problems.append(Problem(sheet.file, key, what, message("Write one, or clear it.")))
@@ -170,7 +170,7 @@ def _split(heading: str, vocabulary: Vocabulary) -> tuple[str, str | None]:
 
 
 def _unknown(
-    sheet: Sheet, key: str, ids: Iterable[str], name: str, vocabulary: Vocabulary
+    sheet: Sheet, key: Message, ids: Iterable[str], name: str, vocabulary: Vocabulary
 ) -> Problem:
     several = sorted(ids)
     if several:
@@ -189,7 +189,7 @@ def _unknown(
 
 
 def _unit(
-    sheet: Sheet, key: str, text: str, quantity: Quantity, problems: list[Problem]
+    sheet: Sheet, key: Message, text: str, quantity: Quantity, problems: list[Problem]
 ) -> str | None:
     unit = read_unit(text)
     if unit is None:

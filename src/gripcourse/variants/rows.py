@@ -14,7 +14,7 @@ from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import Column, plain
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sheet import Row, Sheet
+from gripcourse.variants.sheet import Row, Sheet, cell_place
 from gripcourse.words import LANGUAGES, Message, Texts, message
 
 
@@ -198,7 +198,9 @@ class RowReader:
                     row = group[place][0]
                     what = explain(plan, feasibility, reason, int(place))
                     remedy = message("Change the numbers that it comes from.")
-                    problem = Problem(self.sheet.file, f"row {row.number}", what, remedy)
+                    problem = Problem(
+                        self.sheet.file, message("row {row}", row=row.number), what, remedy
+                    )
                     found.append((row.number, problem))
         self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
 
@@ -211,8 +213,8 @@ class RowReader:
             return
         column = self.columns.get(id_)
         name = column.name if column is not None else id_.removeprefix("option:")
-        key = f"row {row.number}, column {name}"
-        self.problems.append(Problem(self.sheet.file, key, what, remedy))
+        place = cell_place(row.number, name)
+        self.problems.append(Problem(self.sheet.file, place, what, remedy))
 
 
 def _means(written: str, id_: str, title: Texts) -> bool:

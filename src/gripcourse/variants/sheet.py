@@ -75,6 +75,11 @@ def read_sheet(path: Path) -> Sheet:
     )
 
 
+def cell_place(row: int, column: str) -> Message:
+    """Name a cell as a person finds it."""
+    return message("row {row}, column {column}", row=row, column=column)
+
+
 def column_name(position: int, header: tuple[str, ...]) -> str:
     """Return what a person calls a column: its heading, or its letter where it has none.
 

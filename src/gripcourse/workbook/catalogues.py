@@ -97,7 +97,7 @@ def write_tables(book: "Workbook", tables: Tables, words: Words, styles: Styles)
     sheet.write_string(0, 0, words.say(message("Catalogues in SI units")), styles.title)
     sheet.set_row(0, 26)
     for row, table in enumerate(tables.tables, start=_SOURCES):
-        source = f"{table.catalogue.id}: {table.catalogue.source}"
+        source = f"{table.catalogue.id}: {table.catalogue.source.of(words.language)}"
         sheet.write_string(row, 0, source, styles.label)
     sheet.set_row(tables.header, 34)
     for table in tables.tables:

@@ -145,8 +145,9 @@ def _write_sheet(book: "Workbook", placed: KeyLayout, key: _Key, variant: Varian
 def _write_works(sheet: "Worksheet", row: int, key: _Key) -> None:
     heading = key.words.say(message("Cited works"))
     sheet.write_string(row, 0, heading, key.styles.heading)
-    for offset, (work, title) in enumerate(cited_works(key.plan).items(), start=1):
-        sheet.write_string(row + offset, 0, work, key.styles.label)
+    for offset, work in enumerate(cited_works(key.plan), start=1):
+        title = key.plan.course.works[work].title.of(key.words.language)
+        sheet.write_string(row + offset, 0, f"[{offset}]", key.styles.label)
         sheet.write_string(row + offset, KeyColumn.TITLE, title, key.styles.label)
 
 
@@ -209,7 +210,7 @@ def _write_texts(sheet: "Worksheet", line: KeyLine, key: _Key) -> None:
     texts = {
         KeyColumn.TITLE: quantity.title.of(words.language),
         KeyColumn.FORMULA: formula_text(quantity, key.plan, words),
-        KeyColumn.SOURCE: source_text(quantity),
+        KeyColumn.SOURCE: source_text(quantity, key.plan, words),
         KeyColumn.TOLERANCE: tolerance_text(quantity, words),
     }
     sheet.set_row(row, row_height((said, _WIDTHS[column]) for column, said in texts.items()))

@@ -33,18 +33,18 @@ def formula_text(quantity: Quantity, plan: Plan, words: Words) -> str:
     return words.say(rule)
 
 
-def source_text(quantity: Quantity) -> str:
-    """Return where a quantity comes from: the work's id, equation, note."""
-    source = quantity.source
-    cited = f"{source.work} {source.equation}".strip()
-    return "; ".join(part for part in (cited, source.note) if part)
+def source_text(quantity: Quantity, plan: Plan, words: Words) -> str:
+    """Return where a quantity comes from: the work's number in the list, equation, note."""
+    source, cited = quantity.source, cited_works(plan)
+    number = f"[{cited.index(source.work) + 1}]" if source.work in cited else ""
+    note = "" if source.note is None else source.note.of(words.language)
+    return "; ".join(part for part in (f"{number} {source.equation}".strip(), note) if part)
 
 
-def cited_works(plan: Plan) -> dict[str, str]:
-    """Return the titles of the works that a plan's quantities come from, by id."""
-    cited = dict.fromkeys(quantity.source.work for quantity in plan.quantities.values())
-    works = plan.course.works
-    return {work: works[work].title for work in cited if work in works}
+def cited_works(plan: Plan) -> tuple[str, ...]:
+    """Return the ids of the works that a plan's quantities come from, in the course's order."""
+    cited = {quantity.source.work for quantity in plan.quantities.values()}
+    return tuple(id_ for id_ in plan.course.works if id_ in cited)
 
 
 def tolerance_text(quantity: Quantity, words: Words) -> str:
