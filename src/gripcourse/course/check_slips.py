@@ -13,6 +13,8 @@ from gripcourse.units import known
 from gripcourse.words import message
 
 _SAMPLES: Final = 16
+_WIDE_SAMPLES: Final = 48
+_DECADES: Final = (-1.0, 4.0)  # of SI units: what the columns of catalogues hold
 _ENOUGH: Final = 4  # samples at which both have a value
 _SAME: Final = 1e-9
 
@@ -65,6 +67,11 @@ def _equals_formula(one: Quantity, slip: Slip, columns: Mapping[str, Column]) ->
 
 
 def _scattered(name: str) -> NDArray[np.float64]:
-    """Return numbers between 0.1 and 0.9 that belong to a name and to no other."""
-    seed = np.frombuffer(name.encode(), dtype=np.uint8)
-    return np.random.default_rng(seed.tolist()).uniform(0.1, 0.9, _SAMPLES)
+    """Return numbers that belong to a name and to no other.
+
+    The first lie between 0.1 and 0.9, where most formulas have a value; the others are spread over
+    decades: of two columns of loads the first steps may be the same.
+    """
+    chance = np.random.default_rng(np.frombuffer(name.encode(), dtype=np.uint8).tolist())
+    small = chance.uniform(0.1, 0.9, _SAMPLES)
+    return np.concatenate([small, 10 ** chance.uniform(*_DECADES, _WIDE_SAMPLES)])
