@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.grading.choices import sound_sizes
+from gripcourse.grading.choices import same_size, sound_sizes
 from gripcourse.grading.explain import (
     Explanation,
     Weighed,
@@ -24,7 +24,7 @@ from gripcourse.grading.explain import (
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.view import Judgement, Range, View
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.solve import evaluate
+from gripcourse.solver.solve import choose, evaluate, reference_rounding
 from gripcourse.units import factor
 from gripcourse.words import Message, message
 
@@ -49,6 +49,8 @@ def diagnose(
     Returns:
         The judgement with the slip that explains the answer, itself where none does.
     """
+    if view.quantity.kind is Kind.CHOICE:
+        return _with_wrong_rule(view, judgement, candidates_of(view.quantity.id))
     if view.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
         return judgement
     other_size = _with_other_size(view, judgement)
@@ -67,6 +69,33 @@ def diagnose(
     if explanation.likeliest.of == view.quantity.id:
         return _with_slip(view, judgement, explanation)
     return _with_earlier_slip(view, judgement, explanation)
+
+
+def _with_wrong_rule(
+    view: View, judgement: Judgement, candidates: tuple[Candidate, ...]
+) -> Judgement:
+    """Name the slip by which a decision is exactly what its wrong rule asks for.
+
+    Nothing is named where several rules lead to that size: a series has few entries.
+    """
+    choice = view.quantity.choice
+    if choice is None or not candidates:
+        return judgement
+    scale = factor(view.quantity.unit)
+    needed = np.array([view.at_own(one.formula).value for one in candidates]) * scale
+    rounding = reference_rounding(view.quantity, view.plan.convention)
+    taken = choose(needed, choice, rounding, view.plan).tolist()
+    met = [
+        one
+        for one, size in zip(candidates, taken, strict=True)
+        if same_size(view.value * scale, size)
+    ]
+    if len(met) != 1:
+        return judgement
+    said = message("A known slip: {hint}", hint=met[0].hint)
+    return replace(
+        judgement, outcome=Outcome.SLIP, credit=met[0].credit, slip=met[0].id, message=said
+    )
 
 
 def _with_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
