@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from gripcourse.course.compose import option_sets
@@ -269,7 +270,9 @@ def _composition(
                                 *scheme.example.chosen[convention].items())
             if name in plan.quantities
         }  # fmt: skip
-        known.insert(0, ("worked example", given, scheme.example.options == options))
+        is_own = scheme.example.options == options
+        if is_own or _has_a_solution(plan, given):
+            known.insert(0, ("worked example", given, is_own))
     assert known, f"{scheme.id} {options} has neither an example nor a space to draw from"
     references = tuple(
         Reference(name, given, evaluate(plan, to_si(plan, given)).values, is_example)
@@ -282,6 +285,12 @@ def of_the_plan(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
     """Leave out what is computed with these options, and what they do not have."""
     known = {one.id for one in (*plan.givens, *plan.constants)}
     return {name: value for name, value in given.items() if name in known}
+
+
+def _has_a_solution(plan: Plan, given: Mapping[str, float]) -> bool:
+    """Tell whether numbers suit these options too: a hollow jaw must be wider than the object."""
+    values = evaluate(plan, to_si(plan, given)).values
+    return all(np.isfinite(values[one.id]) for one in plan.answered)
 
 
 def _is_complete(plan: Plan, given: Mapping[str, float]) -> bool:

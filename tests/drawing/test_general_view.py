@@ -1,6 +1,7 @@
 """What holds for the general view of every scheme, looked at in several variants of each."""
 
 import csv
+import math
 import re
 import xml.etree.ElementTree as ET
 from collections import defaultdict
@@ -14,15 +15,19 @@ import pytest
 from ezdxf import recover
 
 from gripcourse.course.model import Course
+from gripcourse.course.view import Face
 from gripcourse.drawing.document import LineKind, dxf_bytes
 from gripcourse.drawing.face import FaceLayout, length_text
+from gripcourse.drawing.figure import figure
 from gripcourse.drawing.general_view import general_view
 from gripcourse.drawing.leaders import cross
 from gripcourse.drawing.sheet import block_box, corner_box
-from gripcourse.drawing.strokes import Box, Line, outside
+from gripcourse.drawing.strokes import Arc, Box, Line, outside
 from gripcourse.drawing.svg import svg_text
 from gripcourse.drawing.text import Point, read_text
 from gripcourse.drawing.title_block import TitleBlock
+from gripcourse.solver.plan import make_plan
+from gripcourse.solver.solve import solve_variant
 from gripcourse.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
@@ -242,3 +247,27 @@ def test_what_the_options_do_not_bring_is_not_drawn(course: Course, draw: Draw) 
     assert drawn.plan.options["mounting"] == "flange"
     assert "bayonet" in declared - shown
     assert "flange" in shown
+
+
+@pytest.mark.parametrize(
+    ("mounting", "holes", "outline"), [("flange", 7, 144.0), ("square_flange", 4, 110.0)]
+)
+def test_a_flange_is_drawn_in_the_form_and_with_the_holes_of_its_execution(
+    course: Course, mounting: str, holes: int, outline: float
+) -> None:
+    """GOST 26063-84, table 7: a base diameter of 90 mm, D2 = 144 mm and B = 110 mm."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    assert scheme.view is not None
+    plan = make_plan(course, scheme.id, {**scheme.example.options, "mounting": mounting})
+    shown = figure(plan, scheme.view, solve_variant(plan, scheme.example.given))
+    (label,) = (one for one in shown.labelled if one.declared.face is Face.END)
+    assert label.values == {"count": holes, "hole": pytest.approx(11)}
+    drawn = [one.stroke for one in shown.seen[Face.END] if one.kind is LineKind.OUTLINE]
+    circles = [one for one in drawn if isinstance(one, Arc) and one.radius == pytest.approx(5.5)]
+    assert len({(round(one.centre[0], 6), round(one.centre[1], 6)) for one in circles}) == holes
+    edges = {
+        round(2 * one.radius if isinstance(one, Arc) else math.dist(one.start, one.end), 6)
+        for one in drawn
+    }
+    assert outline in edges

@@ -178,6 +178,16 @@ def hydraulic(plan: Plan, policy: Policy) -> Case:
 
 
 @pytest.fixture(scope="session")
+def square(course: Course, plan: Plan, policy: Policy) -> Case:
+    """The guide's example with 140 kg on a square flange."""
+    example = plan.scheme.example
+    assert example is not None
+    heavy = make_plan(course, plan.scheme.id, {**example.options, "mounting": "square_flange"})
+    given = {one.id: example.given[one.id] for one in heavy.givens}
+    return make_case(heavy, {**given, "mass": 140.0}, policy)
+
+
+@pytest.fixture(scope="session")
 def pneumatic(table: tuple[Case, ...]) -> Case:
     return next(
         case

@@ -91,6 +91,25 @@ class TestUnsound:
         assert lost == {"bore"}
 
 
+class TestWrongRule:
+    """140 kg bend the flange by nearly 1200 N·m: I bears 1300 at 90 mm, II 1100 at 120 mm."""
+
+    def test_the_loads_of_the_other_execution_are_a_known_slip(self, square: "Case") -> None:
+        found = finding(square, "flange_size", 90.0)
+        assert (found.outcome, found.points) == (Outcome.SLIP, 0)
+        assert found.slip == "loads_of_the_round_flange"
+        assert "execution I" in str(found.message)
+
+    def test_another_size_is_only_too_small(self, square: "Case") -> None:
+        found = finding(square, "flange_size", 120.0)
+        assert found.outcome is Outcome.WRONG
+        assert str(found.message) == "Rounded down: the size is below the required value."
+
+    def test_where_both_executions_bear_the_same_there_is_no_slip(self, square: "Case") -> None:
+        found = square.findings({**square.following(mount_bending=399.0), "flange_size": 40.0})
+        assert found["flange_size"].outcome is Outcome.WRONG
+
+
 class TestOwnNumbers:
     def test_the_students_own_required_value_counts(self, hydraulic: "Case") -> None:
         answers = {**hydraulic.answers, "bore_required": 130.0, "bore": 160.0}

@@ -8,7 +8,7 @@ from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, default_options, make_plan
 
 SCHEME = "rack_parallelogram"
-SIMPLE = "electromagnet"  # with a single option
+SIMPLE = "electromagnet"  # with two options
 
 
 @pytest.mark.parametrize("convention", Convention)
@@ -70,7 +70,7 @@ def test_without_a_convention_the_course_decides(course: Course, plan: Plan) -> 
 
 
 def test_the_worked_example_tells_the_default_options(course: Course) -> None:
-    assert default_options(course.schemes[SIMPLE]) == {"load_case": "lift"}
+    assert default_options(course.schemes[SIMPLE]) == {"load_case": "lift", "mounting": "flange"}
 
 
 @pytest.mark.parametrize(
@@ -84,19 +84,19 @@ def test_the_worked_example_tells_the_default_options(course: Course) -> None:
         ),
         (
             SIMPLE,
-            {"load_case": "sheer"},
+            {"load_case": "sheer", "mounting": "flange"},
             "The option 'load_case' of the scheme electromagnet cannot be 'sheer'.",
             "Did you mean 'shear'?",
         ),
         (
             SIMPLE,
-            {},
+            {"mounting": "flange"},
             "The option 'load_case' of the scheme electromagnet cannot be ''.",
             "Known here: lift, shear.",
         ),
         (
             SIMPLE,
-            {"load_case": "lift", "load_cases": "lift"},
+            {"load_case": "lift", "mounting": "flange", "load_cases": "lift"},
             "The scheme electromagnet has no option 'load_cases'.",
             "Did you mean 'load_case'?",
         ),
@@ -114,5 +114,5 @@ def test_what_does_not_exist_is_refused_with_a_suggestion(
 
 def test_all_wrong_options_are_told_at_once(course: Course) -> None:
     with pytest.raises(UsageError) as refused:
-        make_plan(course, SIMPLE, {"load_case": "twist", "colour": "red"})
+        make_plan(course, SIMPLE, {"load_case": "twist", "mounting": "flange", "colour": "red"})
     assert len(refused.value.problems) == 2

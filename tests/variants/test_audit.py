@@ -78,7 +78,7 @@ def test_a_planted_near_duplicate_is_found(
     assert {worst.own, worst.other} == {0, len(sound)}
     assert worst.share > 0.5
     assert worst.given == pytest.approx(1 - 1 / len(sound[0].given))
-    assert "grip_force" in worst.equal
+    assert "lifting_load" in worst.equal
 
 
 def test_without_it_nothing_is_to_be_looked_at(
