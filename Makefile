@@ -47,7 +47,7 @@ bench: .venv/dev.stamp ## measure what the documentation states
 .PHONY: gallery
 gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
 	@mkdir -p docs/gallery
-	@$(BIN)/python -m gripcourse solve 014 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
+	@$(BIN)/python -m gripcourse solve 019 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
 	@$(BIN)/python -m gripcourse atlas lever-arms --out $(OUT)/atlas >$(OUT)/atlas.log
 	@while read -r name page file; do \
 	  if [ "$$page" = last ]; then page=$$(pdfinfo "$(OUT)/$$file" | sed -n 's/^Pages: *//p'); fi; \
