@@ -110,6 +110,6 @@ def _unread(finding: Finding, plan: Plan, words: Words) -> Unread:
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
         cell=finding.cell,
-        typed=finding.typed,
+        typed=shortened(finding.typed, _TYPED_LETTERS),
         remarks=tuple(words.say(remark) for remark in finding.remarks),
     )
