@@ -31,6 +31,7 @@ from gripcourse.words import Message, Words, message
 TEMPLATE = "cohort.html.j2"
 STYLES = ("page.css", "formula.css", "cohort.css")
 
+
 @dataclass(frozen=True, slots=True)
 class StudentRow:
     """A student's line: texts in the order of the columns; `flags` counts what to look at."""

@@ -5,7 +5,7 @@ somebody answered wrongly or left out; the others are named, with how many answe
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
