@@ -1,5 +1,8 @@
 """The reference course, loaded once, and how property tests run."""
 
+import re
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -43,3 +46,27 @@ def example(course: Course) -> WorkedExample:
 def plan(course: Course, example: WorkedExample) -> Plan:
     """The corrected calculation of the worked example."""
     return make_plan(course, SCHEME, example.options)
+
+
+WORD = re.compile(r'<word xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>')
+EDGE = 20.0  # points, 7 mm: what no printer leaves out
+
+
+@pytest.fixture(scope="session")
+def beyond_the_edge() -> Callable[[bytes], list[str]]:
+    """Find the words of a document that do not stand wholly inside its pages."""
+
+    def find(pdf: bytes) -> list[str]:
+        command = ["pdftotext", "-bbox", "-", "-"]
+        text = subprocess.run(command, input=pdf, capture_output=True, check=True).stdout.decode()
+        outside = []
+        for size, page in re.findall(r'<page (.*?)>(.*?)</page>', text, re.DOTALL):
+            width, height = (float(side) for side in re.findall(r'"([\d.]+)"', size))
+            for *sides, word in WORD.findall(page):
+                left, top, right, bottom = map(float, sides)
+                inside = EDGE <= left and right <= width - EDGE
+                if not inside or top < EDGE or bottom > height - EDGE:
+                    outside.append(word)
+        return outside
+
+    return find

@@ -98,7 +98,8 @@ def render_fitting(
     Args:
         documents: the same in ever smaller print, at least one.
         pages: that it may have.
-        templates, words: see `render_pdf`, also for the errors.
+        templates: the folder of the course; see `render_pdf`, also for the errors.
+        words: the reader's language.
     """
     *roomy, tightest = documents
     for document in roomy:

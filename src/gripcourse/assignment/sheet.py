@@ -31,8 +31,8 @@ _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
 _PAGES = 2  # one sheet of paper
 # Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
-# not fit in the first, so there is no need to try it.
-_DENSITIES = ("", "dense", "dense long")
+# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
+_DENSITIES = ("", "dense", "dense long", "dense long torn")
 _CROWDED, _HIGH = 105, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
