@@ -48,8 +48,10 @@ def plan(course: Course, example: WorkedExample) -> Plan:
     return make_plan(course, SCHEME, example.options)
 
 
-WORD = re.compile(r'<word xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>')
-EDGE = 20.0  # points, 7 mm: what no printer leaves out
+WORD = re.compile(
+    r'<word xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)</word>'
+)
+EDGE = 12.0  # points, 4.2 mm: what a common printer leaves out
 
 
 @pytest.fixture(scope="session")
@@ -60,7 +62,7 @@ def beyond_the_edge() -> Callable[[bytes], list[str]]:
         command = ["pdftotext", "-bbox", "-", "-"]
         text = subprocess.run(command, input=pdf, capture_output=True, check=True).stdout.decode()
         outside = []
-        for size, page in re.findall(r'<page (.*?)>(.*?)</page>', text, re.DOTALL):
+        for size, page in re.findall(r"<page (.*?)>(.*?)</page>", text, re.DOTALL):
             width, height = (float(side) for side in re.findall(r'"([\d.]+)"', size))
             for *sides, word in WORD.findall(page):
                 left, top, right, bottom = map(float, sides)

@@ -15,7 +15,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.words import Words, message
 
 UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
-HOSTILE = "=HYPERLINK(\"http://x\")<script>" + "Щ" * 300
+HOSTILE = '=HYPERLINK("http://x")<script>' + "Щ" * 300
 Beyond = Callable[[bytes], list[str]]
 
 
