@@ -115,7 +115,7 @@ def test_an_empty_workbook_says_nothing_about_a_quantity(
 
 
 def test_what_one_scheme_alone_asks_for_comes_after_what_several_do(
-    reports: list[Report], policy: Policy, course: Course
+    reports: list[Report], course: Course
 ) -> None:
     other = replace(
         reports[1],
@@ -123,17 +123,9 @@ def test_what_one_scheme_alone_asks_for_comes_after_what_several_do(
         options={},
         findings=tuple(one for one in reports[1].findings if one.quantity != "drive_force"),
     )
-    # Only titles of schemes are read from a course that does not know these options.
-    groups = quantity_groups(
-        Asked(
-            [reports[0], other],
-            quantity_totals([reports[0], other]),
-            item_statistics([reports[0], other]),
-            {},
-            course,
-        ),
-        Words("en"),
-    )
+    both = [reports[0], other]
+    asked = Asked(both, quantity_totals(both), item_statistics(both), {}, course)
+    groups = quantity_groups(asked, Words("en"))
     assert groups[0].title.startswith("1. ")
     assert groups[-1].title == "Only rack with gear sectors and parallelogram"
     assert [one.title for one in groups[-1].faultless] == ["drive_force"]

@@ -37,19 +37,18 @@ def hostile(perfect: Report, with_finding: Callable[..., Report]) -> Report:
     return report
 
 
-def test_no_text_of_a_student_leaves_the_page_of_the_report(
-    hostile: Report,
-    plan: Plan,
-    policy: Policy,
-    course: Course,
-    graded_on: date,
-    beyond_the_edge: Beyond,
-    pages_of: Callable[[bytes], list[str]],
-) -> None:
+@pytest.fixture
+def written(hostile: Report, plan: Plan, policy: Policy, course: Course, graded_on: date) -> bytes:
+    """The student's report of it, with the reference."""
     shown = replace(policy, reveal=Reveal.REFERENCE)
-    pdf = student_report(hostile, plan, shown, course, Words("uk"), graded_on)
-    assert not beyond_the_edge(pdf)
-    assert "http" in pages_of(pdf)[0]  # the list begins below the result, not on a page of its own
+    return student_report(hostile, plan, shown, course, Words("uk"), graded_on)
+
+
+def test_no_text_of_a_student_leaves_the_page_of_the_report(
+    written: bytes, beyond_the_edge: Beyond, pages_of: Callable[[bytes], list[str]]
+) -> None:
+    assert not beyond_the_edge(written)
+    assert "http" in pages_of(written)[0]  # the list begins below the result, not on its own page
 
 
 def test_no_text_of_a_student_leaves_the_page_of_the_cohort(
