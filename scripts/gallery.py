@@ -83,7 +83,7 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     yield "cohort_summary", cohort, 1
     yield "cohort_mistakes", cohort, 4
     yield "cohort_quantities", cohort, 6
-    solved = solve_from_table(course, table, register[STUDENT].variant.id, course.convention)
+    solved = solve_from_table(course, variants, register[STUDENT].variant.id, None)
     solution = write_solution(solved, made / "solution.pdf", words)
     yield "solution", solution, 2
     yield "general_view", solution, -1
