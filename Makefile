@@ -45,15 +45,8 @@ bench: .venv/dev.stamp ## measure what the documentation states
 	@for file in $(sort $(wildcard benchmarks/*.py)); do echo "# $$file"; $(BIN)/python "$$file" || exit; done
 
 .PHONY: gallery
-gallery: demo | test-packages ## pictures of the demo's pages, in docs/gallery/
-	@mkdir -p docs/gallery
-	@$(BIN)/python -m gripcourse solve 019 --pdf --out $(OUT)/solution.pdf >$(OUT)/solution.log
-	@$(BIN)/python -m gripcourse atlas lever-arms --out $(OUT)/atlas >$(OUT)/atlas.log
-	@while read -r name page file; do \
-	  if [ "$$page" = last ]; then page=$$(pdfinfo "$(OUT)/$$file" | sed -n 's/^Pages: *//p'); fi; \
-	  pdftoppm -r 80 -png -f "$$page" -singlefile "$(OUT)/$$file" "docs/gallery/$$name" || exit; \
-	done <scripts/gallery
-	@ls docs/gallery
+gallery: demo | test-packages ## pictures of every kind of page, in docs/gallery/
+	$(BIN)/python scripts/gallery.py $(OUT) docs/gallery
 
 .PHONY: reference
 reference: .venv/run.stamp ## the formula reference in docs/reference/, from the declarations

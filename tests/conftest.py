@@ -1,5 +1,8 @@
 """The reference course, loaded once, and how property tests run."""
 
+import re
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -43,3 +46,28 @@ def example(course: Course) -> WorkedExample:
 def plan(course: Course, example: WorkedExample) -> Plan:
     """The corrected calculation of the worked example."""
     return make_plan(course, SCHEME, example.options)
+
+
+WORD = re.compile(r"<word ([^>]*)>(.*?)</word>")
+EDGE = 12.0  # points, 4.2 mm: what a common printer leaves out
+
+
+@pytest.fixture(scope="session")
+def beyond_the_edge() -> Callable[[bytes], list[str]]:
+    """Find the words of a document that do not stand wholly inside its pages."""
+
+    def find(pdf: bytes) -> list[str]:
+        command = ["pdftotext", "-bbox", "-", "-"]
+        done = subprocess.run(command, input=pdf, capture_output=True, check=True)  # noqa: S603 (poppler)
+        text = done.stdout.decode()
+        outside = []
+        for size, page in re.findall(r"<page (.*?)>(.*?)</page>", text, re.DOTALL):
+            width, height = (float(side) for side in re.findall(r'"([\d.]+)"', size))
+            for sides, word in WORD.findall(page):
+                left, top, right, bottom = map(float, re.findall(r'"([-\d.]+)"', sides))
+                nearest = min(left, top, width - right, height - bottom)
+                if nearest < EDGE:
+                    outside.append(word)
+        return outside
+
+    return find

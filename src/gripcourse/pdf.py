@@ -21,7 +21,7 @@ style sheets. A value that a template does not get is an error, never an empty p
 
 import gc
 from base64 import b64encode
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date
@@ -90,16 +90,39 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
     return environment.get_template(document.template).render(document.values)
 
 
+def render_fitting(
+    documents: Sequence[Document], pages: int, templates: Path, words: Words
+) -> bytes:
+    """Render the first document that has at most so many pages; the last where none has.
+
+    Args:
+        documents: the same in ever smaller print, at least one.
+        pages: that it may have.
+        templates: the folder of the course; see `render_pdf`, also for the errors.
+        words: the reader's language.
+    """
+    *roomy, tightest = documents
+    for document in roomy:
+        html = render_html(document, templates, words)
+        with _few_collections():
+            laid_out = _laid_out(html, document.styles, templates)
+            if len(laid_out.pages) <= pages:
+                return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
+    return render_pdf(tightest, templates, words)
+
+
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
+    with _few_collections():
+        return bytes(_laid_out(html, styles, templates).write_pdf(pdf_variant=_VARIANT))
+
+
+def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
     from weasyprint import HTML, URLFetcher
 
     sheets = [_style_sheet(path, path.stat().st_mtime_ns) for path in _paths(templates, styles)]
-    with _few_collections():
-        source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))
-        return bytes(
-            source.write_pdf(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
-        )
+    source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))
+    return source.render(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
 
 
 def picture(svg: str) -> str:

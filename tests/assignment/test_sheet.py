@@ -20,6 +20,7 @@ from gripcourse.variants.table import read_table
 from gripcourse.words import Words
 
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
+UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
 ENGLISH = Words("en")
 
 
@@ -196,12 +197,43 @@ LONGEST = {
 
 @pytest.mark.parametrize("scheme", ["rack_parallelogram", "wedge_slide", "pinion_racks", "screw"])
 def test_the_longest_assignments_are_one_sheet_of_paper_too(
-    issued: Issued, policy: Policy, course: Course, scheme: str
+    issued: Issued,
+    policy: Policy,
+    course: Course,
+    scheme: str,
+    beyond_the_edge: Callable[[bytes], list[str]],
 ) -> None:
     example = course.schemes[scheme].example
     assert example is not None
     long = make_plan(course, scheme, {**example.options, **LONGEST})
     given = {one.id: sum(one.bounds) / 2 for one in long.givens}
     variant = Variant("17", scheme, dict(long.options), given)
-    named = replace(issued, student=replace(issued.student, name=LONG_NAME), variant=variant)
-    assert len(pages(assignment_sheet(named, long, policy, course, Words("ru")))) == 2
+    student = replace(issued.student, name=UNBROKEN_NAME, group="РТК-41-" * 8)
+    sheet = assignment_sheet(
+        replace(issued, student=student, variant=variant), long, policy, course, Words("uk")
+    )
+    assert len(pages(sheet)) == 2
+    assert not beyond_the_edge(sheet)
+
+
+def test_a_long_assignment_is_printed_smaller_and_a_short_one_is_not(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    assert sheet_values(issued, plan, policy, course, ENGLISH)["density"] == ""
+    example = course.schemes["wedge_slide"].example
+    assert example is not None
+    long = make_plan(course, "wedge_slide", {**example.options, **LONGEST})
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    variant = Variant("17", "wedge_slide", dict(long.options), given)
+    values = sheet_values(replace(issued, variant=variant), long, policy, course, ENGLISH)
+    assert values["density"] == "dense"
+
+
+def test_a_unit_stands_in_its_column_and_degrees_with_their_number(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    values = sheet_values(issued, plan, policy, course, ENGLISH)
+    assert isinstance(values["data"], list)
+    units = {datum.unit for datum in values["data"]}
+    assert "mm" in units
+    assert not any(unit.startswith("°") for unit in units)

@@ -10,6 +10,9 @@ from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
 from gripcourse.grading.model import Flag, Outcome, Report
 from gripcourse.report.cohort import cohort_report, cohort_values
+from gripcourse.report.items import item_statistics
+from gripcourse.report.quantities import Asked, quantity_groups
+from gripcourse.report.totals import quantity_totals
 from gripcourse.words import Words, message
 
 Change = Callable[..., Report]
@@ -71,8 +74,9 @@ def test_a_rejected_file_has_a_dash_for_points(
 def test_each_quantity_has_its_outcomes(
     reports: list[Report], policy: Policy, course: Course
 ) -> None:
-    rows = cohort_values(reports, policy, course, Words("en"))["quantities"]
-    assert isinstance(rows, list)
+    groups = cohort_values(reports, policy, course, Words("en"))["groups"]
+    assert isinstance(groups, list)
+    rows = [row for group in groups for row in group.rows]
     force = next(row for row in rows if row.title == "required force of the drive")
     assert force.counts == ("2", "", "", "1", "", "", "")
     assert force.facility == ("66.7%", "66.7%")
@@ -82,9 +86,60 @@ def test_each_quantity_has_its_outcomes(
 def test_what_a_person_marks_is_no_row_of_outcomes(
     reports: list[Report], policy: Policy, course: Course
 ) -> None:
-    rows = cohort_values(reports, policy, course, Words("en"))["quantities"]
-    assert isinstance(rows, list)
-    assert len(rows) == sum(one.points > 0 for one in reports[0].findings)
+    groups = cohort_values(reports, policy, course, Words("en"))["groups"]
+    assert isinstance(groups, list)
+    named = sum(len(group.rows) + len(group.faultless) for group in groups)
+    assert named == sum(one.points > 0 for one in reports[0].findings)
+
+
+def test_a_row_has_only_what_somebody_got_wrong_or_left_out(
+    reports: list[Report], policy: Policy, course: Course
+) -> None:
+    groups = cohort_values(reports, policy, course, Words("en"))["groups"]
+    assert isinstance(groups, list)
+    titles = {row.title for group in groups for row in group.rows}
+    assert titles == {"required force of the drive", "accepted bore of the cylinder"}
+    assert {one.answers for group in groups for one in group.faultless} == {3}
+
+
+def test_an_empty_workbook_says_nothing_about_a_quantity(
+    perfect: Report, blank: Change, policy: Policy, course: Course
+) -> None:
+    empty = perfect
+    for one in perfect.findings:
+        if one.outcome is not Outcome.MANUAL:
+            empty = blank(empty, one.quantity)
+    groups = cohort_values([perfect, empty], policy, course, Words("en"))["groups"]
+    assert isinstance(groups, list)
+    assert not any(group.rows for group in groups)
+
+
+def test_what_one_scheme_alone_asks_for_comes_after_what_several_do(
+    reports: list[Report], course: Course
+) -> None:
+    other = replace(
+        reports[1],
+        scheme="wedge_roller",
+        options={},
+        findings=tuple(one for one in reports[1].findings if one.quantity != "drive_force"),
+    )
+    both = [reports[0], other]
+    asked = Asked(both, quantity_totals(both), item_statistics(both), {}, course)
+    groups = quantity_groups(asked, Words("en"))
+    assert groups[0].title.startswith("1. ")
+    assert groups[-1].title == "Only rack with gear sectors and parallelogram"
+    assert [one.title for one in groups[-1].faultless] == ["drive_force"]
+
+
+def test_what_a_likeness_rests_on_is_named_by_titles(
+    perfect: Report, policy: Policy, course: Course
+) -> None:
+    names = message("{names} and {count} more", names="grip_force, bore", count=50)
+    odd = Flag("same_answers", message("It rests on: {names}.", names=names))
+    flagged = cohort_values([replace(perfect, flags=(odd,))], policy, course, Words("en"))
+    (said,) = flagged["flagged"][0].sentences  # type: ignore[index]
+    assert "accepted bore of the cylinder and 50 more" in said
+    assert "grip_force" not in said
 
 
 def test_the_plots_can_be_read_as_text(

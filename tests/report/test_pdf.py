@@ -3,6 +3,7 @@
 import gc
 import io
 import logging
+import re
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -11,6 +12,10 @@ import jinja2
 import pytest
 from pypdf import PdfReader
 
+from gripcourse.course.model import Course
+from gripcourse.formula.markup import html
+from gripcourse.formula.parse import parse
+from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.pdf import (
     Document,
     amount_text,
@@ -136,3 +141,24 @@ def test_a_day_is_written_with_its_month_in_words() -> None:
     day = date(2025, 5, 9)
     written = [day_text(day, Words(language)) for language in ("en", "ru", "uk")]
     assert written == ["9 May 2025", "9 мая 2025", "9 травня 2025"]
+
+
+def test_what_is_drawn_after_an_unseen_sign_is_seen(course: Course) -> None:
+    """The radical of a root alone in a denominator follows the stroke, which is text unseen."""
+    tree = parse("a / sqrt(b)")
+    fraction = html(typeset(tree, {name: symbol_box(name) for name in ("a", "b")}))
+    page = f'<html lang="en"><title>x</title><p>{fraction}</p></html>'
+    pdf = pdf_from_html(page, ("formula.css",), course.root / "templates")
+    drawing = PdfReader(io.BytesIO(pdf)).pages[0].get_contents()
+    assert drawing is not None
+    opaque, seen = [True], []
+    for line in drawing.get_data().decode("latin-1").splitlines():
+        if line == "q":
+            opaque.append(opaque[-1])
+        elif line == "Q":
+            opaque.pop()
+        elif re.fullmatch(r"/a\S+ gs", line):
+            opaque[-1] = float(line[2:-3]) == 1
+        elif line.endswith(" Do"):
+            seen.append(opaque[-1])
+    assert seen == [True]

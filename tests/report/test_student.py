@@ -333,9 +333,8 @@ def test_headers_are_repeated_on_every_page(
     perfect: Report, printed: Printer, pages_of: Callable[[bytes], list[str]]
 ) -> None:
     pages = pages_of(printed(perfect, words=Words("en")))
-    tables = pages[1:-1]  # the last may hold no more than the closing lines
-    assert tables
-    assert all("Your answer" in page for page in tables)
+    assert len(pages) >= 2
+    assert all("Your answer" in page for page in pages)
     assert all(perfect.name in page for page in pages)
 
 

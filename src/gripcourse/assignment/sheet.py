@@ -15,7 +15,7 @@ from gripcourse.pdf import (
     percent_text,
     picture,
     points_text,
-    render_pdf,
+    render_fitting,
 )
 from gripcourse.solver.plan import Plan
 from gripcourse.units import unit_text
@@ -28,14 +28,21 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
-# More quantities, or a diagram that takes more of the page's height, ask for smaller letters.
-_MANY, _VERY_MANY, _HIGH = 85, 120, 58.0
+_MANY = 85  # quantities, from which on a diagram has to leave room beside it
+_PAGES = 2  # one sheet of paper
+# Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
+# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
+_DENSITIES = ("", "dense", "dense long", "dense long torn")
+_CROWDED, _HIGH = 105, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
 @dataclass(frozen=True, slots=True)
 class Datum:
-    """A row of the given data: texts in the reader's language, `symbol` as declared."""
+    """A row of the given data: texts in the reader's language, `symbol` as declared.
+
+    Degrees belong to the number and stand in `value`; any other unit has a column of its own.
+    """
 
     symbol: str
     title: str
@@ -101,7 +108,9 @@ def assignment_sheet(
         words: the language of the sheet.
     """
     values = sheet_values(issued, plan, policy, course, words)
-    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+    tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
+    prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
+    return render_fitting(prints, _PAGES, course.root / "templates", words)
 
 
 def sheet_values(
@@ -130,11 +139,9 @@ def sheet_values(
 
 
 def _density(listed: int, diagram: Drawn | None) -> str:
-    """Name the print in which so many quantities, with the diagram, fit on two pages."""
-    if listed > _VERY_MANY:
-        return "dense long"
+    """Name the largest print in which so many quantities, with the diagram, may fit."""
     stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
-    return "dense" if listed > _MANY or stacked else ""
+    return "dense" if listed > _CROWDED or stacked else ""
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
@@ -196,11 +203,14 @@ def given_data(
 
 def _datum(quantity: Quantity, value: float | None, words: Words) -> Datum:
     language = words.language
+    unit = unit_text(quantity.unit, language)
+    written = "—" if value is None else words.number(value, _GIVEN_FIGURES)
+    degrees = unit.startswith("°")
     return Datum(
         symbol=quantity.symbol.of(language),
         title=quantity.title.of(language),
-        value="—" if value is None else words.number(value, _GIVEN_FIGURES),
-        unit=unit_text(quantity.unit, language),
+        value=f"{written}{unit}" if degrees else written,
+        unit="" if degrees else unit,
     )
 
 

@@ -22,7 +22,7 @@ _RESULT_KNOWN = frozenset({Outcome.CORRECT, Outcome.CARRIED})
 # The list of what to mend, or the word in the row, says it all about these.
 _SAID_ELSEWHERE = frozenset({Outcome.BLANK, Outcome.UNREADABLE, Outcome.MANUAL})
 
-_TYPED_LETTERS = 30  # of an unreadable cell; the list of what to mend shows all that was read
+_TYPED_LETTERS = 30  # of an unreadable cell; the list of what to mend shows more of it
 _SAME = 1e-9  # two numbers that differ by rounding in the last bits only
 
 
@@ -121,12 +121,13 @@ def own_numbers(report: Report, plan: Plan) -> dict[str, float]:
 def answer_text(finding: Finding, quantity: Quantity, words: Words) -> str:
     """Write what the student answered."""
     if finding.given is None:
-        return _shortened(finding.typed) or "—"
+        return shortened(finding.typed, _TYPED_LETTERS) or "—"
     return value_text(finding.given, quantity, words)
 
 
-def _shortened(typed: str) -> str:
-    return typed if len(typed) <= _TYPED_LETTERS else f"{typed[: _TYPED_LETTERS - 1]}…"
+def shortened(typed: str, letters: int) -> str:
+    """Cut a text of unknown length, with an ellipsis where something is missing."""
+    return typed if len(typed) <= letters else f"{typed[: letters - 1]}…"
 
 
 def value_text(value: float | None, quantity: Quantity, words: Words) -> str:

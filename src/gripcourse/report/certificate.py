@@ -14,6 +14,7 @@ from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.pdf import Document, amount_text, percent_text, picture, points_text, render_pdf
+from gripcourse.report.columns import aligned, aligned_cells
 from gripcourse.report.figures import share_plot
 from gripcourse.slips.model import DECLARED
 from gripcourse.variants.apart import Shares
@@ -83,14 +84,14 @@ def certificate_values(
                    for one in _checks(audit, words)],
         "plot": picture(share_plot(audit.apart.whole.histogram.tolist(),
                                    audit.rules.shared_points, words)),
-        "sections": [
+        "sections": aligned_cells([
             _section(section.title.of(words.language), shares, audit.apart.pairs, words)
             for section, shares in zip(course.sections, audit.apart.sections, strict=True)
-        ],
+        ]),
         "section_limit": audit.rules.shared_section_points,
         "beside": audit.beside,
         "beyond": bool(audit.apart.beyond),
-        "pairs": [_pair(one, audit, declared, words) for one in audit.pairs[:_PAIRS]],
+        "pairs": _pairs(audit, declared, words),
         "flagged": [(one.variant.id, titles[one.variant.scheme],
                      [words.say(said) for said in _sentences(one, audit, declared)])
                     for one in flagged[:_MOST]],
@@ -98,11 +99,13 @@ def certificate_values(
         "steps": [_steps(titles[scheme], tuple(found)) for scheme, found in _by_scheme(audit)],
         "margins": [(_title(declared, one.quantity), one.near, one.variants)
                     for one in audit.margins if one.near],
-        "weak": [_weak(one, titles, declared, words) for one in weak[:_MOST]],
+        "weak": _weak_rows(weak[:_MOST], titles, declared, words),
         "weak_rest": len(weak[_MOST:]),
         "weak_limit": audit.rules.weak_item,
         "slips_counted": audit.slips_counted,
-        "slips": [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)],
+        "slips": aligned_cells(
+            [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
+        ),
     }  # fmt: skip
 
 
@@ -159,16 +162,26 @@ def _below(shares: Shares, pairs: int) -> float:
     return float(np.searchsorted(done, _MOST_SHARE * pairs) + 1) / 100 if pairs else 0.0
 
 
-def _pair(
-    pair: Pair, audit: Audit, declared: Mapping[str, str], words: Words
-) -> tuple[str, str, tuple[str, ...], str]:
-    shares = (pair.share, max(pair.sections), pair.sizes, pair.given, pair.followed)
-    return (
-        audit.variants[pair.own].variant.id,
-        audit.variants[pair.other].variant.id,
-        tuple(percent_text(one, words) for one in shares),
-        "; ".join(_title(declared, one) for one in pair.equal),
-    )
+def _pairs(
+    audit: Audit, declared: Mapping[str, str], words: Words
+) -> list[tuple[str, str, tuple[str, ...], str]]:
+    """Return for the nearest pairs their variants, shares, and what is the same."""
+    pairs = audit.pairs[:_PAIRS]
+    shares = aligned_cells([("", *_shares(pair, words)) for pair in pairs])
+    return [
+        (
+            audit.variants[pair.own].variant.id,
+            audit.variants[pair.other].variant.id,
+            written[1:],
+            "; ".join(_title(declared, one) for one in pair.equal),
+        )
+        for pair, written in zip(pairs, shares, strict=True)
+    ]
+
+
+def _shares(pair: Pair, words: Words) -> Iterator[str]:
+    for share in (pair.share, max(pair.sections), pair.sizes, pair.given, pair.followed):
+        yield percent_text(share, words)
 
 
 def _sentences(checked: Checked, audit: Audit, declared: Mapping[str, str]) -> Iterator[Message]:
@@ -205,17 +218,20 @@ def _range(counts: Sequence[int]) -> str:
     return str(low) if low == high else f"{low}–{high}"
 
 
-def _weak(
-    spread: Spread, titles: Mapping[str, str], declared: Mapping[str, str], words: Words
-) -> tuple[str, ...]:
+def _weak_rows(
+    spreads: Sequence[Spread], titles: Mapping[str, str], declared: Mapping[str, str], words: Words
+) -> list[tuple[str, ...]]:
+    points = aligned([points_text(one.points, words) for one in spreads])
+    equal = aligned([percent_text(one.equal, words) for one in spreads])
+    return [
+        (titles[one.scheme], _title(declared, one.quantity), mark, _extent(one, words), share)
+        for one, mark, share in zip(spreads, points, equal, strict=True)
+    ]
+
+
+def _extent(spread: Spread, words: Words) -> str:
     ends = (amount_text(one, spread.unit, words, 4) for one in (spread.lowest, spread.highest))
-    return (
-        titles[spread.scheme],
-        _title(declared, spread.quantity),
-        points_text(spread.points, words),
-        " … ".join(dict.fromkeys(ends)),
-        percent_text(spread.equal, words),
-    )
+    return " … ".join(dict.fromkeys(ends))
 
 
 def _by_kind(audit: Audit) -> Iterator[tuple[str, list[SlipCount]]]:

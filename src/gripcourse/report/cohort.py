@@ -1,7 +1,6 @@
 """The report on a cohort, for the instructor: what to look at, slips, fairness, every quantity."""
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import PurePath
@@ -9,15 +8,17 @@ from pathlib import PurePath
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity, Section
 from gripcourse.course.policy import Policy
-from gripcourse.grading.model import Outcome, Report
+from gripcourse.grading.model import Report
 from gripcourse.pdf import Document, percent_text, picture, points_text, render_pdf
+from gripcourse.report.columns import aligned_rows
 from gripcourse.report.fairness import extent_text, fairness_rows
-from gripcourse.report.figures import Bar, Box, box_plot, facility_plot, score_plot
-from gripcourse.report.items import FEWEST, Item, ItemView, item_statistics
+from gripcourse.report.figures import Box, box_plot, facility_plot, score_plot
+from gripcourse.report.flagged import flagged_files
+from gripcourse.report.items import FEWEST, item_statistics
 from gripcourse.report.marked import decision_rows, marked_tables
 from gripcourse.report.mistakes import kind_rows, slip_rows
+from gripcourse.report.quantities import COUNTED, Asked, hardest, quantity_groups
 from gripcourse.report.totals import (
-    QuantityTotal,
     quantity_totals,
     section_shares,
     section_totals,
@@ -29,18 +30,6 @@ from gripcourse.words import Message, Words, message
 
 TEMPLATE = "cohort.html.j2"
 STYLES = ("page.css", "formula.css", "cohort.css")
-
-COUNTED = (
-    Outcome.CORRECT,
-    Outcome.CARRIED,
-    Outcome.SLIP,
-    Outcome.WRONG,
-    Outcome.BLANK,
-    Outcome.UNREADABLE,
-    Outcome.NOT_JUDGED,
-)
-
-_PLOTTED = 54  # bars that fit on one page; many schemes together have more quantities
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,23 +45,6 @@ class StudentRow:
 
 
 @dataclass(frozen=True, slots=True)
-class QuantityRow:
-    """A quantity's line: how often each outcome of `COUNTED` occurred, and its statistics.
-
-    Attributes:
-        symbol, title: of the quantity.
-        counts: in the order of `COUNTED`.
-        facility, discrimination: each with consequences of earlier mistakes and without.
-    """
-
-    symbol: str
-    title: str
-    counts: tuple[str, ...]
-    facility: tuple[str, str]
-    discrimination: tuple[str, str]
-
-
-@dataclass(frozen=True, slots=True)
 class SectionRow:
     """A section's line: its number, title and points, and how scores in it are spread."""
 
@@ -83,15 +55,6 @@ class SectionRow:
     median: str
     deviation: str
     extent: str
-
-
-@dataclass(frozen=True, slots=True)
-class FlaggedFile:
-    """A file that somebody should look at, and why."""
-
-    name: str
-    file: str
-    sentences: tuple[str, ...]
 
 
 def cohort_report(
@@ -114,35 +77,34 @@ def cohort_values(
     reports: Sequence[Report], policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `cohort_report` for the arguments."""
-    declared, totals, scores = _declared(reports, course), quantity_totals(reports), shares(reports)
-    items = item_statistics(reports)
+    declared, scores = _declared(reports, course), shares(reports)
+    judged = [report for report in reports if report.judged]
+    totals, items = quantity_totals(judged), item_statistics(judged)
+    asked = Asked(judged, totals, items, declared, course)
+    bars = hardest(asked, words)
     sections = [section for section in course.sections if section.id in policy.section_points]
     rows = [_section(reports, section, number, policy, words)
             for number, section in enumerate(sections, start=1)]  # fmt: skip
+    students = [_student(one, [section.id for section in sections], words) for one in reports]
     return {
         "course": course.title.of(words.language),
         "summary": list(_summary(reports, scores, words)),
-        "sections": rows,
-        "students": [_student(one, [section.id for section in sections], words) for one in reports],
+        "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
+        "students": aligned_rows(students, "sections", "score", "open_points"),
         "score_plot": picture(score_plot(scores, words)) if scores else "",
         "section_plot": _section_plot(reports, sections, words),
-        "facility_plots": [
-            picture(facility_plot(part, words))
-            for part in _pages(list(_bars(totals, items, declared, words)))
-        ],
-        "slips": slip_rows(reports, declared, words),
-        "kinds": kind_rows(reports, policy.slips, words),
-        "fairness": fairness_rows(reports, course, words),
+        "facility_plot": picture(facility_plot(bars, words)) if bars else "",
+        "slips": aligned_rows(slip_rows(reports, declared, words), "share"),
+        "kinds": aligned_rows(kind_rows(reports, policy.slips, words), "share"),
+        "fairness": aligned_rows(
+            fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
+        ),
         "fewest": FEWEST,
         "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
-        "quantities": [
-            _quantity(total, items.get(total.quantity), declared, words)
-            for total in totals
-            if any(total.outcomes.get(outcome) for outcome in COUNTED)
-        ],
+        "groups": quantity_groups(asked, words),
         "marked": marked_tables(reports, declared, policy, words),
         "decided": decision_rows(reports, declared, words),
-        "flagged": [_flagged(report, words) for report in reports if report.flags],
+        "flagged": flagged_files(reports, declared, words),
     }
 
 
@@ -206,22 +168,6 @@ def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words:
     return picture(box_plot(boxes, words)) if boxes else ""
 
 
-def _bars(
-    totals: Sequence[QuantityTotal],
-    items: Mapping[str, Item],
-    declared: Mapping[str, Quantity],
-    words: Words,
-) -> Iterator[Bar]:
-    for total in totals:
-        item = items.get(total.quantity)
-        if item is not None:
-            yield Bar(
-                _title(total, declared, words),
-                item.without.facility,
-                item.with_consequences.facility,
-            )
-
-
 def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
     totals = section_totals(report) if report.judged else {}
     return StudentRow(
@@ -235,48 +181,3 @@ def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRo
         open_points=points_text(report.open_points, words) if report.open_points else "",
         flags=str(len(report.flags)) if report.flags else "",
     )
-
-
-def _quantity(
-    total: QuantityTotal, item: Item | None, declared: Mapping[str, Quantity], words: Words
-) -> QuantityRow:
-    quantity = declared.get(total.quantity)
-    views = (item.with_consequences, item.without) if item else (None, None)
-    first, second = views
-    return QuantityRow(
-        symbol=quantity.symbol.of(words.language) if quantity else "",
-        title=_title(total, declared, words),
-        counts=tuple(str(total.outcomes.get(outcome, 0) or "") for outcome in COUNTED),
-        facility=(_facility(first, words), _facility(second, words)),
-        discrimination=(_discrimination(first, words), _discrimination(second, words)),
-    )
-
-
-def _facility(view: ItemView | None, words: Words) -> str:
-    return "—" if view is None else percent_text(view.facility, words)
-
-
-def _discrimination(view: ItemView | None, words: Words) -> str:
-    if view is None or view.discrimination is None:
-        return "—"
-    return words.number(round(view.discrimination, 2), 3).replace("-", "−")
-
-
-def _title(total: QuantityTotal, declared: Mapping[str, Quantity], words: Words) -> str:
-    quantity = declared.get(total.quantity)
-    return quantity.title.of(words.language) if quantity else total.quantity
-
-
-def _flagged(report: Report, words: Words) -> FlaggedFile:
-    return FlaggedFile(
-        name=report.name or report.student or "—",
-        file=PurePath(report.file).name,
-        sentences=tuple(words.say(flag.message) for flag in report.flags),
-    )
-
-
-def _pages(bars: Sequence[Bar]) -> Iterator[Sequence[Bar]]:
-    """Share bars evenly among as few plots as fit on a page each."""
-    each = math.ceil(len(bars) / max(1, math.ceil(len(bars) / _PLOTTED)))
-    for start in range(0, len(bars), each or 1):
-        yield bars[start : start + each]

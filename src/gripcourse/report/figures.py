@@ -58,11 +58,13 @@ class Bar:
         label: the name.
         share: the length of the bar.
         dark: how much of it is filled darker.
+        count: how many it is the mean of; 0 is not printed.
     """
 
     label: str
     share: float
     dark: float
+    count: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +116,7 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
         edge: dict[str, Any] = {"height": 0.66, "edgecolor": _EDGE, "linewidth": 0.5}
         axes.barh(places, whole, color="white", label=words.say(message("carried forward")), **edge)
         axes.barh(places, dark, color=_FILL, label=words.say(message("by the reference")), **edge)
-        axes.set_yticks(places, [_short(bar.label) for bar in bars], parse_math=False)
+        axes.set_yticks(places, list(map(_counted, bars)), parse_math=False)
         axes.tick_params(axis="y", length=0)
         axes.set_ylim(len(bars) - 0.4, -0.6)
         axes.set_xlim(0, 100.5)  # the edge of a full bar shows
@@ -242,6 +244,10 @@ def _whole(words: Words) -> Any:  # noqa: ANN401 - matplotlib's formatter
     from matplotlib.ticker import FuncFormatter
 
     return FuncFormatter(lambda value, _place: words.number(value, 4))
+
+
+def _counted(bar: Bar) -> str:
+    return f"{_short(bar.label)} ({bar.count})" if bar.count else _short(bar.label)
 
 
 def _short(label: str) -> str:

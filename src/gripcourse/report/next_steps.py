@@ -8,11 +8,13 @@ from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.pdf import points_text
+from gripcourse.report.answers import shortened
 from gripcourse.report.behind import spoiled
 from gripcourse.solver.plan import Plan
 from gripcourse.words import Words
 
 _AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
+_TYPED_LETTERS = 48  # of an unreadable cell: enough to find it and to see what is wrong
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +112,6 @@ def _unread(finding: Finding, plan: Plan, words: Words) -> Unread:
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
         cell=finding.cell,
-        typed=finding.typed,
+        typed=shortened(finding.typed, _TYPED_LETTERS),
         remarks=tuple(words.say(remark) for remark in finding.remarks),
     )

@@ -15,6 +15,7 @@ from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.pdf import Document, percent_text, points_text, render_pdf
 from gripcourse.report.answers import AnswerRow, answer_row, own_numbers
 from gripcourse.report.behind import cause_rows
+from gripcourse.report.columns import aligned_rows
 from gripcourse.report.next_steps import next_steps
 from gripcourse.report.totals import SectionTotal, is_open, section_totals
 from gripcourse.report.verdicts import OUTCOME_WORDS, SIGNS
@@ -92,8 +93,8 @@ def student_values(
         "open_points": report.open_points,
         "reveal": reveal,
         "remarks": [words.say(remark) for remark in report.remarks],
-        "sections": list(_sections(report, plan, policy, course, words)),
-        "losses": [_loss(finding, plan, words) for finding in _costly(report)],
+        "sections": aligned_rows(list(_sections(report, plan, policy, course, words)), "points"),
+        "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
         "legend": [
@@ -124,17 +125,20 @@ def _sections(
         if section.id not in totals:
             continue
         total = totals[section.id]
-        rows = tuple(
-            answer_row(finding, plan, own, policy, words)
-            for finding in report.findings
-            if finding.section == section.id
+        rows = aligned_rows(
+            [
+                answer_row(finding, plan, own, policy, words)
+                for finding in report.findings
+                if finding.section == section.id
+            ],
+            "points",
         )
         yield SectionBlock(
             title=section.title.of(words.language),
             points=_earned(total, words),
             percent=100 * total.points / total.max_points if total.max_points else 0.0,
             waiting=_waiting(total, words),
-            rows=rows,
+            rows=tuple(rows),
         )
 
 

@@ -1,0 +1,176 @@
+"""Pictures of every kind of page and drawing, for docs/gallery/.
+
+    scripts/gallery.py OUT PICTURES
+
+OUT is the folder that the demo was made in. What the demo has no example of is made here by the
+same functions: the longest assignment under the longest name, a report after publication, a cohort
+of sixty, all kinematic diagrams, the certificate, the atlas.
+"""
+
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from gripcourse.assignment.issue import workbook_path
+from gripcourse.assignment.register import read_register, register_path
+from gripcourse.assignment.sheet import assignment_sheet, drawn_diagram
+from gripcourse.cohort.one import Desk
+from gripcourse.commands.atlas import draw_atlas
+from gripcourse.commands.audit import audit_table
+from gripcourse.commands.demo import DEADLINE, GRADED_ON, ISSUED_ON
+from gripcourse.commands.grade import grade
+from gripcourse.commands.solve import solve_from_table, write_solution
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.course.policy import Policy, Reveal
+from gripcourse.course.policy_load import load_policy
+from gripcourse.pdf import pdf_from_html
+from gripcourse.report.cohort import cohort_report
+from gripcourse.report.student import student_report
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.table import read_table
+from gripcourse.virtual.cohort import make_classroom
+from gripcourse.virtual.in_memory import judge_in_memory
+from gripcourse.virtual.mix import load_mix
+from gripcourse.words import Words
+
+DOTS_PER_INCH = 80
+STUDENT, UKRAINIAN = "smirnova-ev", "shevchenko-ok"
+LONG_NAME = "Константинопольський-Верхньодніпровський Всеволод-Олександр"
+LONG_GROUP = "РТК-41мн, друга вища освіта, вечірня форма навчання"
+COHORT, SEED, WORKERS = 60, 1, 2
+WIDEST_DIAGRAM = 82.0  # mm, two in a row
+
+Shown = tuple[str, Path, int]
+"""A picture: its name, the document, and the page, counted from the end where negative."""
+
+
+def main(out: Path, pictures: Path) -> None:
+    """Make all pictures."""
+    pictures.mkdir(parents=True, exist_ok=True)
+    for old in pictures.glob("*.png"):
+        old.unlink()
+    course = load_course(out / "course")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, document, page in _documents(course, out, Path(folder)):
+            _show(document, page, pictures / name)
+            print(pictures / f"{name}.png")
+
+
+def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
+    policy = load_policy(course)
+    words = Words(course.language)
+    table = course.root / "variants" / "tables" / "main.csv"
+    variants = read_table(table, course)
+    register = read_register(register_path(course.root), course.id).by_student()
+    assigned = out / "assignments" / STUDENT / f"assignment_{STUDENT}.pdf"
+    yield "assignment_1", assigned, 1
+    yield "assignment_2", assigned, 2
+    longest = _written(made / "longest.pdf", _longest_sheet(variants, policy, course))
+    yield "assignment_longest_1", longest, 1
+    yield "assignment_longest_2", longest, 2
+    yield "workbook", _as_pdf(workbook_path(out / "assignments", STUDENT), made), 2
+    yield "student_report", out / "graded" / "reports" / f"{STUDENT}.pdf", 1
+    yield "student_report_uk", out / "graded" / "reports" / f"{UKRAINIAN}.pdf", 1
+    published = _written(made / "published.pdf", _published(out, Desk(course, policy, register)))
+    yield "student_report_published_1", published, 1
+    yield "student_report_published_2", published, 2
+    cohort = _written(made / "cohort.pdf", _cohort(course, policy))
+    yield "cohort_summary", cohort, 1
+    yield "cohort_mistakes", cohort, 4
+    yield "cohort_quantities", cohort, 6
+    solved = solve_from_table(course, variants, register[STUDENT].variant.id, None)
+    solution = write_solution(solved, made / "solution.pdf", words)
+    yield "solution", solution, 2
+    yield "general_view", solution, -1
+    diagrams = _written(made / "diagrams.pdf", _diagrams(variants, course, words))
+    yield "kinematic_diagrams_1", diagrams, 1
+    yield "kinematic_diagrams_2", diagrams, 2
+    audit_table(course, table, made / "audit", words, ISSUED_ON)
+    yield "certificate", made / "audit" / "certificate.pdf", 1
+    for path in draw_atlas(course, "lever-arms", made / "atlas", words):
+        if path.suffix == ".pdf":
+            yield "atlas", path, 1
+
+
+def _longest_sheet(variants: Sequence[Variant], policy: Policy, course: Course) -> bytes:
+    """Make the sheet of the longest assignment of the table for the longest of names."""
+    longest = max(variants, key=lambda variant: len(_plan(variant, course).quantities))
+    student = Student("longest", LONG_NAME, LONG_GROUP, "", "uk", longest.id)
+    entry = Issued(student, longest, ISSUED_ON, DEADLINE, "0" * 64)
+    return assignment_sheet(entry, _plan(longest, course), policy, course, Words("uk"))
+
+
+def _published(out: Path, desk: Desk) -> bytes:
+    """Make the report that the student gets when the reference may be shown."""
+    (graded,) = grade([out / "submissions" / f"{STUDENT}.xlsx"], desk, 1, lambda _: None)
+    variant = desk.register[STUDENT].variant
+    shown = replace(desk.policy, reveal=Reveal.REFERENCE)
+    words = Words(desk.register[STUDENT].student.language or desk.course.language)
+    plan = _plan(variant, desk.course)
+    return student_report(graded.report, plan, shown, desk.course, words, GRADED_ON)
+
+
+def _cohort(course: Course, policy: Policy) -> bytes:
+    """Make the report on virtual students of all schemes, in English."""
+    room = make_classroom(course, policy, load_mix(course), COHORT, SEED)
+    reports = [judged.report for judged in judge_in_memory(room, WORKERS)]
+    return cohort_report(reports, policy, course, Words("en"), GRADED_ON)
+
+
+def _diagrams(variants: Sequence[Variant], course: Course, words: Words) -> bytes:
+    """Make a page with the kinematic diagram of the first variant of every scheme."""
+    first = {variant.scheme: variant for variant in reversed(variants)}
+    figures = []
+    for _, variant in sorted(first.items()):
+        plan = _plan(variant, course)
+        drawn = drawn_diagram(plan, variant.given, words, WIDEST_DIAGRAM)
+        if drawn is not None:
+            title = plan.scheme.title.of(words.language)
+            figures.append(
+                '<figure style="display: inline-block; width: 82mm; margin: 0 1.5mm 3mm; '
+                'break-inside: avoid; text-align: center; vertical-align: bottom">'
+                f'<img src="{drawn.address}" alt="" style="width: {drawn.width}mm; '
+                f'max-height: 55mm"><figcaption>{title}</figcaption></figure>'
+            )
+    page = f'<html lang="{words.language}"><title>–</title><body>{"".join(figures)}</body></html>'
+    return pdf_from_html(page, ("page.css",), course.root / "templates")
+
+
+def _plan(variant: Variant, course: Course) -> Plan:
+    return make_plan(course, variant.scheme, variant.options)
+
+
+def _as_pdf(workbook: Path, folder: Path) -> Path:
+    """Let LibreOffice print a workbook."""
+    profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
+    _run("soffice", profile, "--headless", "--convert-to", "pdf", "--outdir", folder, workbook)
+    return folder / f"{workbook.stem}.pdf"
+
+
+def _written(path: Path, content: bytes) -> Path:
+    path.write_bytes(content)
+    return path
+
+
+def _show(document: Path, page: int, picture: Path) -> None:
+    """Draw a page of a document as a PNG file of few colours."""
+    if page < 0:
+        described = _run("pdfinfo", document)
+        count = next(line for line in described.splitlines() if line.startswith("Pages:"))
+        page += int(count.split()[1]) + 1
+    places = ("-f", page, "-l", page, "-singlefile")
+    _run("pdftoppm", "-png", "-r", DOTS_PER_INCH, *places, document, picture)
+
+
+def _run(*command: object) -> str:
+    done = subprocess.run(list(map(str, command)), check=True, capture_output=True)  # noqa: S603 (own words)
+    return done.stdout.decode()
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:3]))
