@@ -11,7 +11,7 @@ from gripcourse.course.view import Face, View
 from gripcourse.drawing.document import new_document
 from gripcourse.drawing.face import FaceLayout, draw_face, face_layout, length_text
 from gripcourse.drawing.figure import Figure, figure
-from gripcourse.drawing.layout import Arranged, arrange
+from gripcourse.drawing.layout import Arranged, Pictured, arrange
 from gripcourse.drawing.sheet import (
     Row,
     draw_characteristics,
@@ -62,9 +62,11 @@ def general_view(
     def boxes(scale: float) -> Mapping[Face, Box]:
         return {face: face_layout(shown, face, scale, words).box for face in shown.faces}
 
-    arranged = arrange(boxes, len(rows), len(lines))
+    main = shown.extent(Face.MAIN)
+    pictured = Pictured(max(main.width, main.height), shown.detail)
+    arranged = arrange(boxes, pictured, len(rows), len(lines))
     over, under = arranged.scale
-    faces = {face: face_layout(shown, face, over / under, words) for face in shown.faces}
+    faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
     document = new_document(words.language)
     layout = document.modelspace()
     scale = f"{words.number(over)}:{words.number(under)}"
@@ -72,7 +74,7 @@ def general_view(
     draw_list(layout, arranged.sheet, rows, words)
     draw_characteristics(layout, arranged.lines, lines, words)
     for face, origin in arranged.origins.items():
-        draw_face(layout, shown, face, faces[face], over / under, origin)
+        draw_face(layout, shown, face, faces[face], arranged.factor, origin)
     return GeneralView(shown, faces, arranged, rows, lines, document)
 
 

@@ -39,7 +39,8 @@ class Format:
 
 A4 = Format("A4", 210.0, 297.0)
 A3 = Format("A3", 420.0, 297.0)
-FORMATS = (A4, A3)
+A2 = Format("A2", 594.0, 420.0)
+FORMATS = (A4, A3, A2)
 
 
 @dataclass(frozen=True, slots=True)
