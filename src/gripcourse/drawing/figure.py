@@ -8,7 +8,16 @@ from gripcourse.course.view import Face, View, ViewDimension, ViewLabel, ViewPar
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.numbers import Numbers, numbers_at
 from gripcourse.drawing.shown import Shown, as_other, shown
-from gripcourse.drawing.strokes import Arc, Box, Stroke, box_of, covered, outside, points_of, reach_of
+from gripcourse.drawing.strokes import (
+    Arc,
+    Box,
+    Stroke,
+    box_of,
+    covered,
+    outside,
+    points_of,
+    reach_of,
+)
 from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor
@@ -109,7 +118,8 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     shapes = [one for _, found in drawn for one in found]
     from_behind = [one for _, found in reversed(drawn) for one in found]
     moving = [part for part in view.parts if part.moves and view.other]
-    ghosts = [as_other(one) for part in moving for one in shown(part, other)]
+    edges = [one for part in moving for one in shown(part, other) if one.kind is LineKind.OUTLINE]
+    ghosts = [as_other(one) for one in edges]
     return Figure(
         upright=view.upright,
         seen={

@@ -19,6 +19,7 @@ from gripcourse.drawing.sheet import (
     draw_sheet,
 )
 from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.text import capital
 from gripcourse.drawing.title_block import TitleBlock
 from gripcourse.solver.plan import Plan
 from gripcourse.units import unit_text
@@ -84,7 +85,7 @@ def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) 
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
         written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
-        yield Row(str(number), _capital(title), str(one.count), written)
+        yield Row(str(number), capital(title), str(one.count), written)
 
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
@@ -105,8 +106,4 @@ def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) ->
         quantity = plan.quantities[name]
         unit = unit_text(quantity.unit, words.language)
         written = words.number(values[name], _FIGURES)
-        yield f"{_capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
+        yield f"{capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()

@@ -30,7 +30,10 @@ _BETWEEN = 12.0  # mm between two faces
 _MARGIN = 4.0  # from a face to the frame and to the title block
 _STEPS = 10  # places that are tried across the free room
 _NOTHING = 1e-6
-_LEAST_LENGTH = 95.0  # mm of paper: a longer side of the main face below this looks lost
+# mm of paper that the longer side of the main face takes at least; what is much reduced has more to
+# show, so that it needs more.
+_LEAST_LENGTH, _LEAST_REDUCED = 70.0, 120.0
+_REDUCED = 1 / 2.5
 _LEAST_DETAIL = 0.9  # mm of paper: smaller circles cannot be told from dots
 
 
@@ -48,7 +51,8 @@ class Pictured:
 
     def is_legible(self, scale: float) -> bool:
         """Tell whether a scale shows it well."""
-        return self.length * scale >= _LEAST_LENGTH and self.detail * scale >= _LEAST_DETAIL
+        least = _LEAST_LENGTH if scale >= _REDUCED else _LEAST_REDUCED
+        return self.length * scale >= least and self.detail * scale >= _LEAST_DETAIL
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +93,10 @@ def arrange(
     """
     at_scale = cache(boxes)
     found = [
-        one for sheet in FORMATS for one in _largest(at_scale, sheet, rows, lines) if one is not None
+        one
+        for sheet in FORMATS
+        for one in _largest(at_scale, sheet, rows, lines)
+        if one is not None
     ]
     for one in found:
         if pictured.is_legible(one.factor):

@@ -59,11 +59,11 @@ class Leader:
         return Box(self.left, self.level, self.left + self.note.width, top)
 
 
-def place_leaders(notes: Iterable[Note], bottom: float) -> list[Leader]:
-    """Give each note a shelf in one row above `bottom`."""
+def place_leaders(notes: Iterable[Note], below: Box) -> list[Leader]:
+    """Give each note a shelf in one row above a box, if possible no farther right than it."""
     ordered = sorted(notes, key=lambda one: (one.at[0], -one.at[1], one.text))
     for _ in range(len(ordered) ** 2):
-        leaders = _in_row(ordered, bottom + ABOVE)
+        leaders = _in_row(ordered, below)
         crossing = next(
             (
                 (first, second)
@@ -76,7 +76,7 @@ def place_leaders(notes: Iterable[Note], bottom: float) -> list[Leader]:
             return leaders
         first, second = crossing
         ordered[first], ordered[second] = ordered[second], ordered[first]
-    return _in_row(ordered, bottom + ABOVE)
+    return _in_row(ordered, below)
 
 
 def cross(first: Leader, second: Leader) -> bool:
@@ -100,14 +100,21 @@ def draw_leaders(layout: "Modelspace", leaders: Sequence[Leader], by: Point) -> 
         add_text(layout, one.note.text, middle, one.note.height, align="CENTER")
 
 
-def _in_row(ordered: Sequence[Note], level: float) -> list[Leader]:
+def _in_row(ordered: Sequence[Note], below: Box) -> list[Leader]:
     lefts: list[float] = []
     for note in ordered:
         free = lefts[-1] + ordered[len(lefts) - 1].width + _BETWEEN if lefts else note.at[0] + _AWAY
         lefts.append(max(free, note.at[0] + _AWAY))
     pushed = [left - note.at[0] - _AWAY for left, note in zip(lefts, ordered, strict=True)]
     back = sum(pushed) / len(pushed) if pushed else 0.0
-    return [Leader(note, left - back, level) for note, left in zip(ordered, lefts, strict=True)]
+    if ordered:
+        too_far = lefts[-1] + ordered[-1].width - back - below.right
+        room = lefts[0] - back - below.left
+        back += max(0.0, min(too_far, room))
+    return [
+        Leader(note, left - back, below.top + ABOVE)
+        for note, left in zip(ordered, lefts, strict=True)
+    ]
 
 
 def _left(a: Point, b: Point, c: Point) -> float:

@@ -123,9 +123,8 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[Row], words: W
         cell.line((0.0, bottom), (BLOCK_WIDTH, bottom), kind)
         for column, text in enumerate((row.number, row.title, row.count, row.sizes)):
             middle = row is heading or column in {0, 2}
-            cell.words(
-                text, (edges[column], bottom), (_COLUMNS[column], _ROW), NORMAL, middle=middle
-            )
+            place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
+            cell.words(text, place, size, NORMAL, middle=middle, most=2)
     top = _ROW * (len(rows) + 1)
     cell.line((0.0, top), (BLOCK_WIDTH, top))
     for edge in edges:
