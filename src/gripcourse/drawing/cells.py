@@ -26,13 +26,7 @@ class Pen:
 
     def box(self, box: Box, kind: LineKind) -> None:
         """Draw a rectangle."""
-        corners = [
-            (box.left, box.bottom),
-            (box.right, box.bottom),
-            (box.right, box.top),
-            (box.left, box.top),
-        ]
-        self.layout.add_lwpolyline(corners, close=True, dxfattribs={"layer": kind})
+        self.layout.add_lwpolyline(box.corners, close=True, dxfattribs={"layer": kind})
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +51,7 @@ class Cells:
         middle: bool = False,
         most: int = 1,
     ) -> None:
-        """Write into a cell in so many lines at most; squeezed, then smaller, where it is narrow."""
+        """Write into a cell in so many lines at most, squeezed, then smaller, to fit."""
         room = (size[0] - 2 * PAD, size[1])
         x = corner[0] + (size[0] / 2 if middle else PAD)
         found = set_in(text, height, room, most)

@@ -34,7 +34,7 @@ _NOTHING = 1e-6
 # show, so that it needs more.
 _LEAST_LENGTH, _LEAST_REDUCED = 70.0, 120.0
 _REDUCED = 1 / 2.5
-_LEAST_DETAIL = 0.9  # mm of paper: smaller circles cannot be told from dots
+_LEAST_DETAIL = 0.75  # mm of paper: smaller circles cannot be told from dots
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,10 +49,14 @@ class Pictured:
     length: float
     detail: float
 
-    def is_legible(self, scale: float) -> bool:
-        """Tell whether a scale shows it well."""
+    def is_large(self, scale: float) -> bool:
+        """Tell whether a scale shows it large enough."""
         least = _LEAST_LENGTH if scale >= _REDUCED else _LEAST_REDUCED
-        return self.length * scale >= least and self.detail * scale >= _LEAST_DETAIL
+        return self.length * scale >= least
+
+    def is_legible(self, scale: float) -> bool:
+        """Tell whether a scale shows it large enough, and its details."""
+        return self.is_large(scale) and self.detail * scale >= _LEAST_DETAIL
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +86,7 @@ def arrange(
 ) -> Arranged:
     """Find the smallest sheet on which a gripper is well shown, at the largest scale there.
 
-    Where no sheet shows it well, the largest scale of all decides.
+    Where no sheet shows its details, its size alone decides; else the largest scale of all.
 
     Args:
         boxes: gives the box of each face round its own origin, with dimensions and leaders, in
@@ -98,9 +102,10 @@ def arrange(
         for one in _largest(at_scale, sheet, rows, lines)
         if one is not None
     ]
-    for one in found:
-        if pictured.is_legible(one.factor):
-            return one
+    for is_enough in (pictured.is_legible, pictured.is_large):
+        for one in found:
+            if is_enough(one.factor):
+                return one
     if found:
         return max(found, key=lambda one: (one.factor, -FORMATS.index(one.sheet)))
     sheet, (over, under) = FORMATS[-1], SCALES[-1]

@@ -60,6 +60,16 @@ class Box:
         """Its size along y."""
         return self.top - self.bottom
 
+    @property
+    def corners(self) -> tuple[Point, Point, Point, Point]:
+        """Its corners, counter-clockwise from the lower left one."""
+        return (
+            (self.left, self.bottom),
+            (self.right, self.bottom),
+            (self.right, self.top),
+            (self.left, self.top),
+        )
+
     def joined(self, other: "Box") -> "Box":
         """Return the smallest box round both."""
         return Box(
