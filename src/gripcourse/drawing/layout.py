@@ -31,8 +31,8 @@ _MARGIN = 4.0  # from a face to the frame and to the title block
 _STEPS = 10  # places that are tried across the free room
 _NOTHING = 1e-6
 # mm of paper that the longer side of the main face takes at least; what is much reduced has more to
-# show, so that it needs more.
-_LEAST_LENGTH, _LEAST_REDUCED = 70.0, 120.0
+# show, so that it needs more, and more than the smallest sheet.
+_LEAST_LENGTH, _LEAST_REDUCED = 60.0, 95.0
 _REDUCED = 1 / 2.5
 _LEAST_DETAIL = 0.75  # mm of paper: smaller circles cannot be told from dots
 
@@ -48,15 +48,6 @@ class Pictured:
 
     length: float
     detail: float
-
-    def is_large(self, scale: float) -> bool:
-        """Tell whether a scale shows it large enough."""
-        least = _LEAST_LENGTH if scale >= _REDUCED else _LEAST_REDUCED
-        return self.length * scale >= least
-
-    def is_legible(self, scale: float) -> bool:
-        """Tell whether a scale shows it large enough, and its details."""
-        return self.is_large(scale) and self.detail * scale >= _LEAST_DETAIL
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,15 +93,22 @@ def arrange(
         for one in _largest(at_scale, sheet, rows, lines)
         if one is not None
     ]
-    for is_enough in (pictured.is_legible, pictured.is_large):
-        for one in found:
-            if is_enough(one.factor):
-                return one
+    large = [one for one in found if _is_large(one, pictured)]
+    fine = [one for one in large if pictured.detail * one.factor >= _LEAST_DETAIL]
+    for one in (*fine, *large):
+        return one
     if found:
         return max(found, key=lambda one: (one.factor, -FORMATS.index(one.sheet)))
     sheet, (over, under) = FORMATS[-1], SCALES[-1]
     origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
     return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+
+
+def _is_large(one: Arranged, pictured: Pictured) -> bool:
+    length = pictured.length * one.factor
+    if one.factor >= _REDUCED:
+        return length >= _LEAST_LENGTH
+    return length >= _LEAST_REDUCED and one.sheet is not FORMATS[0]
 
 
 def _largest(
