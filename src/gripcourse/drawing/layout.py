@@ -87,18 +87,15 @@ def arrange(
         lines: of the characteristics.
     """
     at_scale = cache(boxes)
-    found = [
-        one
-        for sheet in FORMATS
-        for one in _largest(at_scale, sheet, rows, lines)
-        if one is not None
-    ]
-    large = [one for one in found if _is_large(one, pictured)]
-    fine = [one for one in large if pictured.detail * one.factor >= _LEAST_DETAIL]
-    for one in (*fine, *large):
-        return one
+    found: list[Arranged] = []
+    for sheet in FORMATS:
+        for one in _largest(at_scale, sheet, rows, lines):
+            if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
+                return one
+            found.append(one)
     if found:
-        return max(found, key=lambda one: (one.factor, -FORMATS.index(one.sheet)))
+        large = (one for one in found if _is_large(one, pictured))
+        return next(large, max(found, key=lambda one: one.factor))
     sheet, (over, under) = FORMATS[-1], SCALES[-1]
     origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
     return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])

@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.strokes import Box, Line, outside
+from gripcourse.drawing.strokes import Box, Line, outside, reach_of
 from gripcourse.drawing.text import Point, add_text, text_width
 
 if TYPE_CHECKING:
@@ -79,8 +79,13 @@ def _shifted(leaders: Sequence[Leader], shift: float) -> list[Leader]:
 
 def _is_clear(leaders: Sequence[Leader], numbers: Sequence[Box]) -> bool:
     lines = [Line(one.note.at, one.knee) for one in leaders]
-    through = any(list(outside(line, box.corners)) != [line] for line in lines for box in numbers)
-    return not through and not any(cross(*pair) for pair in combinations(leaders, 2))
+    through = (
+        list(outside(line, box.corners)) != [line]
+        for line in lines
+        for box in numbers
+        if reach_of(line).overlaps(box)
+    )
+    return not any(through) and not any(cross(*pair) for pair in combinations(leaders, 2))
 
 
 def _uncrossed(notes: Iterable[Note], below: Box) -> list[Leader]:

@@ -17,6 +17,7 @@ CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measure
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
+_WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
 _WIDE_ENOUGH = 0.6  # of their width: such letters are still read well
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
@@ -82,7 +83,7 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
 
 
 def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
-    """Choose lines and height: as few lines as can be read well, else the widest letters.
+    """Choose lines and height: as few lines as need no squeezing, else as can be read well.
 
     Args:
         text: the words.
@@ -91,9 +92,12 @@ def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Se
         most: lines.
     """
     settings = [_set(text, height, room, count) for count in range(1, most + 1)]
-    good = (one for one in settings if _squeeze(one, room[0]) >= _WIDE_ENOUGH)
-    best = max(settings, key=lambda one: one.height * _squeeze(one, room[0]))
-    return next(good, best)
+    widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
+    for enough in (_WIDE, _WIDE_ENOUGH, max(widths)):
+        for one, width in zip(settings, widths, strict=True):
+            if width >= enough:
+                return one
+    return settings[0]
 
 
 def _set(text: str, height: float, room: tuple[float, float], count: int) -> Setting:
