@@ -149,6 +149,14 @@ def test_the_list_of_parts_has_a_row_for_every_position(draw: "Draw", small_vari
     assert len({row.title for row in view.rows}) == len(view.rows)
 
 
+def test_positions_stand_in_the_order_of_their_numbers(draw: "Draw", any_variant: str) -> None:
+    leaders = draw(any_variant).view.faces[Face.MAIN].leaders
+    ordered = sorted(leaders, key=lambda one: one.left)
+    numbers = [int(one.note.text) for one in ordered if one.note.text.isdigit()]
+    assert numbers == sorted(numbers)
+    assert numbers
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_drawing_is_sound_in_every_language(
     draw: "Draw", small_variant: str, language: str

@@ -78,7 +78,7 @@ class Figure:
         upright: whether the gripper's axis stands upright in the main face.
         seen: strokes that nothing covers, by face.
         cuts: faces to be hatched, by face.
-        positions: parts with numbers, from left to right, as they are numbered.
+        positions: parts with numbers, as they are numbered.
         measured, labelled: dimensions and labels of all faces.
     """
 

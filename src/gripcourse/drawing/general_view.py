@@ -4,7 +4,7 @@ Pure: from the plan, the solved values, the language and what the title block sa
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face, View
@@ -56,18 +56,19 @@ def general_view(
         block: what the title block says.
         words: of the reader.
     """
-    shown = figure(plan, view, values)
-    rows = tuple(_rows(shown, plan, values, words))
+    plain = figure(plan, view, values)
     lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
 
     def boxes(scale: float) -> Mapping[Face, Box]:
-        return {face: face_layout(shown, face, scale, words).box for face in shown.faces}
+        return {face: face_layout(plain, face, scale, words).box for face in plain.faces}
 
-    main = shown.extent(Face.MAIN)
-    pictured = Pictured(max(main.width, main.height), shown.detail)
-    arranged = arrange(boxes, pictured, len(rows), len(lines))
+    main = plain.extent(Face.MAIN)
+    pictured = Pictured(max(main.width, main.height), plain.detail)
+    arranged = arrange(boxes, pictured, len(plain.positions), len(lines))
     over, under = arranged.scale
+    shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
     faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
+    rows = tuple(_rows(shown, plan, values, words))
     document = new_document(words.language)
     layout = document.modelspace()
     scale = f"{words.number(over)}:{words.number(under)}"
@@ -77,6 +78,14 @@ def general_view(
     for face, origin in arranged.origins.items():
         draw_face(layout, shown, face, faces[face], arranged.factor, origin)
     return GeneralView(shown, faces, arranged, rows, lines, document)
+
+
+def _numbered(shown: Figure, main: FaceLayout) -> Figure:
+    """Number the positions in the order of their shelves; crossing leaders change places."""
+    level = {leader.note.text: leader.left for leader in main.leaders}
+    numbered = enumerate(shown.positions, 1)
+    ordered = sorted(numbered, key=lambda one: level[str(one[0])])
+    return replace(shown, positions=[position for _, position in ordered])
 
 
 def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Row]:

@@ -55,6 +55,7 @@ class Row:
 
 _ROW = 8.0
 _LINE = 6.0
+_INDENT = 3.0  # of characteristics, from the frame
 _COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
 _CORNER = (70.0, 14.0)  # the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
@@ -141,8 +142,8 @@ def draw_characteristics(
     heading = words.say(message("Technical characteristics"))
     cell.words(heading, (0.0, -_LINE), (box.width, _LINE), NORMAL, middle=True)
     for number, line in enumerate(lines, 1):
-        place = (0.0, -_LINE * (number + 1))
-        cell.words(f"{number}. {line}", place, (box.width, _LINE), NORMAL)
+        place = (_INDENT, -_LINE * (number + 1))
+        cell.words(f"{number}. {line}", place, (box.width - _INDENT, _LINE), NORMAL)
 
 
 def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:
