@@ -24,16 +24,18 @@ def test_every_gripper_is_seen_from_two_sides(draw: "Draw", any_variant: str) ->
 def test_three_fingers_are_seen_at_120_degrees(draw: "Draw", smallest: Mapping[str, str]) -> None:
     drawn = draw(smallest["link_lever_3"])
     assert drawn.values["finger_count"] == 3
-    ends = {
-        (round(one.stroke.end[0], 6), round(one.stroke.end[1], 6))
+    ends = [
+        one.stroke.end
         for one in drawn.view.figure.seen[Face.END]
-        if isinstance(one.stroke, Line) and one.kind is LineKind.PHANTOM
-    }
-    assert ends
-    turned = {
-        (round(-x / 2 - y * 3**0.5 / 2, 6), round(x * 3**0.5 / 2 - y / 2, 6)) for x, y in ends
-    }
-    assert all(min(math.dist(one, other) for other in ends) < 1e-4 for one in turned)
+        if isinstance(one.stroke, Line) and one.kind is LineKind.CENTRE
+    ]
+    farthest = max(math.hypot(*one) for one in ends)
+    angles = [
+        round(math.degrees(math.atan2(y, x)))
+        for x, y in ends
+        if math.isclose(math.hypot(x, y), farthest)
+    ]
+    assert sorted(angles) == [-150, -30, 90]
 
 
 def test_the_holes_of_the_flange_are_those_of_its_table(draw: "Draw", any_variant: str) -> None:
