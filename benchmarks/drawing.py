@@ -1,4 +1,4 @@
-"""What a general view costs: making it, writing DXF and SVG, as ratios to ezdxf's own SVG of it."""
+"""What a general view costs: making it, DXF and SVG; as ratios to the same with ezdxf's own SVG."""
 
 from collections.abc import Callable
 from statistics import median
@@ -32,6 +32,8 @@ def main() -> None:
     times: dict[str, list[float]] = {"make": [], "dxf": [], "svg": [], "ezdxf": []}
     sizes: dict[str, list[int]] = {"dxf": [], "svg": [], "ezdxf": []}
     ratios: list[float] = []
+    whole: list[float] = []
+    whole_ratios: list[float] = []
     for scheme, variant in first.items():
         view = course.schemes[scheme].view
         if view is None:
@@ -50,6 +52,8 @@ def main() -> None:
         for name, found in times.items():
             found.append(median(one[name] for one in rounds))
         ratios.append(median(one["svg"] / one["ezdxf"] for one in rounds))
+        whole.append(median(student(one, "svg") for one in rounds))
+        whole_ratios.append(median(student(one, "svg") / student(one, "ezdxf") for one in rounds))
         sizes["dxf"].append(len(dxf_bytes(made.document)))
         sizes["svg"].append(len(svg_text(made.document, sheet.width, sheet.height, "")))
         sizes["ezdxf"].append(len(bare_svg(made)))
@@ -63,7 +67,17 @@ def main() -> None:
             f"{said:30} {median(times[name]) * 1e3:6.1f} ms (slowest {max(times[name]) * 1e3:.1f})"
         )
     print(f"SVG as a ratio to ezdxf's      {median(ratios):6.2f}")
+    slowest = max(whole) * 1e3
+    print(f"per student, DXF and SVG       {median(whole) * 1e3:6.1f} ms (slowest {slowest:.1f})")
+    print(f"ratio to the same with ezdxf's {median(whole_ratios):6.2f}")
+    both = [dxf + svg for dxf, svg in zip(sizes["dxf"], sizes["svg"], strict=True)]
+    print(f"bytes per student, DXF and SVG {median(both):,.0f} (most {max(both):,})")
     print("kB: " + ", ".join(f"{name} {median(one) / 1e3:.0f}" for name, one in sizes.items()))
+
+
+def student(times: dict[str, float], svg: str) -> float:
+    """Return what a student's drawing takes in one round with a way of writing SVG, s."""
+    return times["make"] + times["dxf"] + times[svg]
 
 
 def bare_svg(made: GeneralView) -> str:

@@ -1,6 +1,10 @@
-from collections.abc import Callable, Mapping
+import csv
+from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
+from typing import Protocol
 
 import pytest
 
@@ -12,6 +16,9 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.variants.table import read_table
 from gripcourse.words import Words
 
+REPOSITORY = Path(__file__).parents[2]
+SHOWN_BY_OPTIONS = ("mounting", "drive")
+SIZES = ("diameter_max [mm]", "object_length [mm]")
 BLOCK = TitleBlock("007 GA", "a gripper", "General arrangement", "Somebody")
 
 
@@ -24,8 +31,56 @@ class Drawn:
     view: GeneralView
 
 
+class Draw(Protocol):
+    """The fixture that draws a variant."""
+
+    def __call__(self, identifier: str, language: str = "ru") -> Drawn: ...
+
+
+def issued() -> dict[str, list[dict[str, str]]]:
+    """The rows of the course's table by scheme, each scheme's from the smallest to the largest."""
+    found = defaultdict(list)
+    table = REPOSITORY / "variants" / "tables" / "main.csv"
+    with table.open(encoding="utf-8-sig", newline="") as stream:
+        for row in csv.DictReader(stream):
+            found[row["scheme"]].append(row)
+    return {scheme: sorted(rows, key=size) for scheme, rows in found.items()}
+
+
+def size(row: dict[str, str]) -> float:
+    return next(float(row[one].replace(",", ".")) for one in SIZES if row.get(one))
+
+
+def some_variants() -> list[str]:
+    """Of each scheme the smallest, the largest, and one for each option that a view shows."""
+    found = []
+    for rows in issued().values():
+        chosen, seen = {rows[0]["variant"], rows[-1]["variant"]}, set[tuple[str, str]]()
+        for row in rows:
+            options = {(name, row[name]) for name in SHOWN_BY_OPTIONS if row.get(name)}
+            if options - seen:
+                chosen.add(row["variant"])
+            seen |= options
+        found += sorted(chosen)
+    return found
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Give a test several variants of each scheme, or the smallest of each."""
+    if "any_variant" in metafunc.fixturenames:
+        metafunc.parametrize("any_variant", some_variants())
+    if "small_variant" in metafunc.fixturenames:
+        metafunc.parametrize("small_variant", [one[0]["variant"] for one in issued().values()])
+
+
 @pytest.fixture(scope="session")
-def draw(course: Course) -> Callable[..., Drawn]:
+def smallest() -> Mapping[str, str]:
+    """The smallest variant of each scheme."""
+    return {scheme: rows[0]["variant"] for scheme, rows in issued().items()}
+
+
+@pytest.fixture(scope="session")
+def draw(course: Course) -> Draw:
     """Draw a variant; a drawing in a language is made once."""
     table = read_table(course.root / "variants" / "tables" / "main.csv", course)
     variants = {one.id: one for one in table}

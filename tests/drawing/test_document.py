@@ -8,6 +8,9 @@ import ezdxf
 import pytest
 from ezdxf import recover
 from ezdxf.document import Drawing
+from ezdxf.tools.text import plain_text
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from gripcourse.drawing.document import (
     DIMENSION_STYLE,
@@ -17,7 +20,7 @@ from gripcourse.drawing.document import (
 )
 from gripcourse.drawing.hatch import hatch_lines
 from gripcourse.drawing.svg import svg_text
-from gripcourse.drawing.text import add_text, fitted, read_text, text_width
+from gripcourse.drawing.text import add_text, fitted, one_line, read_text, text_width
 
 SVG = "{http://www.w3.org/2000/svg}"
 HOSTILE = ('<b>&"', "%%c 5 %%", r"\P {x}", "^I", r"\U+0416", "100%%%", "Ø63 ±0,5 30°", "Їжак")
@@ -79,6 +82,15 @@ def test_any_text_is_shown_as_it_was_typed(text: str) -> None:
     assert svg.findtext(f"{SVG}title") == text
     [read] = read_back(dxf_bytes(document)).modelspace().query("TEXT")
     assert read_text(read).replace("Ж", r"\U+0416") == text
+
+
+@settings(max_examples=25)
+@given(st.text(st.one_of(st.sampled_from("%^\\{}PpUuMm+0416cdo;~\n\t "), st.characters())))
+def test_whatever_was_typed_is_read_back_from_the_file(text: str) -> None:
+    document = new_document("uk")
+    add_text(document.modelspace(), text, (10, 10), 3.5)
+    [read] = read_back(dxf_bytes(document)).modelspace().query("TEXT")
+    assert plain_text(read.dxf.text) == one_line(text)
 
 
 def test_line_breaks_and_control_signs_become_spaces() -> None:

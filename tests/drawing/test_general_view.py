@@ -1,15 +1,12 @@
 """What holds for the general view of every scheme, looked at in several variants of each."""
 
-import csv
 import math
 import re
 import xml.etree.ElementTree as ET
-from collections import defaultdict
 from collections.abc import Iterator
 from io import BytesIO
 from itertools import combinations
-from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import pytest
 from ezdxf import recover
@@ -20,8 +17,9 @@ from gripcourse.drawing.document import LineKind, dxf_bytes
 from gripcourse.drawing.face import FaceLayout, length_text
 from gripcourse.drawing.figure import figure
 from gripcourse.drawing.general_view import general_view
+from gripcourse.drawing.layout import SCALES
 from gripcourse.drawing.leaders import cross
-from gripcourse.drawing.sheet import block_box, corner_box
+from gripcourse.drawing.sheet import FORMATS, block_box, corner_box
 from gripcourse.drawing.strokes import Arc, Box, Line, outside
 from gripcourse.drawing.svg import svg_text
 from gripcourse.drawing.text import Point, read_text
@@ -31,31 +29,9 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
-    from conftest import Drawn
+    from conftest import Draw, Drawn
 
-REPOSITORY = Path(__file__).parents[2]
-OF_EACH = 3
 SVG = "{http://www.w3.org/2000/svg}"
-
-
-class Draw(Protocol):
-    """The fixture that draws a variant."""
-
-    def __call__(self, identifier: str, language: str = "ru") -> "Drawn": ...
-
-
-def some_variants(of_each: int) -> list[str]:
-    """The first variants of each scheme in the course's table."""
-    found = defaultdict(list)
-    table = REPOSITORY / "variants" / "tables" / "main.csv"
-    with table.open(encoding="utf-8-sig", newline="") as stream:
-        for row in csv.DictReader(stream):
-            found[row["scheme"]].append(row["variant"])
-    return [one for ids in found.values() for one in ids[:of_each]]
-
-
-several = pytest.mark.parametrize("variant", some_variants(OF_EACH))
-one_of_each = pytest.mark.parametrize("variant", some_variants(1))
 
 
 def parsed(drawn: "Drawn") -> ET.Element:
@@ -70,13 +46,7 @@ def written(drawn: "Drawn") -> list[str]:
 
 def cuts(start: Point, end: Point, box: Box) -> bool:
     """Tell whether a straight line runs through a box."""
-    corners = [
-        (box.left, box.bottom),
-        (box.right, box.bottom),
-        (box.right, box.top),
-        (box.left, box.top),
-    ]
-    return list(outside(Line(start, end), corners)) != [Line(start, end)]
+    return list(outside(Line(start, end), box.corners)) != [Line(start, end)]
 
 
 def boxes_of(face: FaceLayout) -> list[Box]:
@@ -94,45 +64,46 @@ def test_every_scheme_has_a_general_view(course: Course) -> None:
     assert {name for name, scheme in course.schemes.items() if scheme.view is None} == set()
 
 
-@several
-def test_no_number_stands_on_another_one_or_on_the_outline(draw: Draw, variant: str) -> None:
-    drawn = draw(variant)
+def test_no_number_stands_on_another_one_or_on_the_outline(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
     for name, face in drawn.view.faces.items():
         boxes = boxes_of(face)
         assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
-        scale = drawn.view.arranged.scale[0] / drawn.view.arranged.scale[1]
+        scale = drawn.view.arranged.factor
         extent = drawn.view.figure.extent(name)
         bare = Box(*(one * scale for one in (extent.left, extent.bottom, extent.right, extent.top)))
         assert not [one for one in boxes if one.overlaps(bare)]
 
 
-@several
-def test_no_line_of_a_dimension_or_a_leader_runs_through_a_number(draw: Draw, variant: str) -> None:
-    for face in draw(variant).view.faces.values():
+def test_no_line_of_a_dimension_or_a_leader_runs_through_a_number(
+    draw: "Draw", any_variant: str
+) -> None:
+    for face in draw(any_variant).view.faces.values():
         numbers = [one.text_box for one in face.dimensions]
         for own, start, end in extension_lines(face):
             others = [box for number, box in enumerate(numbers) if number != own]
             assert not [box for box in others if cuts(start, end, box)]
         for leader in face.leaders:
             assert not [box for box in numbers if cuts(leader.note.at, leader.knee, box)]
+            others = [one.box for one in face.leaders if one is not leader]
+            assert not [box for box in others if cuts(leader.note.at, leader.knee, box)]
+        for axis in face.axes:
+            assert not [box for box in boxes_of(face) if cuts(axis.start, axis.end, box)]
 
 
-@several
-def test_dimension_lines_do_not_overlap(draw: Draw, variant: str) -> None:
-    for face in draw(variant).view.faces.values():
+def test_dimension_lines_do_not_overlap(draw: "Draw", any_variant: str) -> None:
+    for face in draw(any_variant).view.faces.values():
         lines = [one.box for one in face.dimensions]
         assert not [pair for pair in combinations(lines, 2) if pair[0].overlaps(pair[1])]
 
 
-@several
-def test_leaders_do_not_cross(draw: Draw, variant: str) -> None:
-    for face in draw(variant).view.faces.values():
+def test_leaders_do_not_cross(draw: "Draw", any_variant: str) -> None:
+    for face in draw(any_variant).view.faces.values():
         assert not [pair for pair in combinations(face.leaders, 2) if cross(*pair)]
 
 
-@several
-def test_everything_has_its_own_place_on_the_sheet(draw: Draw, variant: str) -> None:
-    view = draw(variant).view
+def test_everything_has_its_own_place_on_the_sheet(draw: "Draw", any_variant: str) -> None:
+    view = draw(any_variant).view
     sheet = view.arranged.sheet
     boxes = [face.box.moved(view.arranged.origins[name]) for name, face in view.faces.items()]
     boxes += [block_box(sheet, len(view.rows)), corner_box(sheet), view.arranged.lines]
@@ -140,11 +111,10 @@ def test_everything_has_its_own_place_on_the_sheet(draw: Draw, variant: str) -> 
     assert not [one for one in boxes if sheet.frame.joined(one) != sheet.frame]
 
 
-@several
-def test_a_dimension_measures_the_quantity_that_it_names(draw: Draw, variant: str) -> None:
-    drawn = draw(variant)
+def test_a_dimension_measures_the_quantity_that_it_names(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
     assert drawn.view.figure.measured
-    scale = drawn.view.arranged.scale[0] / drawn.view.arranged.scale[1]
+    scale = drawn.view.arranged.factor
     for face in drawn.view.faces.values():
         for one in face.dimensions:
             low, high = one.wanted.span
@@ -153,12 +123,13 @@ def test_a_dimension_measures_the_quantity_that_it_names(draw: Draw, variant: st
                 for known in drawn.view.figure.measured
                 if abs(drawn.values[known.declared.quantity] - (high - low) / scale) < 1e-6
             ]
-            assert measured, f"{one.wanted.text} is no quantity of variant {variant}"
+            assert measured, f"{one.wanted.text} is no quantity of any_variant {any_variant}"
 
 
-@several
-def test_the_numbers_of_the_drawing_are_those_of_the_solution(draw: Draw, variant: str) -> None:
-    drawn, words = draw(variant), Words("ru")
+def test_the_numbers_of_the_drawing_are_those_of_the_solution(
+    draw: "Draw", any_variant: str
+) -> None:
+    drawn, words = draw(any_variant), Words("ru")
     texts = written(drawn)
     for one in drawn.view.figure.measured:
         number = length_text(drawn.values[one.declared.quantity], words)
@@ -170,19 +141,27 @@ def test_the_numbers_of_the_drawing_are_those_of_the_solution(draw: Draw, varian
                 assert any(f"= {number}" in text for text in texts)
 
 
-@one_of_each
-def test_the_list_of_parts_has_a_row_for_every_position(draw: Draw, variant: str) -> None:
-    view = draw(variant).view
+def test_the_list_of_parts_has_a_row_for_every_position(draw: "Draw", small_variant: str) -> None:
+    view = draw(small_variant).view
     assert [row.number for row in view.rows] == [str(n + 1) for n in range(len(view.rows))]
     shown = [one for face in view.faces.values() for one in face.leaders]
     assert {row.number for row in view.rows} <= {one.note.text for one in shown}
     assert len({row.title for row in view.rows}) == len(view.rows)
 
 
-@one_of_each
+def test_positions_stand_in_the_order_of_their_numbers(draw: "Draw", any_variant: str) -> None:
+    leaders = draw(any_variant).view.faces[Face.MAIN].leaders
+    ordered = sorted(leaders, key=lambda one: one.left)
+    numbers = [int(one.note.text) for one in ordered if one.note.text.isdigit()]
+    assert numbers == sorted(numbers)
+    assert numbers
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_a_drawing_is_sound_in_every_language(draw: Draw, variant: str, language: str) -> None:
-    drawn = draw(variant, language)
+def test_a_drawing_is_sound_in_every_language(
+    draw: "Draw", small_variant: str, language: str
+) -> None:
+    drawn = draw(small_variant, language)
     document, audit = recover.read(BytesIO(dxf_bytes(drawn.view.document)))
     assert not audit.errors
     assert not audit.fixes
@@ -197,21 +176,28 @@ def test_a_drawing_is_sound_in_every_language(draw: Draw, variant: str, language
     assert not [text for text in numbers if other in text], words.language
 
 
-@one_of_each
-def test_a_drawing_fits_into_a_report(draw: Draw, variant: str) -> None:
-    drawn = draw(variant)
+def test_a_drawing_fits_into_a_report(draw: "Draw", small_variant: str) -> None:
+    drawn = draw(small_variant)
     assert len(ET.tostring(parsed(drawn))) < 60_000
 
 
-def test_lines_behind_a_part_are_not_seen(draw: Draw) -> None:
+def test_lines_behind_a_part_are_not_seen(draw: "Draw") -> None:
     figure = draw("011").view.figure
     for face in figure.faces:
         kinds = {one.kind for one in figure.seen[face]}
         assert LineKind.OUTLINE in kinds
 
 
+def test_a_gripper_is_drawn_at_a_standard_scale_on_a_standard_sheet(
+    draw: "Draw", any_variant: str
+) -> None:
+    arranged = draw(any_variant).view.arranged
+    assert arranged.sheet in FORMATS
+    assert arranged.scale in SCALES
+
+
 @pytest.mark.parametrize("name", ['<b>&"', "%%c", r"\P{x}", "{", "^J", "Їжаченко-Шульга О. О."])
-def test_any_student_can_be_written_into_the_title_block(draw: Draw, name: str) -> None:
+def test_any_student_can_be_written_into_the_title_block(draw: "Draw", name: str) -> None:
     drawn = draw("011")
     view = drawn.plan.scheme.view
     assert view is not None
@@ -226,7 +212,7 @@ def test_any_student_can_be_written_into_the_title_block(draw: Draw, name: str) 
     assert name in [read_text(one) for one in document.modelspace().query("TEXT")]
 
 
-def test_a_drawing_is_the_same_each_time(draw: Draw) -> None:
+def test_a_drawing_is_the_same_each_time(draw: "Draw") -> None:
     drawn = draw("002")
     view = drawn.plan.scheme.view
     assert view is not None
@@ -238,7 +224,7 @@ def test_a_drawing_is_the_same_each_time(draw: Draw) -> None:
     assert twice[0] == twice[1]
 
 
-def test_what_the_options_do_not_bring_is_not_drawn(course: Course, draw: Draw) -> None:
+def test_what_the_options_do_not_bring_is_not_drawn(course: Course, draw: "Draw") -> None:
     drawn = draw("002")
     view = course.schemes["rack_parallelogram"].view
     assert view is not None

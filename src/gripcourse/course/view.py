@@ -51,6 +51,8 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
     "line": {"through": Need.POINTS},
     "arc": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
     "sector": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
+    # half way along a bar: its cross-section, turned into the view (GOST 2.305)
+    "section": {"through": Need.POINTS, "width": Need.LENGTH, "length": Need.LENGTH},
 }
 HATCHES = ("", "right", "left")
 LINES = ("outline", "thin", "centre", "hidden", "phantom")
@@ -83,6 +85,7 @@ class Shape:
         needs: the formulas of each key, points as x and y in turn.
         line: one of `LINES`.
         hatch: which way the lines of a cut face lean, one of `HATCHES`; empty for none.
+        hidden_edges: whether what other parts cover of it is shown by dashed lines.
         face: the view that shows it.
         repeats: in rows and columns, or round a point.
         key: where it is declared, for messages.
@@ -92,6 +95,7 @@ class Shape:
     needs: Mapping[str, tuple[Expression, ...]]
     line: str
     hatch: str
+    hidden_edges: bool
     face: Face
     repeats: tuple[Repeat | Ring, ...]
     key: str
@@ -104,12 +108,14 @@ class ViewPart:
     Attributes:
         id: its name in the declarations.
         title: in the parts list; None for what has no position: the object, another position.
-        mirrored: whether it stands on both sides of the axis.
+        mirrored: whether it stands on both sides of the axis; what stands round a point is not
+            mirrored.
         count: how many there are; None for one, or two where it is mirrored.
         sizes: quantities that the parts list shows.
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
-        shapes: in the order in which they cover each other.
+        shapes: in the order in which they cover each other. Of parts, the later covers the
+            earlier; from the end, which is looked at from behind, the earlier the later.
         file, key: where it is declared.
     """
 

@@ -124,12 +124,13 @@ def _shape(table: Table) -> Shape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
-        table.known_keys({"kind", "line", "hatch", "face", "repeat", *needs})
+        table.known_keys({"kind", "line", "hatch", "hidden_edges", "face", "repeat", *needs})
     return Shape(
         kind=kind,
         needs={name: _expressions(table, name, need) for name, need in needs.items()},
         line=_one_of(table, "line", LINES, LINES[0]),
         hatch=_one_of(table, "hatch", HATCHES, ""),
+        hidden_edges=table.flag("hidden_edges"),
         face=Face(_one_of(table, "face", tuple(Face), Face.MAIN)),
         repeats=tuple(_repeat(one) for one in table.tables("repeat")),
         key=table.key,

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.strokes import Box
-from gripcourse.drawing.text import Point, add_text
+from gripcourse.drawing.text import LEADING, Point, add_text, set_in
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -26,13 +26,7 @@ class Pen:
 
     def box(self, box: Box, kind: LineKind) -> None:
         """Draw a rectangle."""
-        corners = [
-            (box.left, box.bottom),
-            (box.right, box.bottom),
-            (box.right, box.top),
-            (box.left, box.top),
-        ]
-        self.layout.add_lwpolyline(corners, close=True, dxfattribs={"layer": kind})
+        self.layout.add_lwpolyline(box.corners, close=True, dxfattribs={"layer": kind})
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,18 +42,30 @@ class Cells:
         self.pen.line(self._place(start), self._place(end), kind)
 
     def words(
-        self, text: str, corner: Point, size: Point, height: float, *, middle: bool = False
+        self,
+        text: str,
+        corner: Point,
+        size: Point,
+        height: float,
+        *,
+        middle: bool = False,
+        most: int = 1,
     ) -> None:
-        """Write into a cell, squeezed where it is narrow."""
+        """Write into a cell in so many lines at most, squeezed, then smaller, to fit."""
+        room = (size[0] - 2 * PAD, size[1])
         x = corner[0] + (size[0] / 2 if middle else PAD)
-        add_text(
-            self.pen.layout,
-            text,
-            self._place((x, corner[1] + size[1] / 2)),
-            height,
-            align="MIDDLE_CENTER" if middle else "MIDDLE_LEFT",
-            widest=size[0] - 2 * PAD,
-        )
+        found = set_in(text, height, room, most)
+        pitch = found.height * LEADING
+        top = corner[1] + size[1] / 2 + pitch * (len(found.lines) - 1) / 2
+        for number, line in enumerate(found.lines):
+            add_text(
+                self.pen.layout,
+                line,
+                self._place((x, top - pitch * number)),
+                found.height,
+                align="MIDDLE_CENTER" if middle else "MIDDLE_LEFT",
+                widest=room[0],
+            )
 
     def _place(self, point: Point) -> Point:
         return self.left + point[0], self.bottom + point[1]

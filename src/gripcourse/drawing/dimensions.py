@@ -168,12 +168,15 @@ def _on_line(one: Wanted, others: Sequence[float]) -> Placed:
     half = width / 2 + _BESIDE
 
     def free(middle: float) -> bool:
-        return all(abs(end - middle) > half for end in others)
+        return all(abs(end - middle) >= half - _HALF for end in others)
 
     tail = _TAIL if high - low < 2 * ARROW + _BESIDE else 0.0
     room = high - low - 2 * half
     inside = [low + half + room * share for share in _TRIES] if room >= 0 else []
-    beside = [high + _TAIL + half, low - _TAIL - half]
+    # Beside its points; behind the extension lines there, where they leave no room.
+    after = [high + _TAIL + half, *(end + half for end in others if end >= high + _TAIL)]
+    before = [low - _TAIL - half, *(end - half for end in others if end <= low - _TAIL)]
+    beside = sorted([*after, *before], key=lambda place: (max(place - high, low - place), -place))
     middle = next((place for place in (*inside, *beside) if free(place)), (*inside, *beside)[0])
     if middle in inside:
         return Placed(one, 0.0, middle, inside=True, reach=(low - tail, high + tail))

@@ -65,9 +65,12 @@ def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLa
         outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
     dimensions = place(wanted, bare)
-    top = max([outline.top, *(one.box.top for one in dimensions)])
+    numbers = [one.text_box for one in dimensions]
+    below = outline
+    for one in dimensions:
+        below = below.joined(one.box)
     notes = [*_notes(shown, face, scale, words)]
-    return FaceLayout(outline, axes, tuple(dimensions), tuple(place_leaders(notes, top)))
+    return FaceLayout(outline, axes, tuple(dimensions), tuple(place_leaders(notes, below, numbers)))
 
 
 def draw_face(

@@ -1,5 +1,6 @@
 """The declared view with a variant's numbers: strokes in millimetres of the gripper itself."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -7,7 +8,16 @@ from gripcourse.course.view import Face, View, ViewDimension, ViewLabel, ViewPar
 from gripcourse.drawing.document import LineKind
 from gripcourse.drawing.numbers import Numbers, numbers_at
 from gripcourse.drawing.shown import Shown, as_other, shown
-from gripcourse.drawing.strokes import Box, Stroke, box_of, outside, points_of, reach_of
+from gripcourse.drawing.strokes import (
+    Arc,
+    Box,
+    Stroke,
+    box_of,
+    covered,
+    outside,
+    points_of,
+    reach_of,
+)
 from gripcourse.drawing.text import Point
 from gripcourse.solver.plan import Plan
 from gripcourse.units import factor
@@ -68,7 +78,7 @@ class Figure:
         upright: whether the gripper's axis stands upright in the main face.
         seen: strokes that nothing covers, by face.
         cuts: faces to be hatched, by face.
-        positions: parts with numbers, from left to right, as they are numbered.
+        positions: parts with numbers, as they are numbered.
         measured, labelled: dimensions and labels of all faces.
     """
 
@@ -88,6 +98,17 @@ class Figure:
         """Return the box round all strokes of a face."""
         return box_of(point for one in self.seen[face] for point in points_of(one.stroke))
 
+    @property
+    def detail(self) -> float:
+        """Diameter of the smallest circle that is seen; infinite where there is none."""
+        circles = (
+            2 * one.stroke.radius
+            for face in self.faces
+            for one in self.seen[face]
+            if isinstance(one.stroke, Arc) and one.stroke.is_circle
+        )
+        return min(circles, default=math.inf)
+
 
 def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     """Put a variant's values, in declared units, into the view of its scheme."""
@@ -95,11 +116,16 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     other = numbers_at(plan, view, solved, view.other) if view.other else main
     drawn = [(part, list(shown(part, main))) for part in view.parts]
     shapes = [one for _, found in drawn for one in found]
+    from_behind = [one for _, found in reversed(drawn) for one in found]
     moving = [part for part in view.parts if part.moves and view.other]
-    ghosts = [as_other(one) for part in moving for one in shown(part, other)]
+    edges = [one for part in moving for one in shown(part, other) if one.kind is LineKind.OUTLINE]
+    ghosts = [as_other(one) for one in edges]
     return Figure(
         upright=view.upright,
-        seen={face: list(_visible([*ghosts, *shapes], face)) for face in Face},
+        seen={
+            face: list(_visible([*ghosts, *(from_behind if face is Face.END else shapes)], face))
+            for face in Face
+        },
         cuts={face: list(_cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=list(_measured(view, main, other, solved)),
@@ -112,10 +138,14 @@ def _visible(shapes: Sequence[Shown], face: Face) -> Iterator[Seen]:
     here = [one for one in shapes if one.face is face]
     for number, one in enumerate(here):
         left: list[Stroke] = list(one.outline.strokes)
+        lost: list[Stroke] = []
         for cover in here[number + 1 :] if one.kind not in _NEVER_COVERED else ():
             if cover.outline.mask:
+                if one.hidden_edges:
+                    lost += [piece for stroke in left for piece in _lost(stroke, cover)]
                 left = [piece for stroke in left for piece in _left(stroke, cover)]
         yield from (Seen(stroke, one.kind) for stroke in left)
+        yield from (Seen(stroke, LineKind.HIDDEN) for stroke in lost)
         yield from (Seen(stroke, LineKind.CENTRE) for stroke in one.outline.axes)
 
 
@@ -126,10 +156,15 @@ def _left(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
         yield stroke
 
 
+def _lost(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
+    if reach_of(stroke).overlaps(cover.box.grown(_NEAR)):
+        yield from covered(stroke, cover.outline.mask)
+
+
 def _cut_faces(shapes: Sequence[Shown], face: Face) -> Iterator[Cut]:
     for one in shapes:
-        if one.hatch and one.face is face and one.outline.mask:
-            yield Cut(one.outline.mask, one.hatch)
+        if one.hatch and one.face is face and one.ring:
+            yield Cut(one.ring, one.hatch)
 
 
 def _positions(

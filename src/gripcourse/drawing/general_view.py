@@ -4,14 +4,14 @@ Pure: from the plan, the solved values, the language and what the title block sa
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face, View
 from gripcourse.drawing.document import new_document
 from gripcourse.drawing.face import FaceLayout, draw_face, face_layout, length_text
 from gripcourse.drawing.figure import Figure, figure
-from gripcourse.drawing.layout import Arranged, arrange
+from gripcourse.drawing.layout import Arranged, Pictured, arrange
 from gripcourse.drawing.sheet import (
     Row,
     draw_characteristics,
@@ -19,6 +19,7 @@ from gripcourse.drawing.sheet import (
     draw_sheet,
 )
 from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.text import capital
 from gripcourse.drawing.title_block import TitleBlock
 from gripcourse.solver.plan import Plan
 from gripcourse.units import unit_text
@@ -55,16 +56,19 @@ def general_view(
         block: what the title block says.
         words: of the reader.
     """
-    shown = figure(plan, view, values)
-    rows = tuple(_rows(shown, plan, values, words))
+    plain = figure(plan, view, values)
     lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
 
     def boxes(scale: float) -> Mapping[Face, Box]:
-        return {face: face_layout(shown, face, scale, words).box for face in shown.faces}
+        return {face: face_layout(plain, face, scale, words).box for face in plain.faces}
 
-    arranged = arrange(boxes, len(rows), len(lines))
+    main = plain.extent(Face.MAIN)
+    pictured = Pictured(max(main.width, main.height), plain.detail)
+    arranged = arrange(boxes, pictured, len(plain.positions), len(lines))
     over, under = arranged.scale
-    faces = {face: face_layout(shown, face, over / under, words) for face in shown.faces}
+    shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
+    faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
+    rows = tuple(_rows(shown, plan, values, words))
     document = new_document(words.language)
     layout = document.modelspace()
     scale = f"{words.number(over)}:{words.number(under)}"
@@ -72,8 +76,16 @@ def general_view(
     draw_list(layout, arranged.sheet, rows, words)
     draw_characteristics(layout, arranged.lines, lines, words)
     for face, origin in arranged.origins.items():
-        draw_face(layout, shown, face, faces[face], over / under, origin)
+        draw_face(layout, shown, face, faces[face], arranged.factor, origin)
     return GeneralView(shown, faces, arranged, rows, lines, document)
+
+
+def _numbered(shown: Figure, main: FaceLayout) -> Figure:
+    """Number the positions in the order of their shelves; crossing leaders change places."""
+    level = {leader.note.text: leader.left for leader in main.leaders}
+    numbered = enumerate(shown.positions, 1)
+    ordered = sorted(numbered, key=lambda one: level[str(one[0])])
+    return replace(shown, positions=[position for _, position in ordered])
 
 
 def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Row]:
@@ -82,7 +94,7 @@ def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) 
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
         written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
-        yield Row(str(number), _capital(title), str(one.count), written)
+        yield Row(str(number), capital(title), str(one.count), written)
 
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
@@ -103,8 +115,4 @@ def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) ->
         quantity = plan.quantities[name]
         unit = unit_text(quantity.unit, words.language)
         written = words.number(values[name], _FIGURES)
-        yield f"{_capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
+        yield f"{capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()

@@ -1,7 +1,8 @@
 """Choosing sheet and scale, and putting the faces onto the sheet in projection to each other."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from gripcourse.course.view import Face
 from gripcourse.drawing.sheet import FORMATS, Format, block_box, corner_box, lines_boxes
@@ -29,6 +30,24 @@ _BETWEEN = 12.0  # mm between two faces
 _MARGIN = 4.0  # from a face to the frame and to the title block
 _STEPS = 10  # places that are tried across the free room
 _NOTHING = 1e-6
+# mm of paper that the longer side of the main face takes at least; what is much reduced has more to
+# show, so that it needs more, and more than the smallest sheet.
+_LEAST_LENGTH, _LEAST_REDUCED = 60.0, 95.0
+_REDUCED = 1 / 2.5
+_LEAST_DETAIL = 0.75  # mm of paper: smaller circles cannot be told from dots
+
+
+@dataclass(frozen=True, slots=True)
+class Pictured:
+    """What decides how large a gripper has to be drawn, mm of the gripper itself.
+
+    Attributes:
+        length: the longer side of its main face.
+        detail: diameter of its smallest circle.
+    """
+
+    length: float
+    detail: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,29 +66,60 @@ class Arranged:
     origins: Mapping[Face, Point]
     lines: Box
 
+    @property
+    def factor(self) -> float:
+        """Millimetres of paper for a millimetre."""
+        return self.scale[0] / self.scale[1]
 
-def arrange(boxes: Callable[[float], Mapping[Face, Box]], rows: int, lines: int) -> Arranged:
-    """Find the largest scale at which all faces have room, on the smaller sheet if both do.
+
+def arrange(
+    boxes: Callable[[float], Mapping[Face, Box]], pictured: Pictured, rows: int, lines: int
+) -> Arranged:
+    """Find the smallest sheet on which a gripper is well shown, at the largest scale there.
+
+    Where no sheet shows its details, its size alone decides; else the largest scale of all.
 
     Args:
         boxes: gives the box of each face round its own origin, with dimensions and leaders, in
             millimetres of paper, at a scale.
+        pictured: what has to be recognised.
         rows: of the parts list.
         lines: of the characteristics.
     """
+    at_scale = cache(boxes)
+    found: list[Arranged] = []
+    for sheet in FORMATS:
+        for one in _largest(at_scale, sheet, rows, lines):
+            if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
+                return one
+            found.append(one)
+    if found:
+        large = (one for one in found if _is_large(one, pictured))
+        return next(large, max(found, key=lambda one: one.factor))
+    sheet, (over, under) = FORMATS[-1], SCALES[-1]
+    origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
+    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+
+
+def _is_large(one: Arranged, pictured: Pictured) -> bool:
+    length = pictured.length * one.factor
+    if one.factor >= _REDUCED:
+        return length >= _LEAST_LENGTH
+    return length >= _LEAST_REDUCED and one.sheet is not FORMATS[0]
+
+
+def _largest(
+    boxes: Callable[[float], Mapping[Face, Box]], sheet: Format, rows: int, lines: int
+) -> Iterator[Arranged]:
+    """Yield the arrangement at the largest scale that a sheet has room for, if there is one."""
     for over, under in SCALES:
         at_scale = boxes(over / under)
-        for sheet in FORMATS:
-            for box in lines_boxes(sheet, rows, lines):
-                taken = (block_box(sheet, rows), corner_box(sheet), box)
-                origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
-                if origins is not None:
-                    return Arranged(sheet, (over, under), origins, box)
-    over, under = SCALES[-1]
-    sheet = FORMATS[-1]
-    middle = (sheet.width / 2, sheet.height / 2)
-    origins = dict.fromkeys(boxes(over / under), middle)
-    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+        for box in lines_boxes(sheet, rows, lines):
+            taken = (block_box(sheet, rows), corner_box(sheet), box)
+            origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
+            if origins is not None:
+                yield Arranged(sheet, (over, under), origins, box)
+                return
 
 
 def _origins(
@@ -77,9 +127,11 @@ def _origins(
 ) -> Mapping[Face, Point] | None:
     """Place the main face, the end on its right at its height, the plan below it."""
     main = boxes[Face.MAIN]
+    if any(one.width > room.width or one.height > room.height for one in boxes.values()):
+        return None
     found: list[tuple[float, Mapping[Face, Point]]] = []
     for x in _places(room.left - main.left, room.right - main.right):
-        for y in _places(room.bottom - main.bottom, room.top - main.top):
+        for y in _levels(main, room, taken):
             if not _is_free(main.moved((x, y)), room, taken):
                 continue
             for origins in _with_others(boxes, (x, y), room):
@@ -87,6 +139,14 @@ def _origins(
                 if all(_is_free(one, room, taken) for one in placed[1:]):
                     found.append((_badness(placed, room, taken[0]), origins))
     return min(found, key=lambda one: one[0])[1] if found else None
+
+
+def _levels(main: Box, room: Box, taken: Sequence[Box]) -> Sequence[float]:
+    """Return the heights that are tried: evenly spread, and close to what is taken."""
+    low, high = room.bottom - main.bottom, room.top - main.top
+    over = [one.top + _MARGIN - main.bottom for one in taken]
+    under = [one.bottom - _MARGIN - main.top for one in taken]
+    return [*_places(low, high), *(one for one in (*over, *under) if low <= one <= high)]
 
 
 def _with_others(boxes: Mapping[Face, Box], at: Point, room: Box) -> list[dict[Face, Point]]:

@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.strokes import Box
+from gripcourse.drawing.strokes import Box, Line, outside, reach_of
 from gripcourse.drawing.text import Point, add_text, text_width
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ _SHORTEST = 7.0
 _AWAY = 6.0  # along x, from the part to its shelf where there is room
 _OVER = 1.0  # the words over their shelf
 _DOT = 0.6  # radius of the end of a leader
+_SHIFTS = (0.0, *(side * step for step in range(3, 40, 3) for side in (1.0, -1.0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,11 +60,38 @@ class Leader:
         return Box(self.left, self.level, self.left + self.note.width, top)
 
 
-def place_leaders(notes: Iterable[Note], bottom: float) -> list[Leader]:
-    """Give each note a shelf in one row above `bottom`."""
+def place_leaders(notes: Iterable[Note], below: Box, numbers: Sequence[Box] = ()) -> list[Leader]:
+    """Give each note a shelf in one row above a box, if possible no farther right than it.
+
+    Args:
+        notes: what is written.
+        below: what the row stands above.
+        numbers: what no leader line should run through.
+    """
+    leaders = _uncrossed(notes, below)
+    moved = (_shifted(leaders, shift) for shift in _SHIFTS)
+    return next((one for one in moved if _is_clear(one, numbers)), leaders)
+
+
+def _shifted(leaders: Sequence[Leader], shift: float) -> list[Leader]:
+    return [Leader(one.note, one.left + shift, one.level) for one in leaders]
+
+
+def _is_clear(leaders: Sequence[Leader], numbers: Sequence[Box]) -> bool:
+    lines = [Line(one.note.at, one.knee) for one in leaders]
+    through = (
+        list(outside(line, box.corners)) != [line]
+        for line in lines
+        for box in numbers
+        if reach_of(line).overlaps(box)
+    )
+    return not any(through) and not any(cross(*pair) for pair in combinations(leaders, 2))
+
+
+def _uncrossed(notes: Iterable[Note], below: Box) -> list[Leader]:
     ordered = sorted(notes, key=lambda one: (one.at[0], -one.at[1], one.text))
     for _ in range(len(ordered) ** 2):
-        leaders = _in_row(ordered, bottom + ABOVE)
+        leaders = _in_row(ordered, below)
         crossing = next(
             (
                 (first, second)
@@ -76,7 +104,7 @@ def place_leaders(notes: Iterable[Note], bottom: float) -> list[Leader]:
             return leaders
         first, second = crossing
         ordered[first], ordered[second] = ordered[second], ordered[first]
-    return _in_row(ordered, bottom + ABOVE)
+    return _in_row(ordered, below)
 
 
 def cross(first: Leader, second: Leader) -> bool:
@@ -100,14 +128,21 @@ def draw_leaders(layout: "Modelspace", leaders: Sequence[Leader], by: Point) -> 
         add_text(layout, one.note.text, middle, one.note.height, align="CENTER")
 
 
-def _in_row(ordered: Sequence[Note], level: float) -> list[Leader]:
+def _in_row(ordered: Sequence[Note], below: Box) -> list[Leader]:
     lefts: list[float] = []
     for note in ordered:
         free = lefts[-1] + ordered[len(lefts) - 1].width + _BETWEEN if lefts else note.at[0] + _AWAY
         lefts.append(max(free, note.at[0] + _AWAY))
     pushed = [left - note.at[0] - _AWAY for left, note in zip(lefts, ordered, strict=True)]
     back = sum(pushed) / len(pushed) if pushed else 0.0
-    return [Leader(note, left - back, level) for note, left in zip(ordered, lefts, strict=True)]
+    if ordered:
+        too_far = lefts[-1] + ordered[-1].width - back - below.right
+        room = lefts[0] - back - below.left
+        back += max(0.0, min(too_far, room))
+    return [
+        Leader(note, left - back, below.top + ABOVE)
+        for note, left in zip(ordered, lefts, strict=True)
+    ]
 
 
 def _left(a: Point, b: Point, c: Point) -> float:

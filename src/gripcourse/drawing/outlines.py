@@ -86,6 +86,16 @@ def _bar(needs: Mapping[str, Sequence[float]]) -> Outline:
     return Outline(strokes, mask=mask)
 
 
+def _section(needs: Mapping[str, Sequence[float]]) -> Outline:
+    """Draw a rectangle half way between two points, its length along them."""
+    first, *_, last = _points(needs["through"])
+    turn, half = _direction(first, last), needs["length"][0] / 2
+    middle = ((first[0] + last[0]) / 2, (first[1] + last[1]) / 2)
+    ends = [on_circle(middle, along, turn) for along in (-half, half)]
+    left, right = (_beside(ends, needs["width"][0] / 2 * side) for side in (1, -1))
+    return _closed([*right, *reversed(left)])
+
+
 _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "box": _box,
     "circle": _circle,
@@ -95,6 +105,7 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "line": _line,
     "arc": _arc,
     "sector": _sector,
+    "section": _section,
 }
 
 

@@ -39,7 +39,8 @@ class Format:
 
 A4 = Format("A4", 210.0, 297.0)
 A3 = Format("A3", 420.0, 297.0)
-FORMATS = (A4, A3)
+A2 = Format("A2", 594.0, 420.0)
+FORMATS = (A4, A3, A2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +55,7 @@ class Row:
 
 _ROW = 8.0
 _LINE = 6.0
+_INDENT = 3.0  # of characteristics, from the frame
 _COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
 _CORNER = (70.0, 14.0)  # the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
@@ -122,9 +124,8 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[Row], words: W
         cell.line((0.0, bottom), (BLOCK_WIDTH, bottom), kind)
         for column, text in enumerate((row.number, row.title, row.count, row.sizes)):
             middle = row is heading or column in {0, 2}
-            cell.words(
-                text, (edges[column], bottom), (_COLUMNS[column], _ROW), NORMAL, middle=middle
-            )
+            place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
+            cell.words(text, place, size, NORMAL, middle=middle, most=2)
     top = _ROW * (len(rows) + 1)
     cell.line((0.0, top), (BLOCK_WIDTH, top))
     for edge in edges:
@@ -141,8 +142,8 @@ def draw_characteristics(
     heading = words.say(message("Technical characteristics"))
     cell.words(heading, (0.0, -_LINE), (box.width, _LINE), NORMAL, middle=True)
     for number, line in enumerate(lines, 1):
-        place = (0.0, -_LINE * (number + 1))
-        cell.words(f"{number}. {line}", place, (box.width, _LINE), NORMAL)
+        place = (_INDENT, -_LINE * (number + 1))
+        cell.words(f"{number}. {line}", place, (box.width - _INDENT, _LINE), NORMAL)
 
 
 def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:

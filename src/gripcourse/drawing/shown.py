@@ -18,13 +18,25 @@ _ORIGIN = (0.0, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A shape in its place."""
+    """A shape in its place.
+
+    Attributes:
+        outline: what is drawn, and what it covers.
+        kind: the line that it is drawn in.
+        hatch: of a cut face, else empty.
+        hidden_edges: whether what is covered of it is dashed.
+        face: the view that shows it.
+        ring: what is hatched.
+        box: round what it covers.
+    """
 
     outline: Outline
     kind: LineKind
     hatch: str
+    hidden_edges: bool
     face: Face
-    box: Box  # round what it covers
+    ring: tuple[Point, ...]
+    box: Box
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,15 +53,26 @@ def shown(part: ViewPart, numbers: Numbers) -> Iterator[Shown]:
     for shape in part.shapes:
         kind = LineKind[shape.line.upper()]
         for one in _repeated(shape, numbers):
-            covering = one if kind is LineKind.OUTLINE else Outline(one.strokes, one.axes)
-            for found in (covering, _mirrored(covering)) if part.mirrored else (covering,):
-                yield Shown(found, kind, shape.hatch, shape.face, _box(found))
+            for found in (one, _mirrored(one)) if _is_mirrored(part, shape) else (one,):
+                bare = Outline(found.strokes, found.axes)
+                outline = found if kind is LineKind.OUTLINE else bare
+                yield Shown(
+                    outline, kind, shape.hatch, shape.hidden_edges, shape.face, found.mask,
+                    _box(outline),
+                )  # fmt: skip
+
+
+def _is_mirrored(part: ViewPart, shape: Shape) -> bool:
+    return part.mirrored and not any(isinstance(one, Ring) for one in shape.repeats)
 
 
 def as_other(one: Shown) -> Shown:
     """Return a shape as it stands in the other position: thin, and covering nothing."""
     plain = Outline(one.outline.strokes)
-    return Shown(plain, LineKind.PHANTOM, hatch="", face=one.face, box=_box(plain))
+    return Shown(
+        plain, LineKind.PHANTOM, hatch="", hidden_edges=False, face=one.face, ring=(),
+        box=_box(plain),
+    )  # fmt: skip
 
 
 def _box(one: Outline) -> Box:

@@ -60,6 +60,16 @@ class Box:
         """Its size along y."""
         return self.top - self.bottom
 
+    @property
+    def corners(self) -> tuple[Point, Point, Point, Point]:
+        """Its corners, counter-clockwise from the lower left one."""
+        return (
+            (self.left, self.bottom),
+            (self.right, self.bottom),
+            (self.right, self.top),
+            (self.left, self.top),
+        )
+
     def joined(self, other: "Box") -> "Box":
         """Return the smallest box round both."""
         return Box(
@@ -145,10 +155,19 @@ def at_place(point: Point, scale: float, by: Point) -> Point:
 
 def outside(stroke: Stroke, mask: Sequence[Point]) -> Iterator[Stroke]:
     """Yield the pieces of a stroke that a closed polygon does not cover."""
+    yield from _pieces(stroke, mask, inner=False)
+
+
+def covered(stroke: Stroke, mask: Sequence[Point]) -> Iterator[Stroke]:
+    """Yield the pieces of a stroke that a closed polygon covers."""
+    yield from _pieces(stroke, mask, inner=True)
+
+
+def _pieces(stroke: Stroke, mask: Sequence[Point], *, inner: bool) -> Iterator[Stroke]:
     cuts = sorted({0.0, 1.0, *_cuts(stroke, mask)})
     kept: list[tuple[float, float]] = []
     for low, high in pairwise(cuts):
-        if inside(_at(stroke, (low + high) / 2), mask):
+        if inside(_at(stroke, (low + high) / 2), mask) != inner:
             continue
         if kept and kept[-1][1] == low:
             kept[-1] = (kept[-1][0], high)

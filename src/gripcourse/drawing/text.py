@@ -1,5 +1,6 @@
 """Letters on a drawing: one font, one line, any content."""
 
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,19 @@ FONT_FAMILY = "PT Sans"
 CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
+LEADING = 1.45  # from one line to the next, in heights of capital letters
+_WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
+_WIDE_ENOUGH = 0.6  # of their width: such letters are still read well
+_LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """How a text is set: its lines, and the height of their capital letters, mm."""
+
+    lines: tuple[str, ...]
+    height: float
 
 
 def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
@@ -69,6 +82,37 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     return line.rstrip() + _CUT, NARROWEST
 
 
+def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
+    """Choose lines and height: as few lines as need no squeezing, else as can be read well.
+
+    Args:
+        text: the words.
+        height: of capital letters where there is room enough, mm.
+        room: width and height, mm.
+        most: lines.
+    """
+    settings = [_set(text, height, room, count) for count in range(1, most + 1)]
+    widths = [one.height * _squeeze(one, room[0]) / height for one in settings]
+    for enough in (_WIDE, _WIDE_ENOUGH, max(widths)):
+        for one, width in zip(settings, widths, strict=True):
+            if width >= enough:
+                return one
+    return settings[0]
+
+
+def _set(text: str, height: float, room: tuple[float, float], count: int) -> Setting:
+    high = min(height, room[1] / (LEADING * count))
+    lines = tuple(wrapped(text, high, room[0], count)) or ("",)
+    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
+    if squeeze < NARROWEST:
+        high = max(min(_LEAST_HEIGHT, high), high * squeeze / NARROWEST)
+    return Setting(lines, high)
+
+
+def _squeeze(one: Setting, width: float) -> float:
+    return min(1.0, width / max(text_width(line, one.height) or width for line in one.lines))
+
+
 def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
     """Break a text between words into at most so many lines; the last one takes what is left."""
     lines: list[str] = []
@@ -90,6 +134,11 @@ def one_line(text: str) -> str:
     """Return a text without line breaks, control characters and halves of surrogate pairs."""
     clean = "".join(one if one.isprintable() else " " for one in text)
     return " ".join(clean.split())
+
+
+def capital(text: str) -> str:
+    """Return a text that begins with a capital letter."""
+    return text[:1].upper() + text[1:]
 
 
 def dxf_text(line: str) -> str:

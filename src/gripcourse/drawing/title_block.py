@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from gripcourse.drawing.cells import LARGE, NORMAL, PAD, SMALL, Cells
+from gripcourse.drawing.cells import LARGE, NORMAL, SMALL, Cells
 from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.text import wrapped
+from gripcourse.drawing.text import capital
 from gripcourse.solver.plan import Plan
 from gripcourse.words import Message, Words, message
 
@@ -65,7 +65,7 @@ def variant_block(plan: Plan, variant: str, student: str, words: Words) -> Title
     """
     return TitleBlock(
         designation=words.say(message("Variant {variant} GA", variant=variant)),
-        title=plan.scheme.title.of(words.language),
+        title=capital(plan.scheme.title.of(words.language)),
         document=words.say(message("General arrangement")),
         student=student,
         organisation=plan.course.title.of(words.language),
@@ -121,16 +121,14 @@ def _draw_people(cell: Cells, block: TitleBlock, words: Words) -> None:
             cell.words(words.say(role), (0.0, bottom), (17.0, _ROLE_HEIGHT), SMALL)
     for number, (name, date) in enumerate(((block.student, block.date), (block.checked, ""))):
         bottom = 25.0 - _ROLE_HEIGHT * number
-        cell.words(name, (17.0, bottom), (23.0, _ROLE_HEIGHT), SMALL)
+        cell.words(name, (17.0, bottom), (23.0, _ROLE_HEIGHT), SMALL, most=2)
         cell.words(date, (55.0, bottom), (10.0, _ROLE_HEIGHT), SMALL)
 
 
 def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> None:
     cell.words(block.designation, (65.0, 40.0), (120.0, 15.0), LARGE, middle=True)
-    lines = wrapped(block.title, NORMAL, 70.0 - 2 * PAD, _TITLE_LINES)
-    top = 39.0 - (_TITLE_LINES - len(lines)) * _LINE / 2
-    for number, line in enumerate(lines, 1):
-        cell.words(line, (65.0, top - _LINE * number), (70.0, _LINE), NORMAL, middle=True)
+    place, size = (65.0, 15.5 + _LINE), (70.0, 24.0 - _LINE)
+    cell.words(block.title, place, size, NORMAL, middle=True, most=_TITLE_LINES)
     cell.words(block.document, (65.0, 15.5), (70.0, _LINE), NORMAL, middle=True)
     for text, left, width in (
         (message("Stage"), 135.0, 15.0),
@@ -143,4 +141,4 @@ def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> 
     cell.words(scale, (167.0, 20.0), (18.0, 15.0), LARGE, middle=True)
     cell.words(words.say(message("Sheet")), (135.0, 15.0), (20.0, 5.0), SMALL)
     cell.words(words.say(message("Sheets {count}", count=1)), (155.0, 15.0), (30.0, 5.0), SMALL)
-    cell.words(block.organisation, (135.0, 0.0), (50.0, 15.0), NORMAL, middle=True)
+    cell.words(block.organisation, (135.0, 0.0), (50.0, 15.0), NORMAL, middle=True, most=3)

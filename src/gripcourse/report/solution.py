@@ -74,15 +74,16 @@ def solution_values(
 
 def _general_view(
     plan: Plan, variant: Variant, values: Mapping[str, float], words: Words
-) -> tuple[str, str] | None:
-    """Return the general view as an address with its alternative text; None where there is none."""
+) -> tuple[str, str, bool] | None:
+    """Return the general view: address, alternative text, whether its sheet stands upright."""
     if plan.scheme.view is None:
         return None
     block = variant_block(plan, variant.id, "", words)
     drawn = general_view(plan, plan.scheme.view, values, block, words)
     sheet = drawn.arranged.sheet
     title = f"{block.document}: {block.title}, {block.designation}"
-    return picture(svg_text(drawn.document, sheet.width, sheet.height, title)), title
+    svg = svg_text(drawn.document, sheet.width, sheet.height, title)
+    return picture(svg), title, sheet.height > sheet.width
 
 
 def _pairs(plan: Plan, variant: Variant, words: Words) -> Iterator[tuple[str, str]]:
