@@ -40,7 +40,7 @@ FLAGS = {
 
 def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
-    from gripcourse.commands.grade import COHORT_PDF, GRADES_CSV, REPORTS
+    from gripcourse.commands.grade import GRADES_CSV, INCIDENTS, REPORTS
 
     rows = [
         (
@@ -67,12 +67,17 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
         for one in outcome.reports
         for flag in one.flags
     ]
+    if outcome.cohort is None:
+        lines.append(words.say(message("The report on the batch could not be laid out.")))
+    incidents = out / INCIDENTS
     for said, place in (
         (message("Student reports"), out / REPORTS),
-        (message("Cohort summary"), out / COHORT_PDF),
+        (message("Cohort summary"), outcome.cohort),
         (message("Grades"), out / GRADES_CSV),
+        (message("Incidents, each with its trace"), incidents if incidents.exists() else None),
     ):
-        lines.append(f"{words.say(said)}: {place}")
+        if place is not None:
+            lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
 
 
