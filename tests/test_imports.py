@@ -15,10 +15,12 @@ GROUND = (
     "number_text",
     "number_reading",
     "units",
+    "translations",
     "words",
     "errors",
     "files",
     "resources",
+    "fonts",
     "doctor",
 )
 LEVELS = (

@@ -184,7 +184,7 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
     lines = []
     for check in found:
         sign = "✓" if check.ok else ("✗" if check.required else "–")
-        remedy = "" if check.ok else f" {words.say(check.remedy)}"
+        remedy = "" if check.ok else f". {words.say(check.remedy)}"
         lines.append(f"{sign} {words.say(check.message)}{remedy}")
     return "\n".join(lines)
 
