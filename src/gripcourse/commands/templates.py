@@ -9,7 +9,7 @@ from gripcourse.commands.samples import Sample, printed_documents, reference_doc
 from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.pdf import Document, render_html, template_environment, template_problem
-from gripcourse.words import Message, message
+from gripcourse.words import Message, Words, message
 
 # Jinja2 costs 40 ms to import: only who prints or judges a template pays.
 # ruff: noqa: PLC0415
@@ -69,41 +69,52 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
     return read, problems
 
 
-def filling_problems(sample: Sample, read: Mapping[str, Read]) -> list[Problem]:
-    """Return what is wrong with templates when documents are made with them.
-
-    What can be read is compared with what its documents give it, and every document is filled with
-    the sample, so that names inside of values are tried too.
-    """
-    templates = sample.course.root / "templates"
-    everywhere = frozenset(template_environment(templates, "en").globals)
+def sample_documents(sample: Sample) -> tuple[list[Document], list[Problem]]:
+    """Return a document of every kind, and what keeps the others from being made."""
+    makers: Mapping[str, Callable[[], Document | Mapping[str, Document]]] = {
+        **printed_documents(sample),
+        "reference": lambda: reference_documents(sample),
+    }
+    documents: list[Document] = []
     problems: list[Problem] = []
-    makers = {**printed_documents(sample), "reference": lambda: reference_documents(sample)}
-    for made in _made(makers, problems):
-        found = [*_unknown(made, everywhere, read)]
-        if not found and _whole(made.template, read):
-            found = _failures(made, sample, templates)
-        problems += found
-    # A part belongs to several documents; what is wrong with it is said once.
-    return list({(one.file, one.key, str(one.what)): one for one in problems}.values())
-
-
-def _made(
-    makers: Mapping[str, Callable[[], Document | Mapping[str, Document]]], problems: list[Problem]
-) -> Iterator[Document]:
-    """Yield the documents that can be made; what hinders the others goes to the problems."""
     for make in makers.values():
         try:
             made = make()
         except GripcourseError as error:
             problems += error.problems
         else:
-            yield from made.values() if isinstance(made, Mapping) else (made,)
+            documents += made.values() if isinstance(made, Mapping) else (made,)
+    return documents, problems
 
 
-def _failures(document: Document, sample: Sample, templates: Path) -> list[Problem]:
+def filling_problems(
+    documents: Iterable[Document], templates: Path, words: Words, read: Mapping[str, Read]
+) -> list[Problem]:
+    """Return what is wrong with templates when documents are made with them.
+
+    What can be read is compared with what its documents give it, and every document is filled, so
+    that names inside of values are tried too.
+
+    Args:
+        documents: of every kind.
+        templates: the folder.
+        words: the language of the documents.
+        read: its templates.
+    """
+    everywhere = frozenset(template_environment(templates, words.language).globals)
+    problems: list[Problem] = []
+    for document in documents:
+        found = [*_unknown(document, everywhere, read)]
+        if not found and _whole(document.template, read):
+            found = _failures(document, templates, words)
+        problems += found
+    # A part belongs to several documents; what is wrong with it is said once.
+    return list({(one.file, one.key, str(one.what)): one for one in problems}.values())
+
+
+def _failures(document: Document, templates: Path, words: Words) -> list[Problem]:
     try:
-        render_html(document, templates, sample.words)
+        render_html(document, templates, words)
     except GripcourseError as error:
         return list(error.problems)
     except Exception as error:  # noqa: BLE001 (whatever an expression of a template comes to)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.commands.samples import samples
 from gripcourse.commands.styles import style_problems
-from gripcourse.commands.templates import filling_problems, read_templates
+from gripcourse.commands.templates import filling_problems, read_templates, sample_documents
 from gripcourse.course.check import check_course
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
@@ -32,14 +32,15 @@ def all_problems(root: Path) -> list[Problem]:
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
-    read, unread = read_templates(course.root / "templates")
-    problems += [*unread, *style_problems(course.root / "templates")]
+    templates, words = course.root / "templates", Words(course.language)
+    read, unread = read_templates(templates)
+    problems += [*unread, *style_problems(templates)]
     if is_sound:
         spaces, found = _spaces(course)
         problems += [*found, *_table_problems(course)]
-        tried = samples(course, load_policy(course), spaces, Words(course.language))
-        for sample in islice(tried, 1):
-            problems += filling_problems(sample, read)
+        for sample in islice(samples(course, load_policy(course), spaces, words), 1):
+            documents, hindered = sample_documents(sample)
+            problems += [*hindered, *filling_problems(documents, templates, words, read)]
     return [*problems, *_machine_problems(root)]
 
 
