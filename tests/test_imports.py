@@ -15,6 +15,7 @@ GROUND = (
     "number_text",
     "number_reading",
     "units",
+    "shown",
     "translations",
     "words",
     "errors",

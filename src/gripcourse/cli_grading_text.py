@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli_text import table_text
+from gripcourse.shown import shown
 from gripcourse.words import Words, message
 
 # `gripcourse --help` needs nothing of what is graded.
@@ -63,7 +64,7 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
     )
     lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
-        f"{Path(one.file).name}: {words.say(flag.message)}"
+        f"{shown(Path(one.file).name)}: {words.say(flag.message)}"
         for one in outcome.reports
         for flag in one.flags
     ]

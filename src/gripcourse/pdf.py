@@ -36,6 +36,7 @@ from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol
+from gripcourse.shown import shown
 from gripcourse.units import unit_text
 from gripcourse.words import LANGUAGES, Words, message
 
@@ -191,6 +192,11 @@ def _reason(error: Exception) -> str:
     return (str(error) or type(error).__name__).rstrip(".")
 
 
+def _seen(value: object) -> object:
+    """Keep what no page can show out of it; what was made of formulas is known to be whole."""
+    return shown(value) if type(value) is str else value
+
+
 # One environment for each folder and language of a run.
 @lru_cache(maxsize=4 * len(LANGUAGES))
 def template_environment(templates: Path, language: str) -> "Environment":
@@ -202,6 +208,7 @@ def template_environment(templates: Path, language: str) -> "Environment":
         loader=FileSystemLoader(templates),
         autoescape=True,
         undefined=StrictUndefined,
+        finalize=_seen,
         trim_blocks=True,
         lstrip_blocks=True,
     )

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 
 from gripcourse.number_text import format_number
+from gripcourse.shown import shown
 from gripcourse.translations import catalogue_file, read_translations
 
 LANGUAGES = ("en", "ru", "uk")
@@ -79,7 +80,7 @@ class Words:
             return value.of(self.language)
         if isinstance(value, float):
             return self.number(value)
-        return str(value)
+        return shown(str(value))
 
 
 @lru_cache(maxsize=len(LANGUAGES))

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeAlias
 
@@ -13,6 +13,7 @@ from gripcourse.cohort.workers import Lost, run_each
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
+from gripcourse.shown import shown
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
@@ -60,9 +61,11 @@ def grade_files(
     job = _Job(desk, grade_one)
     for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
         file = files[number]
-        done[file] = (
-            _incident(file, desk, report.trace) if isinstance(report, Lost) else Graded(report, "")
-        )
+        if isinstance(report, Lost):
+            done[file] = _incident(file, desk, report.trace)
+        else:
+            # A name need not be text for every system; from here on it is only read by people.
+            done[file] = Graded(replace(report, file=shown(report.file)), "")
         on_done(file)
     reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), desk)
     incidents = [done[file].incident for file in files]
@@ -72,7 +75,7 @@ def grade_files(
 
 def incident_number(trace: str) -> str:
     """Return the number under which a failure is looked up in the log of incidents."""
-    return hashlib.sha256(trace.encode()).hexdigest()[:8]
+    return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
 def _grade(file: Path, job: _Job) -> Report:
@@ -82,5 +85,5 @@ def _grade(file: Path, job: _Job) -> Report:
 def _incident(file: Path, desk: Desk, trace: str) -> Graded:
     number = incident_number(trace)
     issued = submitter(str(file), "", desk.register)
-    told = f"incident {number}: {trace}\n{file}\n"
-    return Graded(incident_report(str(file), number, issued), told)
+    told = shown(f"incident {number}: {trace}\n{file}\n")
+    return Graded(incident_report(shown(str(file)), number, issued), told)
