@@ -4,6 +4,7 @@ The rules are those of PDF/UA-1 (ISO 14289-1): clauses 5 and 7.
 """
 
 import io
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -166,3 +167,18 @@ def test_pages_are_a4_and_only_a_drawing_lies_on_its_side(kind: str, reader: Pdf
     lying = [number for number, size in enumerate(sizes) if size != A4]
     assert all(sizes[number] == A4[::-1] for number in lying)
     assert lying == ([len(sizes) - 1] if kind == "solution" else [])
+
+
+def test_numbers_and_formulas_can_be_searched_as_the_language_writes_them(
+    kind: str, reader: PdfReader
+) -> None:
+    """Decimal commas, groups of three, a true minus: as text, in formulas too."""
+    text = "\n".join(page.extract_text() for page in reader.pages)
+    assert not re.search(r"\d\.\d", text)
+    assert not re.search(r"[=(·] ?-\d", text)
+    if kind == "solution":
+        assert "200\u202f000" in text
+        assert "−" in text
+        assert "√" in text
+        assert re.search(r"arcsin", text)
+        assert re.search(r"90\smм|90\sмм", text)
