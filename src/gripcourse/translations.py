@@ -6,7 +6,7 @@ out: the English sentence with all its values is better than a wrong one.
 
 import gettext
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from string import Formatter
@@ -104,7 +104,7 @@ def _leave_out(catalogue: "Catalog") -> Iterator[Fault]:
             yield from found
 
 
-def _faults(wanted: frozenset[str], forms: tuple[str, ...], line: int) -> Iterator[Fault]:
+def _faults(wanted: frozenset[str], forms: Sequence[str], line: int) -> Iterator[Fault]:
     for form in forms:
         found = places(form)
         if found is None:

@@ -139,6 +139,16 @@ def _fault(student: str, path: Path, fault: Exception) -> Message:
 
 def _say(student: str, path: Path, problems: Sequence[Problem]) -> Message:
     first = problems[0]
+    place = ": ".join(part for part in (first.file, first.key) if part)
+    if place:
+        return message(
+            "{file} of {student} was not written: {place}: {what} {remedy}",
+            file=path.name,
+            student=student,
+            place=place,
+            what=first.what,
+            remedy=first.remedy,
+        )
     return message(
         "{file} of {student} was not written: {what} {remedy}",
         file=path.name,

@@ -7,6 +7,7 @@ done again one by one, and only the one that kills its worker again is lost.
 
 import faulthandler
 import os
+import re
 import signal
 import sys
 import traceback
@@ -31,6 +32,9 @@ _AHEAD = 2
 # An alarm is heard between two steps of Python; who is deep inside a library ends so much later.
 _DEAF_SECONDS = 5.0
 
+# Our own errors are whole sentences; the others mean nothing without their names.
+_OWN_ERROR = re.compile(r"^gripcourse\.errors\.\w+: ")
+
 Item = TypeVar("Item")
 Shared = TypeVar("Shared")
 Result = TypeVar("Result")
@@ -41,6 +45,11 @@ class Lost:
     """A job that came to nothing on our side; `trace` says why."""
 
     trace: str
+
+    @property
+    def reason(self) -> str:
+        """The last line of the trace: what happened, without where."""
+        return _OWN_ERROR.sub("", self.trace.strip().rpartition("\n")[2])
 
 
 _Waiting: TypeAlias = deque[tuple[int, Any]]

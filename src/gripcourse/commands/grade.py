@@ -206,8 +206,9 @@ def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
     if not isinstance(outcome, Lost):
         return report
     said = message(
-        "The report could not be laid out (incident {number}); see the log of incidents.",
+        "The report could not be laid out (incident {number}): {reason}",
         number=incident_number(outcome.trace),
+        reason=outcome.reason,
     )
     return replace(report, flags=(*report.flags, Flag("report_incident", said)))
 

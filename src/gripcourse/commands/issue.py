@@ -123,8 +123,9 @@ def _lost(desk: Desk, entry: Issued, lost: Lost) -> Handout:
     for path in (sheet_path(desk.out, student), workbook_path(desk.out, student)):
         discard_unfinished(path)
     _log.error("documents of student %s: %s", student, lost.trace)
-    reason = lost.trace.strip().rpartition("\n")[2]
     said = message(
-        "The documents of {student} could not be made: {reason}", student=student, reason=reason
+        "The documents of {student} could not be made: {reason}",
+        student=student,
+        reason=lost.reason,
     )
     return Handout(student, (), (said,))
