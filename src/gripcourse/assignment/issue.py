@@ -139,13 +139,13 @@ def _fault(student: str, path: Path, fault: Exception) -> Message:
 
 def _say(student: str, path: Path, problems: Sequence[Problem]) -> Message:
     first = problems[0]
-    place = ": ".join(part for part in (first.file, first.key) if part)
-    if place:
+    if first.file and first.key:
         return message(
-            "{file} of {student} was not written: {place}: {what} {remedy}",
+            "{file} of {student} was not written: {place}: {key}: {what} {remedy}",
             file=path.name,
             student=student,
-            place=place,
+            place=first.file,
+            key=first.key,
             what=first.what,
             remedy=first.remedy,
         )

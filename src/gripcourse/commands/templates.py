@@ -109,7 +109,7 @@ def filling_problems(
             found = _failures(document, templates, words)
         problems += found
     # A part belongs to several documents; what is wrong with it is said once.
-    return list({(one.file, one.key, str(one.what)): one for one in problems}.values())
+    return list({(one.file, str(one.key), str(one.what)): one for one in problems}.values())
 
 
 def _failures(document: Document, templates: Path, words: Words) -> list[Problem]:
