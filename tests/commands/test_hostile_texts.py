@@ -103,7 +103,11 @@ def report(sample: Sample, text: str) -> Report:
     said = message("The student handed in more files: {files}.", files=text)
     findings = [replace(one, typed=text, remarks=(said,)) for one in judged.findings]
     return replace(
-        judged, file=text, findings=tuple(findings), remarks=(said,), flags=(Flag("doubt", said),)
+        judged,
+        file=text,
+        findings=tuple(findings),
+        remarks=(said,),
+        flags=(Flag("several_files", said),),
     )
 
 
