@@ -1,92 +1,117 @@
-"""What one student report costs, as a ratio to WeasyPrint rendering the same finished HTML."""
+"""What documents cost: a report beside WeasyPrint alone; every kind in time, pages and bytes."""
 
+import re
 from collections.abc import Callable
-from datetime import date
+from functools import partial
 from io import BytesIO
+from itertools import islice
 from statistics import median
 from time import perf_counter
+from typing import TypeVar
 
 import pypdf
 from weasyprint import CSS, HTML
 
-from gripcourse.commands.students import early_slip
+from gripcourse.assignment.sheet import assignment_sheet
+from gripcourse.commands.samples import (
+    DAY,
+    Sample,
+    printed_documents,
+    sample_report,
+    samples,
+    student,
+)
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Course, Kind
 from gripcourse.course.policy_load import load_policy
-from gripcourse.grading.judge import judge
-from gripcourse.pdf import Document, render_html
-from gripcourse.report.student import STYLES, TEMPLATE, student_report, student_values
+from gripcourse.pdf import pdf_from_html, render_html
+from gripcourse.report.student import STYLES, student_report
 from gripcourse.resources import course_root
-from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.submission.model import Answer, Identity, Reading, Submission
-from gripcourse.variants.model import Issued, Student
-from gripcourse.variants.table import read_table
+from gripcourse.variants.space import load_spaces
 from gripcourse.words import Words
 
 RUNS = 7
-DAY = date(2026, 12, 1)
+SCHEME = "rack_parallelogram"
+SCHEMES = 5  # with a worked example each, for the sheets of a course
+LANGUAGE = "ru"
+
+Made = TypeVar("Made")
 
 
 def main() -> None:
-    """Render one report both ways, in turn, in one process."""
+    """Print figures that were all taken in this run, in turn, in one process."""
     course = load_course(course_root())
-    policy = load_policy(course)
-    variant = read_table(course.root / "variants" / "tables" / "main.csv", course)[0]
-    issued = Issued(Student("s1", "Student", "", "", "ru", ""), variant, DAY, None, "0" * 64)
-    plan = make_plan(course, variant.scheme, variant.options)
-    report = judge(_submission(plan, issued), issued, plan, policy)
-    words = Words("ru")
-    values = student_values(report, plan, policy, course, words) | {"graded_on": DAY}
-    finished = render_html(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+    spaces, words = load_spaces(course), Words(LANGUAGE)
+    tried = list(samples(course, load_policy(course), spaces, words))
+    sample = next(one for one in tried if one.plan.scheme.id == SCHEME)
+    _beside_weasyprint(sample)
+    _sheets(list(islice(tried, SCHEMES)))
+    _kinds(sample)
+
+
+def _beside_weasyprint(sample: Sample) -> None:
+    """Compare a report from its values to its bytes with the bare rendering of its HTML."""
+    templates, report = sample.course.root / "templates", sample_report(sample)
+    finished = render_html(student(sample, report, sample.policy.reveal), templates, sample.words)
 
     def ours() -> bytes:
-        return student_report(report, plan, policy, course, words, DAY)
+        return student_report(report, sample.plan, sample.policy, sample.course, sample.words, DAY)
+
+    def laid_out() -> bytes:
+        return pdf_from_html(finished, STYLES, templates)
 
     def theirs() -> bytes:
-        return _bare(finished, course)
+        styles = [CSS(filename=templates / "style" / name) for name in STYLES]
+        return bytes(HTML(string=finished).write_pdf(stylesheets=styles, pdf_variant="pdf/ua-1"))
 
     ours(), theirs()
-    pairs = [(_timed(ours), _timed(theirs)) for _ in range(RUNS)]
-    mine, bare = median(a for a, _ in pairs), median(b for _, b in pairs)
-    pages = len(pypdf.PdfReader(BytesIO(ours())).pages)
-    print(f"student report, all in all             {mine * 1e3:7.0f} ms")
-    print(f"WeasyPrint with the same HTML          {bare * 1e3:7.0f} ms")
-    print(f"ratio                                  {median(a / b for a, b in pairs):7.2f}")
-    print(f"pages {pages}, bytes {len(ours())}")
+    rounds = [(_timed(ours), _timed(laid_out), _timed(theirs)) for _ in range(RUNS)]
+    for name, column in (
+        ("student report, all in all", 0),
+        ("student report, its HTML laid out", 1),
+        ("WeasyPrint with the same HTML", 2),
+    ):
+        seconds = median(one[column] for one in rounds)
+        ratio = median(one[column] / one[2] for one in rounds)
+        print(f"{name:<38} {seconds * 1e3:7.0f} ms, ratio {ratio:.2f}")
+    print(f"boxes of the report: {len(re.findall('<[a-z]', finished))} elements")
 
 
-def _submission(plan: Plan, issued: Issued) -> Submission:
-    typed = early_slip(plan, issued)
-    answers = {
-        name: Answer(
-            quantity=name,
-            reading=Reading.READ,
-            value=float(value == "да")
-            if plan.quantities[name].kind is Kind.VERDICT
-            else float(value),
-            typed=str(value),
-            cell="A1",
-            half_unit=0.0,
-            unit="",
-            unit_fits=True,
-            remarks=(),
+def _sheets(tried: list[Sample]) -> None:
+    """Print what an assignment sheet costs per student, over several schemes."""
+    times = [median(_timed(partial(_sheet, sample)) for _ in range(3)) for sample in tried]
+    print(
+        f"{'assignment sheet per student':<38} {median(times) * 1e3:7.0f} ms"
+        f" (slowest of {len(times)} schemes {max(times) * 1e3:.0f})"
+    )
+
+
+def _sheet(sample: Sample) -> bytes:
+    one = sample
+    return assignment_sheet(one.issued, one.plan, one.policy, one.course, one.words)
+
+
+def _kinds(sample: Sample) -> None:
+    """Print time, pages and bytes of every kind of document that is printed."""
+    templates = sample.course.root / "templates"
+    for kind, make in printed_documents(sample).items():
+        made, making = _result(make)
+        html = render_html(made, templates, sample.words)
+        pdf, laying = _result(lambda: pdf_from_html(html, made.styles, templates))  # noqa: B023 (as above)
+        pages = len(pypdf.PdfReader(BytesIO(pdf)).pages)
+        print(
+            f"{kind:<20} {pages} pages, {len(pdf) / 1e3:6.1f} kB;"
+            f" values {making * 1e3:6.0f} ms, layout {laying * 1e3:6.0f} ms"
         )
-        for name, value in typed.items()
-    }
-    identity = Identity("s1", issued.variant.id, plan.scheme.id, plan.options, issued.signature)
-    return Submission("s1.xlsx", "", identity, "", issued.variant.given, answers, ())
 
 
-def _bare(html: str, course: Course) -> bytes:
-    folder = course.root / "templates" / "style"
-    styles = [CSS(filename=folder / name) for name in STYLES]
-    return HTML(string=html).write_pdf(stylesheets=styles, pdf_variant="pdf/ua-1")
+def _result(call: Callable[[], Made]) -> tuple[Made, float]:
+    start = perf_counter()
+    made = call()
+    return made, perf_counter() - start
 
 
 def _timed(call: Callable[[], object]) -> float:
-    start = perf_counter()
-    call()
-    return perf_counter() - start
+    return _result(call)[1]
 
 
 if __name__ == "__main__":

@@ -1,10 +1,15 @@
+import os
 import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from gripcourse.doctor import FONT_PACKAGES, Check, Machine, assess, checks, look
+from gripcourse.doctor import Check, Machine, assess, checks, look
+from gripcourse.fonts import FONT_PACKAGES, fonts_used
+from gripcourse.translations import Fault, Kind
 
 REPOSITORY = Path(__file__).parents[1]
 # A browser has fonts of its own; nothing is laid out with these here.
@@ -17,6 +22,7 @@ HEALTHY = Machine(
     pango="",
     subsetting=True,
     fonts=tuple((family, family) for family in FONT_PACKAGES),
+    translations=(("ru", ()), ("uk", ())),
     office="/usr/bin/soffice",
     folder=Path("results"),
     writable=True,
@@ -49,6 +55,12 @@ def test_a_healthy_machine_passes_every_check() -> None:
             "DejaVu Sans is used",
             "fonts-paratype",
         ),
+        (
+            replace(HEALTHY, translations=(("ru", (Fault("lost", 12, "file"),)), ("uk", ()))),
+            "translation ru",
+            "ru.po: line 12 loses file",
+            "names in braces",
+        ),
         (replace(HEALTHY, office=None), "libreoffice", "missing", "libreoffice-calc-nogui"),
         (replace(HEALTHY, writable=False), "folder", "results", "folder"),
     ],
@@ -70,6 +82,43 @@ def test_only_libreoffice_can_be_done_without() -> None:
 def test_this_machine_can_make_pdf_files_as_they_are_meant(tmp_path: Path) -> None:
     failed = {check.name: str(check.message) for check in checks(tmp_path) if not check.ok}
     assert failed == {}
+
+
+def test_every_fault_of_a_translation_is_named() -> None:
+    kinds: tuple[Kind, ...] = ("lost", "invented", "braces", "plural", "empty", "unreadable")
+    faults = tuple(Fault(kind, 7, f"<{kind}>") for kind in kinds)
+    found = failures(replace(HEALTHY, translations=(("ru", faults),)))
+    assert len({str(check.message) for check in found}) == len(kinds)
+    for check, fault in zip(found, faults, strict=True):
+        assert fault.detail in str(check.message) or fault.kind == "empty"
+
+
+def test_a_font_that_is_not_there_is_seen_behind_the_one_that_stands_in() -> None:
+    used = fonts_used(["PT Serif", "No Such Family"])
+    assert used["PT Serif"] == "PT Serif"
+    assert used["No Such Family"] != "No Such Family"
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="fontconfig elsewhere is another")
+def test_a_machine_without_fonts_is_told_which_are_missing(tmp_path: Path) -> None:
+    """Really: another process whose fontconfig knows an empty folder only."""
+    settings = tmp_path / "fonts.conf"
+    settings.write_text(
+        f"<fontconfig><dir>{tmp_path}</dir><cachedir>{tmp_path}</cachedir></fontconfig>",
+        encoding="utf-8",
+    )
+    asked = "from gripcourse.cli import main; main()"
+    done = subprocess.run(  # noqa: S603 (our own interpreter)
+        [sys.executable, "-c", asked, "doctor"],
+        env={**os.environ, "FONTCONFIG_FILE": str(settings)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    for family, package in FONT_PACKAGES.items():
+        assert f"✗ Font {family} is missing" in done.stdout
+        assert package in done.stdout
 
 
 def test_a_folder_that_does_not_exist_cannot_be_written(tmp_path: Path) -> None:

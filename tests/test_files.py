@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.files import replacing, write_bytes, write_text
+from gripcourse.files import discard_unfinished, replacing, write_bytes, write_text
 
 
 def _write_half(target: Path) -> None:
@@ -64,3 +64,17 @@ def test_a_private_file_is_readable_by_its_owner_only(tmp_path: Path) -> None:
     target = tmp_path / "private" / "key"
     write_text(target, "secret", private=True)
     assert stat.S_IMODE(target.stat().st_mode) == 0o600
+
+
+def test_what_a_killed_process_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+    target = tmp_path / "s01.xlsx"
+    kept = {"s01.xlsx", ".s01.xlsx", ".s01.notatoken.xlsx", ".s02.00ff00ff.xlsx", "s01.pdf"}
+    for name in {*kept, ".s01.00ff00ff.xlsx"}:
+        (tmp_path / name).touch()
+    discard_unfinished(target)
+    assert {path.name for path in tmp_path.iterdir()} == kept
+
+
+def test_nothing_is_removed_from_a_folder_that_is_not_there(tmp_path: Path) -> None:
+    discard_unfinished(tmp_path / "gone" / "s01.xlsx")
+    assert not (tmp_path / "gone").exists()

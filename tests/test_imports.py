@@ -15,10 +15,13 @@ GROUND = (
     "number_text",
     "number_reading",
     "units",
+    "shown",
+    "translations",
     "words",
     "errors",
     "files",
     "resources",
+    "fonts",
     "doctor",
 )
 LEVELS = (

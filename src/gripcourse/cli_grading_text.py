@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli_text import table_text
+from gripcourse.shown import shown
 from gripcourse.words import Words, message
 
 # `gripcourse --help` needs nothing of what is graded.
@@ -40,7 +41,7 @@ FLAGS = {
 
 def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
-    from gripcourse.commands.grade import COHORT_PDF, GRADES_CSV, REPORTS
+    from gripcourse.commands.grade import GRADES_CSV, INCIDENTS, REPORTS
 
     rows = [
         (
@@ -63,16 +64,21 @@ def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
     )
     lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
-        f"{Path(one.file).name}: {words.say(flag.message)}"
+        f"{shown(Path(one.file).name)}: {words.say(flag.message)}"
         for one in outcome.reports
         for flag in one.flags
     ]
+    if outcome.cohort is None:
+        lines.append(words.say(message("The report on the batch could not be laid out.")))
+    incidents = out / INCIDENTS
     for said, place in (
         (message("Student reports"), out / REPORTS),
-        (message("Cohort summary"), out / COHORT_PDF),
+        (message("Cohort summary"), outcome.cohort),
         (message("Grades"), out / GRADES_CSV),
+        (message("Incidents, each with its trace"), incidents if incidents.exists() else None),
     ):
-        lines.append(f"{words.say(said)}: {place}")
+        if place is not None:
+            lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.shown import shown
 from gripcourse.words import Message, Texts, Words, message
 
 # rich costs 60 ms to import: only who prints a table or a bar pays.
@@ -148,7 +149,9 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
     said = message("{count} assignments are in {folder}.", count=len(whole), folder=str(out))
     lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
     lines += [
-        f"{one.student}: {words.say(fault)}" for one in issuing.handouts for fault in one.faults
+        f"{shown(one.student)}: {words.say(fault)}"
+        for one in issuing.handouts
+        for fault in one.faults
     ]
     return "\n".join(lines)
 
@@ -184,7 +187,7 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
     lines = []
     for check in found:
         sign = "✓" if check.ok else ("✗" if check.required else "–")
-        remedy = "" if check.ok else f" {words.say(check.remedy)}"
+        remedy = "" if check.ok else f". {words.say(check.remedy)}"
         lines.append(f"{sign} {words.say(check.message)}{remedy}")
     return "\n".join(lines)
 
@@ -219,7 +222,7 @@ def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[i
         table.add_column(Text(head), justify="right" if number in right else "left")
     for row in rows:
         # Text, not markup: what a student typed must not be read as a colour.
-        table.add_row(*(Text(cell) for cell in row))
+        table.add_row(*(Text(shown(cell)) for cell in row))
     # A file, not the terminal: the caller decides where it goes.
     console = Console(width=WIDTH, file=io.StringIO())
     with console.capture() as capture:

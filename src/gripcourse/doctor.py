@@ -6,26 +6,24 @@
 import shutil
 import sys
 import tempfile
-import warnings
 from collections.abc import Iterable
-from contextlib import redirect_stdout
 from dataclasses import dataclass
-from io import StringIO
 from pathlib import Path
 from pyexpat import version_info as expat_version
-from typing import Any
 
-from gripcourse.words import Message, message
+from gripcourse.fonts import (
+    FONT_PACKAGES,
+    font_remedy,
+    fonts_used,
+    install,
+    load_pango,
+    missing_font,
+)
+from gripcourse.translations import Fault, catalogue_file, read_translations
+from gripcourse.words import LANGUAGES, Message, message
 
 PYTHON_NEEDED = (3, 11)
 EXPAT_NEEDED = (2, 4)
-# The families that the style sheets name, each with the Debian package that brings it.
-FONT_PACKAGES = {
-    "PT Serif": "fonts-paratype",
-    "PT Sans": "fonts-paratype",
-    "DejaVu Serif": "fonts-dejavu-core",
-    "DejaVu Sans": "fonts-dejavu-core",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +36,7 @@ class Machine:
         pango: why the text layout library cannot be loaded; empty when it can.
         subsetting: whether the library that cuts fonts to the used letters was found.
         fonts: for each wanted family, the family that a document would really get.
+        translations: for each language, what is wrong with its sentences.
         office: the command that starts LibreOffice, None where there is none.
         folder: where results would be written.
         writable: whether a file could be made there.
@@ -48,6 +47,7 @@ class Machine:
     pango: str
     subsetting: bool
     fonts: tuple[tuple[str, str], ...]
+    translations: tuple[tuple[str, tuple[Fault, ...]], ...]
     office: str | None
     folder: Path
     writable: bool
@@ -79,14 +79,18 @@ def checks(folder: Path) -> tuple[Check, ...]:
 
 def look(folder: Path) -> Machine:
     """Observe what `assess` judges; a font is asked for the way a document asks for it."""
-    pango, library = _load_pango()
-    families = FONT_PACKAGES if library else ()
+    pango, library = load_pango()
     return Machine(
         python=tuple(sys.version_info[:3]),
         expat=expat_version,
         pango=pango,
         subsetting=library is not None and library.harfbuzz_subset is not None,
-        fonts=tuple((family, _family_used(library, family)) for family in families),
+        fonts=tuple(fonts_used(FONT_PACKAGES).items()),
+        translations=tuple(
+            (language, read_translations(catalogue_file(language), language).faults)
+            for language in LANGUAGES
+            if language != "en"
+        ),
         office=shutil.which("soffice") or shutil.which("libreoffice"),
         folder=folder,
         writable=_writable(folder),
@@ -101,6 +105,7 @@ def assess(machine: Machine) -> tuple[Check, ...]:
         _pango(machine),
         _subsetting(machine),
         *_fonts(machine.fonts),
+        *_translations(machine.translations),
         _office(machine),
         _folder(machine),
     )
@@ -138,7 +143,7 @@ def _pango(machine: Machine) -> Check:
         ok=not machine.pango,
         required=True,
         message=failed if machine.pango else found,
-        remedy=_install("libpango-1.0-0 libpangoft2-1.0-0"),
+        remedy=install("libpango-1.0-0 libpangoft2-1.0-0"),
     )
 
 
@@ -150,22 +155,67 @@ def _subsetting(machine: Machine) -> Check:
         ok=machine.subsetting,
         required=True,
         message=found if machine.subsetting else failed,
-        remedy=_install("libharfbuzz-subset0"),
+        remedy=install("libharfbuzz-subset0"),
     )
 
 
 def _fonts(fonts: Iterable[tuple[str, str]]) -> Iterable[Check]:
     for wanted, used in fonts:
         found = message("Font {family}", family=wanted)
-        failed = message("Font {family} is missing, {used} is used", family=wanted, used=used)
+        failed = missing_font(wanted, used)
         ok = wanted == used
         yield Check(
             name=f"font {wanted}",
             ok=ok,
             required=True,
             message=found if ok else failed,
-            remedy=_install(FONT_PACKAGES[wanted]),
+            remedy=font_remedy(wanted),
         )
+
+
+def _translations(found: Iterable[tuple[str, tuple[Fault, ...]]]) -> Iterable[Check]:
+    for language, faults in found:
+        whole = message("Sentences in the language {language} are whole", language=language)
+        for said in map(_translation_fault, faults or (None,)):
+            place = message("{language}.po: {fault}", language=language, fault=said)
+            yield Check(
+                name=f"translation {language}",
+                ok=not faults,
+                required=True,
+                message=whole if said is None else place,
+                remedy=message(
+                    "Until it is mended the English text stands there. Install gripcourse again; "
+                    "in a catalogue of your own, give every sentence the names in braces that the "
+                    "English one has."
+                ),
+            )
+
+
+def _translation_fault(fault: Fault | None) -> Message | None:
+    if fault is None:
+        return None
+    match fault.kind:
+        case "lost":
+            said = message("line {line} loses {places}", line=fault.line, places=fault.detail)
+        case "invented":
+            said = message(
+                "line {line} has {places}, which nobody gives", line=fault.line, places=fault.detail
+            )
+        case "braces":
+            said = message(
+                "line {line} has a brace that does not close: {text}",
+                line=fault.line,
+                text=fault.detail,
+            )
+        case "plural":
+            said = message(
+                "the plural forms are not those of the language: {forms}", forms=fault.detail
+            )
+        case "empty":
+            said = message("there is no sentence in it")
+        case "unreadable":
+            said = message("the catalogue cannot be read: {reason}", reason=fault.detail)
+    return said
 
 
 def _office(machine: Machine) -> Check:
@@ -176,7 +226,7 @@ def _office(machine: Machine) -> Check:
         ok=machine.office is not None,
         required=False,
         message=found if machine.office else failed,
-        remedy=_install("libreoffice-calc-nogui"),
+        remedy=install("libreoffice-calc-nogui"),
     )
 
 
@@ -192,38 +242,8 @@ def _folder(machine: Machine) -> Check:
     )
 
 
-def _install(packages: str) -> Message:
-    return message("On Debian: apt-get install {packages}", packages=packages)
-
-
 def _dotted(version: Iterable[int]) -> str:
     return ".".join(str(part) for part in version)
-
-
-def _load_pango() -> tuple[str, Any]:
-    """Load the libraries the way WeasyPrint does: (reason of failure or "", its bindings)."""
-    try:
-        # WeasyPrint prints advice of its own on standard output and warns; the check says it all.
-        with redirect_stdout(StringIO()), warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            # 450 ms that no other command should pay for.
-            from weasyprint.text import ffi  # noqa: PLC0415
-    except OSError as error:
-        return str(error), None
-    return "", ffi
-
-
-def _family_used(library: Any, family: str) -> str:  # noqa: ANN401 - WeasyPrint ships no types
-    """Ask Pango which font family a document gets that asks for `family`."""
-    ffi, pango, gobject = library.ffi, library.pango, library.gobject
-    fonts = ffi.gc(library.pangoft2.pango_ft2_font_map_new(), gobject.g_object_unref)
-    context = ffi.gc(pango.pango_font_map_create_context(fonts), gobject.g_object_unref)
-    free = pango.pango_font_description_free
-    wanted = ffi.gc(pango.pango_font_description_new(), free)
-    pango.pango_font_description_set_family(wanted, family.encode())
-    font = ffi.gc(pango.pango_font_map_load_font(fonts, context, wanted), gobject.g_object_unref)
-    used = ffi.gc(pango.pango_font_describe_with_absolute_size(font), free)
-    return str(ffi.string(pango.pango_font_description_get_family(used)).decode())
 
 
 def _writable(folder: Path) -> bool:

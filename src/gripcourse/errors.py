@@ -15,6 +15,7 @@ import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from gripcourse.shown import shown
 from gripcourse.words import Message, Words, message
 
 
@@ -41,8 +42,8 @@ class Problem:
         """Put the problem into words: place, fault, remedy, and the excerpt on lines below."""
         said = f"{words.say(self.what)} {words.say(self.remedy)}".strip()
         key = self.key if isinstance(self.key, str) else words.say(self.key)
-        line = ": ".join(part for part in (self.file, key, said) if part)
-        return f"{line}\n{self.excerpt}" if self.excerpt else line
+        line = ": ".join(part for part in (shown(self.file), shown(key), said) if part)
+        return f"{line}\n{shown(self.excerpt)}" if self.excerpt else line
 
 
 _SYSTEM = {

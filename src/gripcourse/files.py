@@ -5,11 +5,13 @@ operating system does in one step. What was there before stays until the new fil
 """
 
 import os
+import re
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+_TOKEN_BYTES = 4
 _PUBLIC = 0o666  # narrowed by the user's umask, as for any new file
 _PRIVATE = 0o600
 
@@ -65,9 +67,26 @@ def replacing(path: Path) -> Iterator[Path]:
         OSError: the folder cannot be made or the file cannot be renamed.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(4)}{path.suffix}")
+    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(_TOKEN_BYTES)}{path.suffix}")
     try:
         yield temporary
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def discard_unfinished(path: Path) -> None:
+    """Remove what a process that was killed left of its writing of `path`.
+
+    Args:
+        path: the file that was to be made; it stays as it is, and nobody else may be writing it.
+
+    Raises:
+        OSError: a file cannot be removed.
+    """
+    token = f"[0-9a-f]{{{2 * _TOKEN_BYTES}}}"
+    unfinished = re.compile(rf"\.{re.escape(path.stem)}\.{token}{re.escape(path.suffix)}")
+    if path.parent.is_dir():
+        for one in path.parent.iterdir():
+            if unfinished.fullmatch(one.name):
+                one.unlink(missing_ok=True)

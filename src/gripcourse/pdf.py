@@ -20,6 +20,7 @@ style sheets. A value that a template does not get is an error, never an empty p
 """
 
 import gc
+import traceback
 from base64 import b64encode
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -29,12 +30,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from gripcourse.errors import CourseError, Problem, UsageError
+from gripcourse.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol
+from gripcourse.shown import shown
 from gripcourse.units import unit_text
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.words import LANGUAGES, Words, message
 
 # Jinja2, Babel and WeasyPrint cost 40, 60 and 450 ms to import: only who makes a document pays.
 # ruff: noqa: PLC0415
@@ -77,8 +81,8 @@ def render_pdf(document: Document, templates: Path, words: Words) -> bytes:
         The bytes of the PDF file; equal for equal content.
 
     Raises:
-        jinja2.TemplateError: a template is missing, does not parse, or asks for a value it does
-            not get.
+        CourseError: a template is missing, does not parse, or asks for a value it does not get.
+        UsageError: this machine has no fonts.
         OSError: a style sheet cannot be read.
     """
     return pdf_from_html(render_html(document, templates, words), document.styles, templates)
@@ -86,8 +90,13 @@ def render_pdf(document: Document, templates: Path, words: Words) -> bytes:
 
 def render_html(document: Document, templates: Path, words: Words) -> str:
     """Fill the template of a document; see `render_pdf` for the arguments and the errors."""
-    environment = _environment(templates, words.language)
-    return environment.get_template(document.template).render(document.values)
+    from jinja2 import TemplateError
+
+    try:
+        template = template_environment(templates, words.language).get_template(document.template)
+        return template.render(document.values)
+    except TemplateError as error:
+        raise CourseError([template_problem(error, document.template, templates)]) from error
 
 
 def render_fitting(
@@ -174,9 +183,47 @@ def _mathml(box: Box, *, large: bool = False) -> "Markup":
     return Markup(mathml(box, large=large))  # noqa: S704 - see above
 
 
+def template_problem(error: Exception, name: str, templates: Path) -> Problem:
+    """Say what a designer has to mend, with the template and the line where it failed.
+
+    Args:
+        error: that parsing or filling a template raised.
+        name: of the template that was to be filled; it may have failed in another one.
+        templates: the folder of the course with the templates.
+    """
+    from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
+
+    found = traceback.extract_tb(error.__traceback__)
+    inside = [step for step in found if Path(step.filename).is_relative_to(templates)]
+    place, line = (inside[-1].filename, inside[-1].lineno) if inside else (templates / name, None)
+    what = message("The template fails: {reason}.", reason=_reason(error))
+    remedy = message("Mend what stands there; compare it with the reference course's template.")
+    match error:
+        case TemplateNotFound():
+            what = message("There is no template {name}.", name=str(error.name))
+            remedy = message("Correct the name, or copy the file from the reference course.")
+        case TemplateSyntaxError():
+            place, line = templates / (error.name or name), error.lineno
+        case UndefinedError():
+            remedy = message("Correct the name; it may be only the name of what stands before it.")
+    shown = f"{templates.name}/{Path(place).relative_to(templates).as_posix()}"
+    return Problem(shown, "" if line is None else f"line {line}", what, remedy)
+
+
+def _reason(error: Exception) -> str:
+    """Return what a library says, without the full stop that the sentence has."""
+    return (str(error) or type(error).__name__).rstrip(".")
+
+
+def _seen(value: object) -> object:
+    """Keep what no page can show out of it; what was made of formulas is known to be whole."""
+    return shown(value) if type(value) is str else value
+
+
 # One environment for each folder and language of a run.
 @lru_cache(maxsize=4 * len(LANGUAGES))
-def _environment(templates: Path, language: str) -> "Environment":
+def template_environment(templates: Path, language: str) -> "Environment":
+    """Return what every template of a folder gets whatever the document: see the list above."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     words = Words(language)
@@ -184,6 +231,7 @@ def _environment(templates: Path, language: str) -> "Environment":
         loader=FileSystemLoader(templates),
         autoescape=True,
         undefined=StrictUndefined,
+        finalize=_seen,
         trim_blocks=True,
         lstrip_blocks=True,
     )
@@ -206,6 +254,11 @@ def _environment(templates: Path, language: str) -> "Environment":
 def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
     from weasyprint.text.fonts import FontConfiguration
 
+    # Without any font Pango does not say so: it takes the whole process down.
+    if not any(fonts_used(FONT_PACKAGES).values()):
+        what = message("This machine has no font, so that no page can be laid out.")
+        remedy = message("gripcourse doctor names what is missing and how to install it.")
+        raise UsageError([Problem("", "", what, remedy)])
     return FontConfiguration()
 
 

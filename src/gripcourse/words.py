@@ -6,13 +6,13 @@ language.
 """
 
 import gettext
-import io
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from importlib.resources import files
 
 from gripcourse.number_text import format_number
+from gripcourse.shown import shown
+from gripcourse.translations import catalogue_file, read_translations
 
 LANGUAGES = ("en", "ru", "uk")
 
@@ -80,7 +80,7 @@ class Words:
             return value.of(self.language)
         if isinstance(value, float):
             return self.number(value)
-        return str(value)
+        return shown(str(value))
 
 
 @lru_cache(maxsize=len(LANGUAGES))
@@ -88,13 +88,4 @@ def _catalogue(language: str) -> gettext.NullTranslations:
     """Read `locale/<language>.po`; English is the language of the keys and has no catalogue."""
     if language == "en":
         return gettext.NullTranslations()
-    # Babel costs 60 ms to import: only a reader of another language pays for it.
-    from babel.messages.mofile import write_mo  # noqa: PLC0415
-    from babel.messages.pofile import read_po  # noqa: PLC0415
-
-    source = files("gripcourse") / "locale" / f"{language}.po"
-    compiled = io.BytesIO()
-    with source.open("rb") as stream:
-        write_mo(compiled, read_po(stream, locale=language))
-    compiled.seek(0)
-    return gettext.GNUTranslations(compiled)
+    return read_translations(catalogue_file(language), language).catalogue

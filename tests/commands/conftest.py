@@ -8,10 +8,10 @@ from typing import TypeAlias
 
 import pytest
 
-from gripcourse.assignment.issue import workbook_path
+from gripcourse.assignment.issue import issue_one, workbook_path
 from gripcourse.assignment.register import read_register, register_path
 from gripcourse.cohort.one import Desk
-from gripcourse.commands.issue import Issuing, Order, issue_order
+from gripcourse.commands.issue import IssueOne, Issuing, Order, issue_order
 from gripcourse.commands.students import Behaviour
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
@@ -42,10 +42,10 @@ class Classroom:
     policy: Policy
     order: Order
 
-    def issue(self, **changes: object) -> Issuing:
+    def issue(self, issue_one: IssueOne = issue_one, **changes: object) -> Issuing:
         """Issue by the order, or by one that differs; the register keeps what was issued."""
         order = replace(self.order, **changes)  # type: ignore[arg-type]
-        return issue_order(self.course, self.policy, order, 2, lambda _: None)
+        return issue_order(self.course, self.policy, order, 2, lambda _: None, issue_one=issue_one)
 
     @property
     def register(self) -> Mapping[str, Issued]:

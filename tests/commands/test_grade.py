@@ -18,7 +18,6 @@ from gripcourse.commands.grade import (
     find_files,
     grade,
     json_text,
-    student_pdf,
     write_results,
 )
 from gripcourse.commands.students import blank, correct, early_slip
@@ -186,14 +185,6 @@ class TestResults:
         assert "four_bar" in (out / "incidents.log").read_text(encoding="utf-8")
         made = {path.name for path in (out / "reports").iterdir()}
         assert made == {"s02.pdf", "s02-2.pdf", "s03.pdf"}
-
-    def test_a_failure_of_the_layout_is_told_and_not_raised(self, issued: "Classroom") -> None:
-        handed_in = issued.workbook("s01")
-        (graded,) = grade([handed_in], issued.desk, 1, nothing)
-        broken = replace(graded.report, options={"drive": "steam"})
-        trace = student_pdf(broken, issued.course, issued.policy, GRADED_ON)
-        assert isinstance(trace, str)
-        assert "Traceback" in trace
 
 
 class TestJson:

@@ -18,7 +18,7 @@ def broken(tmp_path: Path) -> Callable[..., Path]:
 
     def make(*edits: tuple[str, str, str]) -> Path:
         root = tmp_path / "course"
-        for folder in ("variants", "grader"):
+        for folder in ("variants", "grader", "templates"):
             shutil.copytree(REPOSITORY / folder, root / folder)
         for file, old, new in edits:
             text = (root / file).read_text(encoding="utf-8")

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from datetime import date
 from pathlib import Path
 
-import jinja2
 import pytest
 from pypdf import PdfReader
 
 from gripcourse.course.model import Course
+from gripcourse.errors import CourseError
 from gripcourse.formula.markup import html
 from gripcourse.formula.parse import parse
 from gripcourse.formula.typeset import symbol_box, typeset
@@ -91,8 +91,43 @@ def test_numbers_are_written_for_the_reader(templates: Path, document: Document)
 
 
 def test_a_missing_value_is_an_error_and_no_empty_place(templates: Path) -> None:
-    with pytest.raises(jinja2.UndefinedError, match="name"):
+    with pytest.raises(CourseError, match="'name' is undefined"):
         render_pdf(Document("plain.html.j2", (), {}), templates, Words("en"))
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "what"),
+    [
+        ("<p>\n{{ name }", "line 2", "unexpected '}'"),
+        ("<p>\n\n{% for x in name %}", "line 3", "'endfor'"),
+        ("{{ name | shout }}", "line 1", "No filter named 'shout'"),
+        ("\n{{ name.first.letter }}", "line 2", "has no attribute 'first'"),
+        ("\n\n{% include 'gone.html.j2' %}", "line 3", "There is no template gone.html.j2"),
+    ],
+)
+def test_a_template_that_fails_is_named_with_the_line(
+    templates: Path, source: str, line: str, what: str
+) -> None:
+    (templates / "broken.html.j2").write_text(source, encoding="utf-8")
+    with pytest.raises(CourseError) as caught:
+        render_html(Document("broken.html.j2", (), {"name": "Иван"}), templates, Words("en"))
+    (problem,) = caught.value.problems
+    assert problem.file == f"{templates.name}/broken.html.j2"
+    assert problem.key == line
+    assert what in str(problem.what)
+    assert str(problem.remedy)
+
+
+def test_a_part_that_fails_is_named_and_not_what_includes_it(templates: Path) -> None:
+    (templates / "part.html.j2").write_text("\n{{ nobody }}", encoding="utf-8")
+    (templates / "whole.html.j2").write_text("{% include 'part.html.j2' %}", encoding="utf-8")
+    with pytest.raises(CourseError, match=r"part\.html\.j2: line 2: .*nobody"):
+        render_html(Document("whole.html.j2", (), {}), templates, Words("en"))
+
+
+def test_a_document_without_its_template_is_told(templates: Path) -> None:
+    with pytest.raises(CourseError, match=r"There is no template gone\.html\.j2"):
+        render_html(Document("gone.html.j2", (), {}), templates, Words("en"))
 
 
 def test_a_changed_style_sheet_is_read_again(templates: Path, document: Document) -> None:

@@ -139,6 +139,16 @@ def _fault(student: str, path: Path, fault: Exception) -> Message:
 
 def _say(student: str, path: Path, problems: Sequence[Problem]) -> Message:
     first = problems[0]
+    if first.file and first.key:
+        return message(
+            "{file} of {student} was not written: {place}: {key}: {what} {remedy}",
+            file=path.name,
+            student=student,
+            place=first.file,
+            key=first.key,
+            what=first.what,
+            remedy=first.remedy,
+        )
     return message(
         "{file} of {student} was not written: {what} {remedy}",
         file=path.name,

@@ -1,24 +1,25 @@
 """Grading a batch: files in; reports, grades and what a person must look at out."""
 
 import json
-import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from datetime import date
-from multiprocessing import get_context
 from pathlib import Path
 
 from gripcourse.cohort.one import Desk
-from gripcourse.cohort.packed import pack, unpack
-from gripcourse.cohort.run import Graded, grade_files
-from gripcourse.course.model import Course
-from gripcourse.course.policy import Policy
+from gripcourse.cohort.run import Graded, grade_files, incident_number
+from gripcourse.cohort.workers import Lost, run_each
+from gripcourse.commands.student_reports import (
+    LayOut,
+    Printing,
+    cohort_pdf,
+    student_pdf,
+    write_reports,
+)
 from gripcourse.errors import Problem, UsageError
 from gripcourse.files import write_bytes, write_text
 from gripcourse.grading.model import Decision, Flag, Report
 from gripcourse.report.grades import grades_csv
-from gripcourse.solver.plan import make_plan
 from gripcourse.words import Message, Words, message
 
 # What people hand in as a workbook; a drawing or a note beside it is not ours to judge.
@@ -37,11 +38,13 @@ class Outcome:
     Attributes:
         reports: one per file, in order.
         written: the student reports, by file.
+        cohort: the cohort report, None where it could not be laid out.
         needs_person: whether something waits for a person.
     """
 
     reports: tuple[Report, ...]
     written: Mapping[str, Path]
+    cohort: Path | None
     needs_person: bool
 
 
@@ -74,52 +77,68 @@ def grade(
     return grade_files(files, desk, min(workers, len(files)), on_done)
 
 
-def write_results(
+def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     graded: Sequence[Graded],
     desk: Desk,
     out: Path,
     graded_on: date,
     workers: int,
     on_done: Callable[[Path], None],
+    *,
+    lay_out: LayOut = student_pdf,
 ) -> Outcome:
     """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
 
-    A report that cannot be laid out is an incident of that student; the others are written.
+    A report that cannot be laid out is an incident of that student; the others are written. So it
+    is with the cohort report: grades are never lost for it.
     """
-    laid_out = _lay_out([one.report for one in graded], desk, graded_on, workers, on_done)
-    written: dict[str, Path] = {}
-    reports: list[Report] = []
+    printing = Printing(desk.course, desk.policy, graded_on)
+    plain = [one.report for one in graded]
+    outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
+    reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
+    written = {
+        report.file: path
+        for report, path in zip(reports, outcomes, strict=True)
+        if isinstance(path, Path)
+    }
     incidents = [one.incident for one in graded if one.incident]
-    for report, pdf in laid_out:
-        if isinstance(pdf, str):
-            incidents.append(pdf)
-            reports.append(_with_incident(report))
-            continue
-        reports.append(report)
-        if pdf is not None:
-            written[report.file] = out / REPORTS / _pdf_name(report, written)
-            write_bytes(written[report.file], pdf)
-    write_grades(reports, desk, out, graded_on)
+    incidents += [
+        _told(one, f"report of {report.file}")
+        for report, one in zip(reports, outcomes, strict=True)
+        if isinstance(one, Lost)
+    ]
+    failed = write_grades(reports, desk, out, graded_on)
+    if failed is not None:
+        incidents.append(_told(failed, COHORT_PDF))
     if incidents:
         write_text(out / INCIDENTS, "\n".join(incidents))
     else:
         # Those of an earlier run into the same folder have been mended.
         (out / INCIDENTS).unlink(missing_ok=True)
-    return Outcome(tuple(reports), written, any(one.flags for one in reports))
+    cohort = None if failed is not None else out / COHORT_PDF
+    needs_person = cohort is None or any(one.flags for one in reports)
+    return Outcome(tuple(reports), written, cohort, needs_person)
 
 
-def write_grades(reports: Sequence[Report], desk: Desk, out: Path, graded_on: date) -> None:
-    """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report."""
-    from gripcourse.report.cohort import cohort_report  # noqa: PLC0415 (matplotlib, 400 ms)
+def write_grades(reports: Sequence[Report], desk: Desk, out: Path, graded_on: date) -> Lost | None:
+    """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
 
+    Returns:
+        Why the cohort report could not be laid out, None where it was.
+    """
     groups = {name: issued.student.group for name, issued in desk.register.items()}
     grades_csv(reports, out / GRADES_CSV, groups)
-    words = Words(desk.course.language)
-    write_text(out / GRADES_JSON, json_text(reports, words))
-    write_bytes(
-        out / COHORT_PDF,
-        cohort_report(reports, desk.policy, desk.course, words, graded_on),
+    write_text(out / GRADES_JSON, json_text(reports, Words(desk.course.language)))
+    printing = Printing(desk.course, desk.policy, graded_on)
+    ((_, pdf),) = run_each(
+        cohort_pdf, [tuple(reports)], printing, workers=1, seconds=printing.seconds
     )
+    if isinstance(pdf, Lost):
+        # An earlier one would say something else than the grades.
+        (out / COHORT_PDF).unlink(missing_ok=True)
+        return pdf
+    write_bytes(out / COHORT_PDF, pdf)
+    return None
 
 
 def json_text(reports: Sequence[Report], words: Words) -> str:
@@ -179,54 +198,19 @@ def _decision_json(decision: Decision | None) -> dict[str, object] | None:
     }
 
 
-def student_pdf(report: Report, course: Course, policy: Policy, graded_on: date) -> bytes | str:
-    """Lay out one student's report; the trace of the failure where that is not possible."""
-    from gripcourse.report.student import student_report  # noqa: PLC0415 (WeasyPrint, 450 ms)
-
-    words = Words(report.language or course.language)
-    try:
-        plan = make_plan(course, report.scheme, report.options)
-        return student_report(report, plan, policy, course, words, graded_on)
-    except Exception:  # noqa: BLE001 (ours: one student's incident, never a lost batch)
-        return f"report of {report.file}:\n{traceback.format_exc()}"
+def _told(lost: Lost, of: str) -> str:
+    return f"incident {incident_number(lost.trace)}: {of}\n{lost.trace}"
 
 
-def _packed_pdf(report: Report, packed: bytes) -> bytes | str:
-    course, policy, graded_on = unpack(packed)
-    return student_pdf(report, course, policy, graded_on)
-
-
-def _lay_out(
-    reports: Sequence[Report],
-    desk: Desk,
-    graded_on: date,
-    workers: int,
-    on_done: Callable[[Path], None],
-) -> list[tuple[Report, bytes | str | None]]:
-    laid_out: list[tuple[Report, bytes | str | None]] = []
-    context = get_context("spawn")
-    packed = pack((desk.course, desk.policy, graded_on))
-    with ProcessPoolExecutor(min(workers, max(len(reports), 1)), context) as pool:
-        jobs = [
-            pool.submit(_packed_pdf, report, packed) if report.scheme else None
-            for report in reports
-        ]
-        for report, job in zip(reports, jobs, strict=True):
-            laid_out.append((report, None if job is None else job.result()))
-            on_done(Path(report.file))
-    return laid_out
-
-
-def _with_incident(report: Report) -> Report:
-    said = message("The report could not be laid out; see the log of incidents.")
+def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
+    if not isinstance(outcome, Lost):
+        return report
+    said = message(
+        "The report could not be laid out (incident {number}): {reason}",
+        number=incident_number(outcome.trace),
+        reason=outcome.reason,
+    )
     return replace(report, flags=(*report.flags, Flag("report_incident", said)))
-
-
-def _pdf_name(report: Report, written: Mapping[str, Path]) -> str:
-    """Name a report after its student; a second file of a student gets a number."""
-    taken = {path.name for path in written.values()}
-    names = (f"{report.student}{suffix}.pdf" for suffix in ("", *(f"-{n}" for n in range(2, 1000))))
-    return next(name for name in names if name not in taken)
 
 
 def _is_workbook(path: Path) -> bool:

@@ -1,25 +1,34 @@
 """Issuing assignments: from a roster and a variant table to a folder per student."""
 
+import logging
 from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from datetime import date
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
+from typing import TypeAlias
 
 from gripcourse.assignment.allot import Terms, extend
-from gripcourse.assignment.issue import Desk, Handout, issue_one
+from gripcourse.assignment.issue import Desk, Handout, issue_one, sheet_path, workbook_path
 from gripcourse.assignment.register import read_register, register_path, write_register
 from gripcourse.assignment.roster import read_roster
 from gripcourse.assignment.signature import key_path, read_key
-from gripcourse.cohort.packed import pack, unpack
+from gripcourse.cohort.workers import Lost, run_each
 from gripcourse.course.model import Course
 from gripcourse.course.policy import Policy
+from gripcourse.files import discard_unfinished
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
-from gripcourse.words import Message
+from gripcourse.words import Message, message
+
+# A student's documents take about a second; a hundred times as much are no documents any more.
+SECONDS_PER_STUDENT = 120.0
+
+IssueOne: TypeAlias = Callable[[Desk, Issued], Handout]
+"""Writes one student's documents; it must be found by its name in another process."""
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,10 +63,13 @@ def issue_order(
     order: Order,
     workers: int,
     on_done: Callable[[str], None],
+    *,
+    issue_one: IssueOne = issue_one,
 ) -> Issuing:
     """Issue variants to everybody on the roster and write their documents.
 
     The register is written before any document: nothing is handed out that it does not know.
+    Documents that cannot be made are named in the handout of their student; the others are made.
 
     Args:
         course: its folder holds the key and the register.
@@ -65,6 +77,7 @@ def issue_order(
         order: what to issue.
         workers: how many processes lay out documents.
         on_done: called with each student's id.
+        issue_one: writes one student's documents.
 
     Raises:
         GripcourseError: the roster, the table, the register or the key cannot be used; nothing
@@ -79,23 +92,40 @@ def issue_order(
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     desk = Desk(course, policy, partial(make_plan, course), order.out)
-    return Issuing(_write(desk, entries, workers, on_done), extended.notes)
-
-
-def _issue_packed(entry: Issued, packed: bytes) -> Handout:
-    desk: Desk = unpack(packed)
-    return issue_one(desk, entry)
+    return Issuing(_write(desk, entries, workers, on_done, issue_one), extended.notes)
 
 
 def _write(
-    desk: Desk, entries: Sequence[Issued], workers: int, on_done: Callable[[str], None]
+    desk: Desk,
+    entries: Sequence[Issued],
+    workers: int,
+    on_done: Callable[[str], None],
+    issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
-    # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
-    with ProcessPoolExecutor(max(1, min(workers, len(entries))), get_context("spawn")) as pool:
-        packed = pack(desk)
-        jobs = {pool.submit(_issue_packed, entry, packed): entry.student.id for entry in entries}
-        done = {}
-        for job in as_completed(jobs):
-            done[jobs[job]] = job.result()
-            on_done(jobs[job])
-    return tuple(done[entry.student.id] for entry in entries)
+    done: dict[int, Handout] = {}
+    shared = (issue_one, desk)
+    jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
+    for number, handout in jobs:
+        entry = entries[number]
+        done[number] = _lost(desk, entry, handout) if isinstance(handout, Lost) else handout
+        on_done(entry.student.id)
+    return tuple(done[number] for number in range(len(entries)))
+
+
+def _issue(entry: Issued, shared: tuple[IssueOne, Desk]) -> Handout:
+    issue_one, desk = shared
+    return issue_one(desk, entry)
+
+
+def _lost(desk: Desk, entry: Issued, lost: Lost) -> Handout:
+    """Name what failed on our side; what was finished before stays, nothing half-written does."""
+    student = entry.student.id
+    for path in (sheet_path(desk.out, student), workbook_path(desk.out, student)):
+        discard_unfinished(path)
+    _log.error("documents of student %s: %s", student, lost.trace)
+    said = message(
+        "The documents of {student} could not be made: {reason}",
+        student=student,
+        reason=lost.reason,
+    )
+    return Handout(student, (), (said,))

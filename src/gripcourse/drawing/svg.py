@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
 from gripcourse.drawing.text import FONT_FAMILY
+from gripcourse.shown import shown
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -33,7 +34,7 @@ def svg_text(document: "Drawing", width_mm: float, height_mm: float, title: str)
     picture = picture_of(document, height_mm)
     width, height = number(width_mm), number(height_mm)
     size = f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}"'
-    label = _clean(title)
+    label = shown(title)
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} role="img" aria-label={quoteattr(label)}>',
         f'<title>{escape(label)}</title><rect width="{width}" height="{height}" fill="#fff"/>',
@@ -57,8 +58,3 @@ def _path(stroke: "Stroke", data: Sequence[str]) -> str:
     dashes = " ".join(number(one) for one in stroke.dashes)
     dashed = f' stroke-dasharray="{dashes}"' if dashes else ""
     return f'<path stroke-width="{number(stroke.width)}"{dashed} d="{"".join(data)}"/>'
-
-
-def _clean(text: str) -> str:
-    """Return a text without signs that XML cannot hold."""
-    return "".join(one if one.isprintable() else " " for one in text)

@@ -21,6 +21,7 @@ from ezdxf.path import from_hatch, make_path
 from gripcourse.drawing.hatch import hatch_lines
 from gripcourse.drawing.svg import number
 from gripcourse.drawing.text import CAP_HEIGHT, Point, read_text
+from gripcourse.shown import shown
 
 _ANCHORS = ("start", "middle", "end", "start", "middle", "start")  # by DXF's horizontal alignment
 _COLUMNS = ("start", "middle", "end")  # by an MTEXT's attachment point
@@ -194,7 +195,7 @@ def _words(line: _Line, height: float) -> str:
     anchor = f' text-anchor="{line.anchor}"' if line.anchor != _COLUMNS[0] else ""
     place = f'x="{number(x)}" y="{number(y + line.drop * line.size)}"'
     size = number(line.size / CAP_HEIGHT)
-    return f'<text {place} font-size="{size}"{anchor}{change}>{escape(line.text)}</text>'
+    return f'<text {place} font-size="{size}"{anchor}{change}>{escape(shown(line.text))}</text>'
 
 
 def _chain(points: Sequence[Point], height: float) -> str:

@@ -96,9 +96,18 @@ def pages(course: Course, words: Words) -> dict[str, str]:
         words: the language of the pages; titles stand in the other languages too.
 
     Raises:
-        jinja2.TemplateError: a template is missing or cannot be filled.
+        CourseError: a template is missing or cannot be filled.
         OSError: the style sheet cannot be read.
     """
+    templates = course.root / "templates"
+    return {
+        name: render_html(document, templates, words)
+        for name, document in page_documents(course, words).items()
+    }
+
+
+def page_documents(course: Course, words: Words) -> dict[str, Document]:
+    """Return what every page is made of by the name of its file; see `pages`."""
     style = (course.root / "templates" / "style" / STYLE).read_text(encoding="utf-8")
     contents = [content_of(course, scheme) for scheme in course.schemes.values()]
     common: dict[str, object] = {
@@ -107,18 +116,16 @@ def pages(course: Course, words: Words) -> dict[str, str]:
         "schemes": [_listed(content, words.language) for content in contents],
     }
 
-    def page(template: str, values: Mapping[str, object]) -> str:
-        return render_html(
-            Document(template, (), {**common, **values}), course.root / "templates", words
-        )
+    def page(template: str, values: Mapping[str, object]) -> Document:
+        return Document(template, (), {**common, **values})
 
-    written = {
+    made = {
         f"{content.scheme.id}.html": page(_SCHEME, scheme_values(content, words))
         for content in contents
     }
-    written["index.html"] = page(_INDEX, index_values(course, words))
-    written["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
-    return written
+    made["index.html"] = page(_INDEX, index_values(course, words))
+    made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
+    return made
 
 
 def index_values(course: Course, words: Words) -> dict[str, object]:

@@ -99,16 +99,23 @@ def case_values(row: AtlasRow, plan: Plan) -> tuple[float, float]:
 
 def atlas_pdf(atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Words) -> bytes:
     """Make the atlas as a PDF file: its figures and its table of cases."""
+    content = atlas_values(atlas, drawn, course, words)
+    return render_pdf(Document(TEMPLATE, STYLES, content), course.root / "templates", words)
+
+
+def atlas_values(
+    atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs; see `atlas_pdf`."""
     scheme = course.schemes[atlas.scheme]
     plan = make_plan(course, atlas.scheme, default_options(scheme))
-    content = {
+    return {
         "course": course.title.of(words.language),
         "title": atlas.title.of(words.language),
         "work": course.works[atlas.work].title.of(words.language),
         "plates": [(one.number, one.title, picture(one.svg)) for one in drawn],
         "cases": list(_cases(atlas, plan, words)),
     }
-    return render_pdf(Document(TEMPLATE, STYLES, content), course.root / "templates", words)
 
 
 def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Words) -> str:

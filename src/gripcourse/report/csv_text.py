@@ -4,6 +4,8 @@ import csv
 import io
 from collections.abc import Iterable, Sequence
 
+from gripcourse.shown import shown
+
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -23,4 +25,5 @@ def number_cell(value: float) -> str:
 
 def text_cell(text: str) -> str:
     """Keep a spreadsheet program from running a text as a formula."""
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
+    seen = shown(text)
+    return f"'{seen}" if seen.startswith(_FORMULA_STARTS) else seen

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.pdf import day_text
+from gripcourse.shown import shown
 from gripcourse.solver.plan import Plan
 from gripcourse.variants.model import Issued
 from gripcourse.words import Words, message
@@ -91,7 +92,7 @@ def _write_particulars(
     ]
     for row, (label, value) in enumerate(pairs, start=IDENTITY):
         sheet.write_string(row, 0, label[:1].upper() + label[1:], styles.label)
-        sheet.write_string(row, _TEXT_COLUMN, value or "—", styles.particular)
+        sheet.write_string(row, _TEXT_COLUMN, shown(value) or "—", styles.particular)
 
 
 def _write_guidance(sheet: "Worksheet", cover: Cover, words: Words, styles: Styles) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
 from gripcourse.formula.typeset import symbol_box
+from gripcourse.shown import shown
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -188,6 +189,6 @@ def set_page(sheet: "Worksheet", left: str, right: str, *, landscape: bool = Fal
 
 def _header_text(text: str, longest: int) -> str:
     """Write text into a page header, where `&` begins a code and `&&` is the sign itself."""
-    written = text.replace("&", "&&")[:longest]
+    written = shown(text).replace("&", "&&")[:longest]
     half_cut = (len(written) - len(written.rstrip("&"))) % 2
     return written[: len(written) - half_cut]
