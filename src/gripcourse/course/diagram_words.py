@@ -155,6 +155,5 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "diameter": _single(at=_POINT, diameter=_LENGTH, turn=_ANGLE, quantity=_SYMBOL,
                         long=_number(6)),
     "letter": _single(at=_POINT, quantity=_SYMBOL),
-    "end_view": _single(at=_POINT, count=_number(3), shift=_number(30),
-                        quantity=Role(Sort.QUANTITY, "")),
+    "end_view": _single(count=_number(3), quantity=Role(Sort.QUANTITY, "")),
 }  # fmt: skip

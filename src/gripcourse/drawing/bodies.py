@@ -83,8 +83,11 @@ def coil(shape: Shape) -> Iterator[Mark]:
 
 
 def end_view(shape: Shape) -> Iterator[Mark]:
-    """Draw how many jaws stand round the object, seen along the gripper's axis."""
-    centre = (shape.at[0] + shape.numbers["shift"], shape.at[1])
+    """Draw how many jaws stand round the object, seen along the gripper's axis.
+
+    Round the origin: where there is room for it shows when everything else is drawn.
+    """
+    centre = (0.0, 0.0)
     radius, count = 6.0, round(shape.numbers["count"])
     yield circle(centre, radius, LineKind.OUTLINE)
     for k in range(count):

@@ -58,6 +58,8 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "letter": measures.letter,
 }
 
+_SEEN_ALONG: Final = "end_view"  # the kind of element that stands apart from all others
+_APART: Final = 8.0  # mm of paper between it and them
 _MARGIN: Final = 0.6
 _AXIS: Final = 3.0  # how far the gripper's axis reaches beyond everything
 _STILL: Final = 1e-6  # mm of paper
@@ -105,8 +107,10 @@ def lay_out(
     if not is_placed(stops.values()):
         return None
     found = None
-    for scale in _thinkable(stops, widest):
+    views = any(one.kind == _SEEN_ALONG for one in diagram.elements)
+    for scale, beside in product(_thinkable(stops, widest), (True, False) if views else (True,)):
         marks = _marks(plan, diagram, stops, scale, language)
+        marks += _seen_along(plan, diagram, stops, scale, language, bounds(marks), beside=beside)
         size = bounds(marks)
         if size.right - size.left > widest or size.high - size.low > HIGHEST:
             continue
@@ -154,7 +158,7 @@ def _marks(
     """Return everything that is drawn at a scale; the main position comes last, over the other."""
     drawn: dict[bool, list[Mark]] = {False: [], True: []}
     for element in diagram.elements:
-        if element.is_drawn(plan.options):
+        if element.kind != _SEEN_ALONG and element.is_drawn(plan.options):
             for shape in _shapes(element, plan, stops, scale, language):
                 drawn[shape.is_main] += _everywhere(shape)
     marks = [mark for is_main in drawn for mark in cut_under(drawn[is_main])]
@@ -163,6 +167,30 @@ def _marks(
         ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)
         marks.append(Path(ends, LineKind.CENTRE))
     return marks
+
+
+def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
+    plan: Plan,
+    diagram: Diagram,
+    stops: Mapping[str, Stop],
+    scale: float,
+    language: str,
+    others: Box,
+    *,
+    beside: bool,
+) -> list[Mark]:
+    """Return the views along the axis, on the axis or below everything else."""
+    found: list[Mark] = []
+    for element in diagram.elements:
+        if element.kind == _SEEN_ALONG and element.is_drawn(plan.options):
+            for shape in _shapes(element, plan, stops, scale, language):
+                marks = list(SYMBOLS[element.kind](shape))
+                size = bounds(marks)
+                right = others.right + _APART - size.left
+                middle, below = (others.left + others.right) / 2, others.low - _APART - size.high
+                at = (right, 0.0) if beside else (middle, below)
+                found += [shifted(mark, *at) for mark in marks]
+    return found
 
 
 def _shapes(

@@ -132,7 +132,7 @@ def covered_length(box: Box, lines: Lines) -> float:
 
 def _best(letter: Letter, lines: Lines, sheet: Box, others: Sequence[Written]) -> Written:
     base, _, below = letter.symbol.partition("_")
-    offset = text_width(base, TEXT_HEIGHT) + 0.2
+    offset = text_width(base, TEXT_HEIGHT)
     width = offset + (text_width(below, SUBSCRIPT) if below else 0.0)
     depth = DROP + 0.5 if below else _DESCENT
     size = (width, TEXT_HEIGHT + depth)

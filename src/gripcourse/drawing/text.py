@@ -2,11 +2,12 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ezdxf.entities.text import Text
-    from ezdxf.fonts.fonts import AbstractFont
+    from ezdxf.fonts.fonts import TrueTypeFont
     from ezdxf.layouts.base import BaseLayout
 
 Point = tuple[float, float]
@@ -14,6 +15,8 @@ Point = tuple[float, float]
 FONT_FILE = "PTS55F.ttf"
 FONT_FAMILY = "PT Sans"
 CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
+_SECOND_FILE = "DejaVuSans.ttf"  # for what the first lacks: Greek letters
+_SECOND_CAP_HEIGHT = 0.729
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters
@@ -127,7 +130,15 @@ def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
 
 def text_width(text: str, height: float) -> float:
     """Return how wide a line is whose capital letters are `height` high, mm."""
-    return _font().text_width_ex(text, cap_height=height)
+    first, second = _font(FONT_FILE), _font(_SECOND_FILE)
+    of_second = height / CAP_HEIGHT * _SECOND_CAP_HEIGHT
+    known = _letters(FONT_FILE)
+    return sum(
+        first.text_width_ex("".join(run), cap_height=height)
+        if has_glyphs
+        else second.text_width_ex("".join(run), cap_height=of_second)
+        for has_glyphs, run in groupby(text, key=lambda letter: ord(letter) in known)
+    )
 
 
 def one_line(text: str) -> str:
@@ -163,8 +174,17 @@ def read_text(entity: "Text") -> str:
     return decode_dxf_unicode(plain_text(entity.dxf.text))
 
 
-@lru_cache(maxsize=1)
-def _font() -> "AbstractFont":
-    from ezdxf.fonts.fonts import make_font  # noqa: PLC0415 (0.3 s: only who draws pays for it)
+@lru_cache(maxsize=2)
+def _font(file: str) -> "TrueTypeFont":
+    from ezdxf.fonts.fonts import TrueTypeFont  # noqa: PLC0415 (0.3 s: only who draws pays for it)
 
-    return make_font(FONT_FILE, 1.0)
+    return TrueTypeFont(file, 1.0)
+
+
+@lru_cache(maxsize=1)
+def _letters(file: str) -> frozenset[int]:
+    """Return the codes of the letters that a font has."""
+    # 0.3 s: only who draws pays for it
+    from ezdxf.fonts.fonts import font_manager  # noqa: PLC0415
+
+    return frozenset(font_manager.get_ttf_font(file).getBestCmap())
