@@ -345,6 +345,11 @@ class TestWrongUse:
         out = tmp_path / "file" / "drawn.csv"
         refused(gripcourse("variants", "draw", "--count", 1, "--seed", 1, "--out", out), "file")
 
+    def test_one_file_is_not_written_twice(self, gripcourse: Command, tmp_path: Path) -> None:
+        run = gripcourse("solve", "001", "--pdf", "--xlsx", "--out", "solution.pdf")
+        refused(run, "--out", "two documents")
+        assert left_behind(tmp_path) == set()
+
     def test_the_demo_never_removes_what_it_did_not_make(
         self, gripcourse: Command, tmp_path: Path
     ) -> None:

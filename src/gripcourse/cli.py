@@ -108,6 +108,11 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
         solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
+    if pdf and xlsx and out is not None:
+        raise cli_text.misuse(
+            message("--out names one file for two documents."),
+            message("Ask for one of them, or leave --out out."),
+        )
     words = Words(document_language(language, loaded.language))
     if pdf:
         typer.echo(str(command.write_solution(solved, out, words)))
