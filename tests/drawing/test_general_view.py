@@ -225,7 +225,7 @@ def test_a_drawing_is_the_same_each_time(draw: "Draw") -> None:
 
 
 def test_what_the_options_do_not_bring_is_not_drawn(course: Course, draw: "Draw") -> None:
-    drawn = draw("002")
+    drawn = draw("033")
     view = course.schemes["rack_parallelogram"].view
     assert view is not None
     declared = {part.id for part in view.parts}

@@ -15,7 +15,7 @@ from gripcourse.drawing.marks import (
     Point,
     Ring,
     circle,
-    cut_at_rings,
+    cut_under,
     mirrored,
 )
 
@@ -86,13 +86,13 @@ def test_an_axis_under_a_symbol_counts_less() -> None:
 
 def test_a_rod_ends_at_the_ring_of_its_joint() -> None:
     rod, ring = path((0, 0), (10, 0), under=True), Ring((0.0, 0.0), 1.0, LineKind.OUTLINE)
-    cut = [mark for mark in cut_at_rings([rod, ring]) if isinstance(mark, Path)]
+    cut = [mark for mark in cut_under([rod, ring]) if isinstance(mark, Path)]
     assert [mark.points for mark in cut] == [((1.0, 0.0), (10.0, 0.0))]
 
 
 def test_a_rod_through_a_joint_is_cut_in_two() -> None:
     rod, ring = path((0, 0), (10, 0), under=True), Ring((5.0, 0.0), 1.0, LineKind.OUTLINE)
-    cut = [mark for mark in cut_at_rings([rod, ring]) if isinstance(mark, Path)]
+    cut = [mark for mark in cut_under([rod, ring]) if isinstance(mark, Path)]
     assert len(cut) == 2
     assert sum(math.dist(*mark.points) for mark in cut) == pytest.approx(8)
 

@@ -64,7 +64,13 @@ def test_the_group_is_taken_from_the_roster(perfect: Report) -> None:
     assert rows(grades_text([perfect]))[0]["group"] == ""
 
 
-@pytest.mark.parametrize("start", ["=", "+", "-", "@", "\t", "\r"])
+def test_a_carriage_return_is_shown_and_begins_no_cell(perfect: Report) -> None:
+    """Some programs take what follows one for a formula."""
+    report = replace(perfect, name="\r=1+1")
+    assert rows(grades_text([report]))[0]["name"] == "\ufffd=1+1"
+
+
+@pytest.mark.parametrize("start", ["=", "+", "-", "@", "\t"])
 def test_a_text_cannot_become_a_formula(perfect: Report, start: str) -> None:
     hostile = f"{start}cmd|' /C calc'!A0"
     report = replace(perfect, name=hostile, file=hostile, student=hostile, variant=hostile)

@@ -21,6 +21,8 @@ from gripcourse.virtual.arithmetic import DISPLAY, Array, Hand
 from gripcourse.virtual.calculation import calculate
 from gripcourse.virtual.model import Mix
 
+_MOST_ZEROS = 16  # no number has more digits
+
 
 @dataclass(frozen=True, slots=True)
 class Expected:
@@ -169,10 +171,7 @@ def _every(hands: Hand, variants: int) -> Hand:
 def _reaches(
     plan: Plan, typed: Mapping[str, Array], hand: Hand, policy: Policy
 ) -> Iterator[tuple[str, Array]]:
-    """Yield how far the number behind a typed one may be; as `grading.rounding`, for arrays.
-
-    The last digit of a whole number is taken to be its ones, whatever zeros it ends with.
-    """
+    """Yield how far the number behind a typed one may be; as `grading.rounding`, for arrays."""
     for name, values in typed.items():
         quantity = plan.quantities[name]
         if quantity.kind is not Kind.FORMULA or quantity.integer:
@@ -180,5 +179,13 @@ def _reaches(
         known = np.isfinite(values) & (values != 0)
         power = np.floor(np.log10(np.where(known, np.abs(values), 1.0)))
         last = np.minimum(np.minimum(power - hand.figures + 1, 0.0), power - policy.figures + 1)
+        whole = known & (power >= hand.figures)
+        last = np.where(whole, np.maximum(last, _before_zeros(values, power, policy.figures)), last)
         reach = np.where(known, policy.last_digit * 10.0**last, 0.0)
         yield name, reach * factor(quantity.unit)
+
+
+def _before_zeros(values: Array, power: Array, figures: int) -> Array:
+    """Return the power of ten of the last digit of whole numbers before the zeros at their end."""
+    zeros = sum((values % 10.0**k == 0).astype(np.float64) for k in range(1, _MOST_ZEROS))
+    return power - np.maximum(power + 1 - zeros, figures) + 1
