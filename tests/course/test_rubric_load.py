@@ -120,7 +120,7 @@ def test_a_fault_of_a_rubric_is_told_with_file_and_key(
 def test_a_rubric_without_lines_is_refused_by_validate(draft: "Draft", lines: str) -> None:
     title = 'title = { en = "Drawing", ru = "Чертёж", uk = "Креслення" }'
     draft.put(RUBRIC, f"{title}\n{lines}".encode())
-    (problem,) = all_problems(draft.root)
+    (problem,) = (one for one in all_problems(draft.root) if one.file == RUBRIC)
     assert (problem.file, problem.key) == (RUBRIC, "line")
     assert str(problem.what) == "The rubric has no lines."
     assert "[[line]]" in str(problem.remedy)

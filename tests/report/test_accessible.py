@@ -177,7 +177,7 @@ def test_numbers_and_formulas_can_be_searched_as_the_language_writes_them(
     assert not re.search(r"\d\.\d", text)
     assert not re.search(r"[=(·] ?-\d", text)
     if kind == "solution":
-        assert "200\u202f000" in text
+        assert re.search(r"200\s000", text)  # readers differ in what they make of a thin space
         assert "−" in text
         assert "√" in text
         assert re.search(r"arcsin", text)

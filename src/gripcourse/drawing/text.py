@@ -24,6 +24,7 @@ _WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
 _WIDE_ENOUGH = 0.6  # of their width: such letters are still read well
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
+_END = "|"
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +172,8 @@ def read_text(entity: "Text") -> str:
     from ezdxf.lldxf.encoding import decode_dxf_unicode  # noqa: PLC0415
     from ezdxf.tools.text import plain_text  # noqa: PLC0415
 
-    return decode_dxf_unicode(plain_text(entity.dxf.text))
+    # The library takes a caret at the very end for half a code and drops it.
+    return decode_dxf_unicode(plain_text(entity.dxf.text + _END).removesuffix(_END))
 
 
 @lru_cache(maxsize=2)
