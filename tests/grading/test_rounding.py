@@ -42,14 +42,18 @@ class TestTypedNumbers:
         self, policy: Policy, read_answer: ReadAnswer
     ) -> None:
         whole = replace(read_answer("grip_force", 102000.0), half_unit=0.5, figures=3)
-        assert reach_of(whole, replace(policy, last_digit=0.5)) == pytest.approx(500)
+        assert reach_of(whole, replace(policy, last_digit=0.5)) == pytest.approx((500, 500))
         exact = replace(read_answer("grip_force", 102345.0), half_unit=0.5, figures=6)
-        assert reach_of(exact, replace(policy, last_digit=0.5)) == pytest.approx(0.5)
+        assert reach_of(exact, replace(policy, last_digit=0.5)) == pytest.approx((0.5, 0.5))
 
     def test_a_number_may_have_been_cut_off(self, policy: Policy, typed: Typed) -> None:
         answer = typed("jaw_travel", 12.345, 4)
-        assert reach_of(answer, replace(policy, last_digit=1.0)) == pytest.approx(0.01)
-        assert reach_of(answer, replace(policy, last_digit=0.5)) == pytest.approx(0.005)
+        below, above = reach_of(answer, replace(policy, last_digit=1.0))
+        assert (below, above) == pytest.approx((0.005, 0.01))
+        negative = typed("jaw_travel", -12.345, 4)
+        assert reach_of(negative, replace(policy, last_digit=1.0)) == (above, below)
+        rounded = reach_of(answer, replace(policy, last_digit=0.5))
+        assert rounded == pytest.approx((0.005, 0.005))
 
 
 class TestRanges:

@@ -82,8 +82,12 @@ def follow(
     evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
     reaches = {
-        name: reach_of(answers[name], policy) * factor(plan.quantities[name].unit)
+        name: (
+            below * factor(plan.quantities[name].unit),
+            above * factor(plan.quantities[name].unit),
+        )
         for name in kept
+        for below, above in [reach_of(answers[name], policy)]
         if plan.quantities[name].kind not in _EXACT and not plan.quantities[name].integer
     }
     known = inputs | kept | stand_in
@@ -119,10 +123,10 @@ def _moved(
     plan: Plan,
     evaluation: Evaluation,
     known: Mapping[str, float],
-    reaches: Mapping[str, float],
+    reaches: Mapping[str, tuple[float, float]],
 ) -> Evaluation:
     """Evaluate the plan with each typed number at both ends of its range, one at a time."""
-    moving = [name for name, reach in reaches.items() if reach > 0]
+    moving = [name for name, reach in reaches.items() if max(reach) > 0]
     worlds: dict[str, float | NDArray[np.float64]] = dict(known)
     # A size that nobody wrote down is not moved to the next entry of the series by a last digit.
     worlds |= {
@@ -132,8 +136,8 @@ def _moved(
     }
     for number, name in enumerate(moving):
         values = np.full(1 + 2 * len(moving), known[name])
-        values[1 + 2 * number] -= reaches[name]
-        values[2 + 2 * number] += reaches[name]
+        values[1 + 2 * number] -= reaches[name][0]
+        values[2 + 2 * number] += reaches[name][1]
         worlds[name] = values
     return evaluate(plan, worlds)
 

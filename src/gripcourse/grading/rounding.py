@@ -8,15 +8,23 @@ from gripcourse.submission.model import Answer
 _MORE = 5.0  # a digit more is ten times; binary fractions are not exact
 
 
-def reach_of(answer: Answer, policy: Policy) -> float:
-    """Return how far the number behind an answer may be from the typed one, in the declared unit.
+def reach_of(answer: Answer, policy: Policy) -> tuple[float, float]:
+    """Return how far below and above a typed number the one behind it may be, in the declared unit.
 
-    A spreadsheet drops the zeros of 5.00, so that a short number is no proof of a coarse one: a
-    number counts as written with at least the figures that the policy asks for. But the zeros at
-    the end of 102000 may only hold the place of digits that were rounded away.
+    Rounding moves a number by half a unit of its last digit at most; cutting off moves it by up to
+    a whole one, but only towards zero. A spreadsheet drops the zeros of 5.00, so that a short
+    number is no proof of a coarse one: a number counts as written with at least the figures that
+    the policy asks for. But the zeros at the end of 102000 may only hold the place of lost digits.
     """
     half_unit = max(typed_half_unit(answer, policy), without_zeros(answer, policy))
-    return 2 * policy.last_digit * half_unit
+    nearer, further = half_unit * inward(policy), 2 * policy.last_digit * half_unit
+    is_negative = answer.value is not None and answer.value < 0
+    return (further, nearer) if is_negative else (nearer, further)
+
+
+def inward(policy: Policy) -> float:
+    """Return how much nearer to zero a number may be than typed, in halves of its last unit."""
+    return min(2 * policy.last_digit, 1.0)
 
 
 def typed_half_unit(answer: Answer, policy: Policy) -> float:

@@ -14,6 +14,7 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
+from gripcourse.grading.rounding import inward
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate
 from gripcourse.units import factor
@@ -45,7 +46,9 @@ class Honest:
         typed: what was typed by quantity, in declared units, shape (n,).
         reference: reference values, likewise.
         known: what the grader computes with: issued values, constants, what was typed; SI.
-        reach: how far the number behind a typed one may be, SI, of what was computed.
+        reach: how far the number behind a typed one may be further from zero, SI, of what was
+            computed.
+        nearer: the share of it by which that number may be nearer to zero.
         ways: how many ways of working; the students of one variant stand together.
         coarse: the way of working that writes the fewest figures and cuts the others off.
         figures: that it writes.
@@ -56,6 +59,7 @@ class Honest:
     reference: Mapping[str, Array]
     known: Values
     reach: Values
+    nearer: float
     ways: int
     coarse: int
     figures: int
@@ -99,14 +103,20 @@ class Honest:
             if name in self.reach:
                 ends = [
                     np.nan_to_num(self.value(quantity, formula, {name: end}) - base)
-                    for end in (
-                        self.known[name] - self.reach[name],
-                        self.known[name] + self.reach[name],
-                    )
+                    for end in self._ends(name)
                 ]
                 down = down + np.minimum(np.minimum(*ends), 0.0)
                 up = up + np.maximum(np.maximum(*ends), 0.0)
         return Expected(base, base + down, base + up)
+
+    def _ends(self, name: str) -> tuple[Array, Array]:
+        """Return the lowest and the highest number that may be behind a typed one, SI."""
+        known, reach = self.known[name], self.reach[name]
+        nearer = self.nearer * reach
+        return (
+            known - np.where(known < 0, reach, nearer),
+            known + np.where(known < 0, nearer, reach),
+        )
 
 
 def hands_of(mix: Mix) -> Hand:
@@ -151,6 +161,7 @@ def work_honestly(
         reference={name: reference[name] / factor(plan.quantities[name].unit) for name in typed},
         known=evaluate(plan, inputs | answered).values,
         reach=dict(_reaches(plan, typed, every, policy)),
+        nearer=inward(policy) / (2 * policy.last_digit) if policy.last_digit else 1.0,
         ways=ways,
         coarse=int(np.argmin(hands.figures - 0.5 * hands.cuts)),
         figures=int(hands.figures.min()),
@@ -187,5 +198,6 @@ def _reaches(
 
 def _before_zeros(values: Array, power: Array, figures: int) -> Array:
     """Return the power of ten of the last digit of whole numbers before the zeros at their end."""
-    zeros = sum((values % 10.0**k == 0).astype(np.float64) for k in range(1, _MOST_ZEROS))
+    powers = 10.0 ** np.arange(1, _MOST_ZEROS)
+    zeros: Array = (values[..., np.newaxis] % powers == 0).sum(axis=-1).astype(np.float64)
     return power - np.maximum(power + 1 - zeros, figures) + 1
