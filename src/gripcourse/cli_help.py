@@ -5,6 +5,7 @@ words what they show, and turn what the parser refuses into a `UsageError` like 
 """
 
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,10 +40,8 @@ class SpokenCommand(TyperCommand):
         Raises:
             UsageError: it cannot be used.
         """
-        try:
+        with _refusals_told(ctx):
             left = super().parse_args(ctx, args)
-        except typer.TyperException as error:
-            raise UsageError([_refused(error, ctx)]) from error
         if left and not ctx.resilient_parsing:
             what = message("There is no place for '{text}'.", text=" ".join(left))
             raise UsageError([Problem("", "", what, _see_help(ctx))])
@@ -62,10 +61,8 @@ class SpokenGroup(TyperGroup):
         Raises:
             UsageError: it cannot be used.
         """
-        try:
+        with _refusals_told(ctx):
             return super().parse_args(ctx, args)
-        except typer.TyperException as error:
-            raise UsageError([_refused(error, ctx)]) from error
 
     def resolve_command(
         self, ctx: "Context", args: list[str]
@@ -99,6 +96,15 @@ def command_group(text: str) -> typer.Typer:
     )
     made.callback()(_alone)
     return made
+
+
+@contextmanager
+def _refusals_told(context: "Context") -> Iterator[None]:
+    """Turn what the parser refuses into an error like any other."""
+    try:
+        yield
+    except typer.TyperException as error:
+        raise UsageError([_refused(error, context)]) from error
 
 
 def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # noqa: ARG001

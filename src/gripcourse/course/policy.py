@@ -90,8 +90,8 @@ class Policy:
         carried_credit: share of the points for what follows from the student's own numbers.
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
-        last_digit: how far a number in a calculator may be from the typed one, in units of the last
-            typed digit: 0.5 where people round, 1 where they cut off as well.
+        last_digit: how much further from zero than typed a number in a calculator may be, in units
+            of the last typed digit: 0.5 where people round, 1 where they cut off as well.
         figures: significant figures that a typed number counts as written with, at least.
         habits: values in SI that people shorten constants to, by the constant's id, or `pi`.
         widest: how far what follows from rounded numbers may spread to either side, in bands.
