@@ -7,14 +7,14 @@ from typing import TypeVar
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy
-from gripcourse.course.policy_load import load_policy
-from gripcourse.resources import course_root
+from gripcourse.machine.resources import course_root
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
 from gripcourse.variants.answers import items_of, section_totals, solve_groups
 from gripcourse.variants.apart import limits_of, measure
 from gripcourse.variants.audit import audit
 from gripcourse.variants.draw import draw
-from gripcourse.variants.sift import sifter
+from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import Space, load_spaces
 
 SEED = 7

@@ -5,9 +5,9 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from gripcourse.course.load import load_course
-from gripcourse.drawing.diagram import kinematic_diagram
-from gripcourse.drawing.diagram_layout import lay_out
-from gripcourse.resources import course_root
+from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
+from gripcourse.drawing.diagram.layout import lay_out
+from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.table import read_table
 

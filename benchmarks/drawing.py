@@ -9,15 +9,15 @@ from ezdxf.addons.drawing.layout import Page
 from ezdxf.addons.drawing.svg import SVGBackend
 
 from gripcourse.course.load import load_course
-from gripcourse.drawing.document import dxf_bytes
-from gripcourse.drawing.general_view import GeneralView, general_view
-from gripcourse.drawing.svg import svg_text
-from gripcourse.drawing.title_block import TitleBlock
-from gripcourse.resources import course_root
+from gripcourse.drawing.paper.document import dxf_bytes
+from gripcourse.drawing.paper.svg import svg_text
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.view.general_view import GeneralView, general_view
+from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import Words
 from gripcourse.variants.table import read_table
-from gripcourse.words import Words
 
 RUNS = 7
 

@@ -10,22 +10,22 @@ from time import perf_counter
 
 from openpyxl import load_workbook
 
-from gripcourse.cohort.one import Desk, grade_file, methods_of
-from gripcourse.commands.students import correct
+from gripcourse.batch.one_file import Desk, grade_file, methods_of
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Kind
-from gripcourse.course.policy_load import load_policy
+from gripcourse.demo.students import correct
 from gripcourse.grading.judge import judge
 from gripcourse.grading.rounding import figure_half_unit
-from gripcourse.resources import course_root
+from gripcourse.machine.resources import course_root
+from gripcourse.policy.load import load_policy
+from gripcourse.simulation.write import fill
 from gripcourse.solver.plan import make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected, Submission
 from gripcourse.submission.read import read_workbook
+from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.table import read_table
-from gripcourse.virtual.write import fill
-from gripcourse.words import Words
 from gripcourse.workbook.write import write_answer_workbook
 
 RUNS = 15

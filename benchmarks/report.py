@@ -12,8 +12,14 @@ from typing import TypeVar
 import pypdf
 from weasyprint import CSS, HTML
 
-from gripcourse.assignment.sheet import assignment_sheet
-from gripcourse.commands.samples import (
+from gripcourse.course.load import load_course
+from gripcourse.documents.assignment_sheet import assignment_sheet
+from gripcourse.documents.pdf import pdf_from_html, render_html
+from gripcourse.documents.report.student import STYLES, student_report
+from gripcourse.machine.resources import course_root
+from gripcourse.policy.load import load_policy
+from gripcourse.text.words import Words
+from gripcourse.usecases.samples import (
     DAY,
     Sample,
     printed_documents,
@@ -21,13 +27,7 @@ from gripcourse.commands.samples import (
     samples,
     student,
 )
-from gripcourse.course.load import load_course
-from gripcourse.course.policy_load import load_policy
-from gripcourse.pdf import pdf_from_html, render_html
-from gripcourse.report.student import STYLES, student_report
-from gripcourse.resources import course_root
 from gripcourse.variants.space import load_spaces
-from gripcourse.words import Words
 
 RUNS = 7
 SCHEME = "rack_parallelogram"

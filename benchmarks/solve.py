@@ -5,7 +5,7 @@ from time import perf_counter
 import numpy as np
 
 from gripcourse.course.load import load_course
-from gripcourse.resources import course_root
+from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 

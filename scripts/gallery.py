@@ -14,29 +14,29 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from gripcourse.assignment.issue import workbook_path
-from gripcourse.assignment.register import read_register, register_path
-from gripcourse.assignment.sheet import assignment_sheet, drawn_diagram
-from gripcourse.cohort.one import Desk
-from gripcourse.commands.atlas import draw_atlas
-from gripcourse.commands.audit import audit_table
-from gripcourse.commands.demo import DEADLINE, GRADED_ON, ISSUED_ON
-from gripcourse.commands.grade import grade
-from gripcourse.commands.solve import solve_from_table, write_solution
+from gripcourse.batch.one_file import Desk
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.course.policy import Policy, Reveal
-from gripcourse.course.policy_load import load_policy
-from gripcourse.pdf import pdf_from_html
-from gripcourse.report.cohort import cohort_report
-from gripcourse.report.student import student_report
+from gripcourse.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
+from gripcourse.documents.assignment_sheet import assignment_sheet, drawn_diagram
+from gripcourse.documents.pdf import pdf_from_html
+from gripcourse.documents.report.cohort import cohort_report
+from gripcourse.documents.report.student import student_report
+from gripcourse.issuing.register import read_register, register_path
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy, Reveal
+from gripcourse.simulation.cohort import make_classroom
+from gripcourse.simulation.in_memory import judge_in_memory
+from gripcourse.simulation.mix import load_mix
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.words import Words
+from gripcourse.usecases.atlas import draw_atlas
+from gripcourse.usecases.audit import audit_table
+from gripcourse.usecases.grade import grade
+from gripcourse.usecases.handout import workbook_path
+from gripcourse.usecases.solve import solve_from_table, write_solution
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.table import read_table
-from gripcourse.virtual.cohort import make_classroom
-from gripcourse.virtual.in_memory import judge_in_memory
-from gripcourse.virtual.mix import load_mix
-from gripcourse.words import Words
 
 DOTS_PER_INCH = 80
 STUDENT, UKRAINIAN = "smirnova-ev", "shevchenko-ok"

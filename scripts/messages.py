@@ -87,7 +87,13 @@ class Source:
 
 SOURCES = (
     Source("src", "*.py", "python", ("message", "translate"), {}),
-    Source("src", "cli*.py", help_texts, ("help", "metavar", "show_default", "command_group"), {}),
+    Source(
+        "src/gripcourse/cli",
+        "*.py",
+        help_texts,
+        ("help", "metavar", "show_default", "command_group"),
+        {},
+    ),
     # Not silent: a template that does not parse would count as one without sentences.
     Source("templates", "*.j2", "jinja2.ext:babel_extract", ("_",), {"silent": "false"}),
 )

@@ -10,8 +10,8 @@ from hypothesis import settings
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course, WorkedExample
-from gripcourse.course.policy import Policy
-from gripcourse.course.policy_load import load_policy
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 
 REPOSITORY = Path(__file__).parents[1]

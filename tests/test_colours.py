@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.report import figures
+from gripcourse.documents.report import charts as figures
 from gripcourse.workbook import style
 
 REPOSITORY = Path(__file__).parents[1]

@@ -5,7 +5,7 @@ import errno
 import pytest
 
 from gripcourse.errors import Problem, system_problem
-from gripcourse.words import LANGUAGES, Words, message
+from gripcourse.text.words import LANGUAGES, Words, message
 
 
 def test_a_place_without_a_name_of_its_own_is_said_in_the_readers_language() -> None:

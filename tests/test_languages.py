@@ -7,7 +7,7 @@ from string import Formatter
 import pytest
 
 import messages
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.text.words import LANGUAGES, Words
 
 REPOSITORY = Path(__file__).parents[1]
 SENTENCES = frozenset(messages.extracted(REPOSITORY))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.resources import COURSE_FOLDERS
+from gripcourse.machine.resources import COURSE_FOLDERS
 
 REPOSITORY = Path(__file__).parents[1]
 SCHEME = "rack_parallelogram"

@@ -1,6 +1,6 @@
 """`python -m gripcourse`."""
 
-from gripcourse.cli import main
+from gripcourse.cli.main import main
 
 if __name__ == "__main__":
     main()

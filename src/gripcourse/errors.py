@@ -15,8 +15,8 @@ import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from gripcourse.shown import shown
-from gripcourse.words import Message, Words, message
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Message, Words, message
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,12 +19,12 @@ import pytest
 from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Convention, Course, Kind, Scheme
-from gripcourse.course.policy import Policy
+from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sift import sifter
+from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 

@@ -10,8 +10,8 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Formula
-from gripcourse.units import dimension, factor, known, unit_text
-from gripcourse.words import LANGUAGES, Texts
+from gripcourse.text.units import dimension, factor, known, unit_text
+from gripcourse.text.words import LANGUAGES, Texts
 
 if TYPE_CHECKING:
     from conftest import Composition

@@ -8,10 +8,10 @@ import pytest
 
 from gripcourse.course.diagram import Element
 from gripcourse.course.model import Convention, Course
-from gripcourse.drawing.drives import cylinder, floating_cylinder
-from gripcourse.drawing.jaws import jaw
-from gripcourse.drawing.marks import Path
-from gripcourse.drawing.places import Shape, Stop, shape_of, stops_of
+from gripcourse.drawing.diagram.drives import cylinder, floating_cylinder
+from gripcourse.drawing.diagram.jaws import jaw
+from gripcourse.drawing.diagram.marks import Path
+from gripcourse.drawing.diagram.places import Shape, Stop, shape_of, stops_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.variants.model import Variant

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.policy import Policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
-from gripcourse.marking.bands import band
+from gripcourse.policy.bands import band
+from gripcourse.policy.model import Policy
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.variants.model import Issued, Student, Variant

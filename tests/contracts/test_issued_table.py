@@ -1,7 +1,7 @@
 """What is issued keeps the rules that the policy demands of variants."""
 
 from gripcourse.course.model import Course
-from gripcourse.course.policy import Policy
+from gripcourse.policy.model import Policy
 from gripcourse.variants.audit import audit
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space

@@ -15,8 +15,8 @@ import pytest
 from gripcourse.course.model import Course, Kind
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, solve_variant, to_si
+from gripcourse.text.words import Words
 from gripcourse.variants.model import Variant
-from gripcourse.words import Words
 from gripcourse.workbook.key import write_key_workbook
 
 DRAWN = 20  # variants of each scheme, beside its worked example

@@ -16,7 +16,7 @@ from gripcourse.course.model import Convention, Course
 from gripcourse.solver.motion import Array, coordinates, declared_ratio, drive_at, work_ratio
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 from gripcourse.variants.model import Variant
 
 STILL = {"vacuum_cups", "electromagnet"}  # nothing moves in them

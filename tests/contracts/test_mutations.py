@@ -13,7 +13,6 @@ import pytest
 from numpy.typing import NDArray
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity
-from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import (
@@ -26,10 +25,11 @@ from gripcourse.formula.tree import (
     Operator,
     children,
 )
-from gripcourse.marking.bands import band, within
+from gripcourse.policy.bands import band, within
+from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, choose, reference_rounding, solve_variant
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 if TYPE_CHECKING:
     from conftest import Composition, Reference

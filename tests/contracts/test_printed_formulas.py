@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Kind, Quantity
+from gripcourse.documents.report.angles import in_radians
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.markup import text
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import number_box, typeset
-from gripcourse.number_text import format_number
-from gripcourse.report.angles import in_radians
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values
-from gripcourse.units import factor, read_unit, unit_text
+from gripcourse.text.number_text import format_number
+from gripcourse.text.units import factor, read_unit, unit_text
 
 if TYPE_CHECKING:
     from conftest import Composition, Reference

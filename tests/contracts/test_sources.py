@@ -5,7 +5,7 @@ import re
 import pytest
 
 from gripcourse.course.model import Course, Source
-from gripcourse.words import LANGUAGES
+from gripcourse.text.words import LANGUAGES
 
 # An English word, and no function, unit, standard or name of a file.
 WORD = re.compile(r"(?<![\w.])[a-z]{4,}(?![\w(.]|\.toml)")

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate
-from gripcourse.marking.bands import band, within
+from gripcourse.policy.bands import band, within
+from gripcourse.policy.model import Policy
 from gripcourse.solver.solve import choose
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 if TYPE_CHECKING:
     from conftest import Composition, Reference

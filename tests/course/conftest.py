@@ -11,8 +11,8 @@ import pytest
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.course.policy_load import load_policy
 from gripcourse.errors import CourseError, Problem
+from gripcourse.policy.load import load_policy
 
 REPOSITORY = Path(__file__).parents[2]
 SCHEME = "rack_parallelogram"

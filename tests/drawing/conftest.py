@@ -9,12 +9,12 @@ from typing import Protocol
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.drawing.general_view import GeneralView, general_view
-from gripcourse.drawing.title_block import TitleBlock
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.view.general_view import GeneralView, general_view
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import Words
 from gripcourse.variants.table import read_table
-from gripcourse.words import Words
 
 REPOSITORY = Path(__file__).parents[2]
 SHOWN_BY_OPTIONS = ("mounting", "drive")

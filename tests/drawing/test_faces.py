@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.document import LineKind
-from gripcourse.drawing.strokes import Arc, Line
+from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import Arc, Line
 
 if TYPE_CHECKING:
     from conftest import Draw

@@ -8,7 +8,7 @@ import pytest
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
-from gripcourse.units import factor, read_unit
+from gripcourse.text.units import factor, read_unit
 
 _NUMBER_WITH_UNIT = re.compile(
     r"(\d[\d\u202f]*(?:,\d+)?)[ \u00a0]?((?:°|[A-Za-zА-Яа-яµ]+[²³]?)(?:[·/][A-Za-zА-Яа-я]+[²³]?)*)"

@@ -9,7 +9,7 @@ from gripcourse.formula.dimension import check_dimension, dimension_of, is_condi
 from gripcourse.formula.fault import FormulaFault
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
-from gripcourse.units import PLAIN, dimension
+from gripcourse.text.units import PLAIN, dimension
 
 DIMENSIONS = MappingProxyType(
     {

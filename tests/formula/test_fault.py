@@ -1,7 +1,7 @@
 import pytest
 
 from gripcourse.formula.fault import FormulaFault, caret
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from gripcourse.formula.functions import (
     nearest,
 )
 from gripcourse.formula.tree import Call, Number
-from gripcourse.units import dimension
+from gripcourse.text.units import dimension
 
 # Two columns of the same rows: sizes need not be in order, what is looked up is.
 SERIES = Column(np.array([10.0, 30.0, 20.0, 40.0]), np.array([1.0, 2.0, 4.0, 8.0]))

@@ -12,8 +12,8 @@ from gripcourse.formula.markup import text
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.formula.typeset import Box, equation, number_box, symbol_box, typeset
-from gripcourse.number_text import format_number
-from gripcourse.units import factor, unit_text
+from gripcourse.text.number_text import format_number
+from gripcourse.text.units import factor, unit_text
 
 SYMBOLS: Mapping[str, Box] = MappingProxyType(
     {

@@ -11,7 +11,7 @@ from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, attempt_of
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 MORNING = datetime(2026, 12, 2, 9, tzinfo=UTC)
 FINGERPRINTS = Fingerprints("c" * 64, "d" * 64)

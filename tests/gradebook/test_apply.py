@@ -15,7 +15,7 @@ from gripcourse.gradebook.model import Attempt, Entry, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import NOT_JUDGED
 from gripcourse.grading.model import OPEN, Finding, Flag, Outcome, Report
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 MakeReport = Callable[..., Report]
 MakeMark = Callable[..., Mark]

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.course.rubric import Level, Rubric, RubricLine
 from gripcourse.gradebook.enter import Draft, Fault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, Entry, Mark
 from gripcourse.grading.model import Outcome, Report
-from gripcourse.words import LANGUAGES, Texts
+from gripcourse.policy.rubric import Level, Rubric, RubricLine
+from gripcourse.text.words import LANGUAGES, Texts
 
 MakeReport = Callable[..., Report]
 

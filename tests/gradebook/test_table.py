@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook
 
-from gripcourse.course.rubric_load import TABLE_COLUMNS
 from gripcourse.errors import TableError
 from gripcourse.gradebook.table import read_marks
+from gripcourse.policy.rubric_load import TABLE_COLUMNS
 
 LINES = ("sizes", "assembly", "standards", "symbols")
 TABLE = """\

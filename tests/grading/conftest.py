@@ -8,18 +8,18 @@ from typing import TypeAlias
 import pytest
 
 from gripcourse.course.model import Convention, Course, Kind
-from gripcourse.course.policy import Policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report
 from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.text.words import message
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
-from gripcourse.words import message
 
 SIGNATURE = "a1" * 32
 

@@ -6,7 +6,7 @@ import pytest
 
 from gripcourse.course.model import Kind
 from gripcourse.grading.model import Against, Finding, Outcome
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 if TYPE_CHECKING:
     from conftest import Case

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.policy import FigureRule
 from gripcourse.grading.model import Outcome
+from gripcourse.policy.model import FigureRule
 from gripcourse.submission.model import Answer
 
 if TYPE_CHECKING:

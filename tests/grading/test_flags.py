@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.submission.model import Identity
-from gripcourse.words import Words
+from gripcourse.text.words import Words
 
 if TYPE_CHECKING:
     from conftest import Case

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from gripcourse.course.model import Kind
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Outcome
-from gripcourse.marking.bands import band
+from gripcourse.policy.bands import band
 
 if TYPE_CHECKING:
     from conftest import Case

@@ -10,11 +10,11 @@ import pytest
 from gripcourse.course.model import Kind, Quantity, Slip
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.grading.model import Against, Finding, Outcome
-from gripcourse.marking.bands import band, within
+from gripcourse.policy.bands import band, within
 from gripcourse.solver.solve import to_si
 from gripcourse.submission.model import Answer
-from gripcourse.units import factor
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.text.units import factor
+from gripcourse.text.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from conftest import Case

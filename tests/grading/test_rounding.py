@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Kind
-from gripcourse.course.policy import Policy
+from gripcourse.grading.follow_through import range_of
 from gripcourse.grading.model import Outcome
-from gripcourse.grading.own import range_of
 from gripcourse.grading.rounding import figure_half_unit, reach_of, typed_half_unit
+from gripcourse.policy.model import Policy
 from gripcourse.solver.solve import evaluate, from_si, to_si
 from gripcourse.submission.model import Answer
 

@@ -7,9 +7,9 @@ import pytest
 
 from gripcourse.course.model import Kind
 from gripcourse.grading.self_check import Check, State, self_check
-from gripcourse.number_text import format_number
 from gripcourse.submission.model import Answer
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.text.number_text import format_number
+from gripcourse.text.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from conftest import Case, Written

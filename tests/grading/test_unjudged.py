@@ -7,7 +7,7 @@ import pytest
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report, rejected_report, unknown_student_report
 from gripcourse.submission.model import Rejected
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 if TYPE_CHECKING:
     from conftest import Case

@@ -17,7 +17,7 @@ from gripcourse.likeness.issued import IssuedValues, issued_values
 from gripcourse.likeness.model import Typed, Work
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.course.policy import LikenessRule
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.model import Evidence, Kind, Typed, Work
+from gripcourse.policy.model import LikenessRule
 
 if TYPE_CHECKING:
     from .conftest import School

@@ -8,7 +8,6 @@ from itertools import combinations
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.course.policy import LikenessRule, Policy
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.likeness.evidence import find_evidence
@@ -16,11 +15,12 @@ from gripcourse.likeness.flags import flag_of, flags_by_student, odds_in_words
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.model import Evidence, Kind, Typed
 from gripcourse.likeness.works import work_of
+from gripcourse.policy.model import LikenessRule, Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.model import Issued, Student, Variant
-from gripcourse.words import LANGUAGES, Words
 
 RULE = LikenessRule(1e3, 3, 3)
 Grade = Callable[..., Report]

@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy
-from gripcourse.course.slip_policy import SlipKind
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
+from gripcourse.policy.model import Policy
+from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.generic import GENERATORS
 from gripcourse.slips.model import DECLARED, Candidate
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.words import LANGUAGES
 from gripcourse.variants.draw import draw
 from gripcourse.variants.space import load_spaces
-from gripcourse.words import LANGUAGES
 
 Slips: TypeAlias = Callable[..., dict[str, Candidate]]
 

@@ -14,7 +14,7 @@ from gripcourse.course.model import Course
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 Array = NDArray[np.float64]
 Values = Mapping[str, Array]

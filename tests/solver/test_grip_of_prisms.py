@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Course
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 Array = NDArray[np.float64]
 Values = Mapping[str, Array]

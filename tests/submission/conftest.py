@@ -18,8 +18,8 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Submission
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
+from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued, Student, Variant
-from gripcourse.words import Words
 from gripcourse.workbook.write import answer_workbook
 
 SECTION = "xl/worksheets/sheet2.xml"

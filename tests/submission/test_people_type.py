@@ -15,7 +15,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Answer, Identity, Reading
 from gripcourse.submission.raw import CellValue, RawCell, RawWorkbook
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.text.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from .conftest import Returned

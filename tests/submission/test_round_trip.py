@@ -15,7 +15,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from gripcourse.course.model import Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading
-from gripcourse.words import Words, message
+from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
     from .conftest import Returned

@@ -8,7 +8,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.raw import RawCell
 from gripcourse.submission.understand import LONGEST_SHOWN, shown, understand
-from gripcourse.words import LANGUAGES, Message, Words
+from gripcourse.text.words import LANGUAGES, Message, Words
 
 VALUES = st.one_of(
     st.none(),

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy
-from gripcourse.marking.bands import band, within
-from gripcourse.marking.points import points_of
+from gripcourse.policy.bands import band, within
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 from gripcourse.variants.answers import Item, items_of, section_totals, solve_groups
 from gripcourse.variants.apart import Limits, measure, shared_points
 from gripcourse.variants.draw import draw

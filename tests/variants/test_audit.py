@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.marking.bands import band
+from gripcourse.policy.bands import band
+from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 from gripcourse.variants.answers import solve_groups
 from gripcourse.variants.audit import Audit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.fair import Steps, near_steps, steps_ratio
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sift import sifter
+from gripcourse.variants.screening import sifter
 from gripcourse.variants.slip_distance import near_slips, too_near
 from gripcourse.variants.space import Space, load_spaces
 

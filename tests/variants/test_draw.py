@@ -9,11 +9,11 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.errors import TableError
 from gripcourse.solver.plan import make_plan
+from gripcourse.text.words import message
 from gripcourse.variants.draw import Batch, Sifted, draw
 from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.tally import Refusal
-from gripcourse.words import message
 
 Change = Callable[[str, str], Course]
 

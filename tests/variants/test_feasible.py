@@ -7,9 +7,9 @@ from gripcourse.course.model import Course
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.words import Words
 from gripcourse.variants.explain import in_short, why_infeasible
 from gripcourse.variants.feasible import Cause, reasons_infeasible
-from gripcourse.words import Words
 
 SOUND = {
     "mass": 60.0,

@@ -9,9 +9,9 @@ from openpyxl import Workbook, load_workbook
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
-from gripcourse.units import factor
+from gripcourse.text.units import factor
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.model import Variant
-from gripcourse.words import LANGUAGES, Words
 from gripcourse.workbook.key import key_workbook, write_key_workbook
 
 ENGLISH = Words("en")

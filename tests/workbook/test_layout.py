@@ -3,7 +3,7 @@ from collections import Counter
 import pytest
 
 from gripcourse.solver.plan import Plan
-from gripcourse.words import LANGUAGES, Words
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.workbook.layout import LONGEST_SHEET_NAME, Place, layout
 
 

@@ -11,8 +11,8 @@ from openpyxl import Workbook, load_workbook
 from gripcourse.course.model import Course, Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.model import Issued
-from gripcourse.words import LANGUAGES, Words
 from gripcourse.workbook.layout import Column, layout
 from gripcourse.workbook.names import HIDDEN_SHEET
 from gripcourse.workbook.write import answer_workbook, write_answer_workbook

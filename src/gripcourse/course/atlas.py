@@ -8,7 +8,7 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
-from gripcourse.words import Texts, message
+from gripcourse.text.words import Texts, message
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Catalogue
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
-from gripcourse.units import factor
-from gripcourse.units import known as known_unit
-from gripcourse.words import LANGUAGES, Message, Texts, message
+from gripcourse.text.units import factor
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 _REMARKS = ("source", "mark")
 

@@ -23,11 +23,11 @@ from gripcourse.course.compose import (
     used_names,
 )
 from gripcourse.course.model import Course, Kind, Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
-from gripcourse.units import dimension
-from gripcourse.units import known as known_unit
-from gripcourse.words import LANGUAGES, message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import dimension
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import LANGUAGES, message
 
 
 def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:

@@ -5,14 +5,14 @@ from collections.abc import Iterator, Mapping
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
 from gripcourse.course.model import Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import Formula, Number, names
-from gripcourse.units import Dimension, dimension
-from gripcourse.units import known as known_unit
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import Dimension, dimension
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import message
 
 _UNITS = {Sort.LENGTH: "mm", Sort.ANGLE: "deg", Sort.NUMBER: ""}
 

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Kind, Quantity, Scheme, WorkedExample
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 
 
 def check_example(course: Course, scheme: Scheme) -> Iterator[Problem]:

@@ -6,14 +6,14 @@ import numpy as np
 
 from gripcourse.course.check_slips import slip_faults
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, names, walk
-from gripcourse.units import Dimension, dimension, known
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import Dimension, dimension, known
+from gripcourse.text.words import message
 
 _COMPARISONS = {"<", "<=", ">", ">=", "==", "and"}
 _FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}

@@ -6,7 +6,7 @@ from graphlib import CycleError, TopologicalSorter
 from gripcourse.course.compose import all_part_ids, direct_inputs
 from gripcourse.course.model import Convention, Course, Quantity, Scheme
 from gripcourse.errors import Problem
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 
 def circular_names(course: Course, scheme: Scheme) -> tuple[str, ...]:

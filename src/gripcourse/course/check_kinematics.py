@@ -4,14 +4,14 @@ from collections.abc import Collection, Iterator, Mapping
 
 from gripcourse.course.kinematics import POSITIONS, Kinematics
 from gripcourse.course.model import Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import Formula, names
-from gripcourse.units import Dimension, dimension
-from gripcourse.units import known as known_unit
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import Dimension, dimension
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import message
 
 
 def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:

@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from gripcourse.course.model import Quantity
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
-from gripcourse.units import Dimension, dimension, known
-from gripcourse.words import Message, message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import Dimension, dimension, known
+from gripcourse.text.words import Message, message
 
 
 def check_series(

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Quantity, Slip
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column, evaluate
-from gripcourse.units import known
-from gripcourse.words import message
+from gripcourse.text.units import known
+from gripcourse.text.words import message
 
 _SAMPLES: Final = 16
 _WIDE_SAMPLES: Final = 48

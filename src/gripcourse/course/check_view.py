@@ -4,14 +4,14 @@ from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.model import Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPart
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import Formula
-from gripcourse.units import Dimension, dimension
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import Dimension, dimension
+from gripcourse.text.words import message
 
 _LENGTH, _ANGLE, _COUNT = "mm", "deg", ""
 

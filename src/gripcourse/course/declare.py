@@ -13,12 +13,13 @@ from gripcourse.course.model import (
     Source,
     Tolerance,
 )
-from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.course.toml_table import Table
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import CONSTANTS, Formula, names
-from gripcourse.units import known as known_unit
-from gripcourse.words import LANGUAGES, Texts, message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import LANGUAGES, Texts, message
 
 _COMMON = {"section", "kind", "symbol", "unit", "title", "explain", "source"}
 _BOUNDED = {"bounds", "integer"}

@@ -12,11 +12,12 @@ from pathlib import Path
 
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort, Word
 from gripcourse.course.kinematics import POSITIONS
-from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 
 FILE = "diagram.toml"
 _COMMON = ("kind", "positions", "mirror", "options")

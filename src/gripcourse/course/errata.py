@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
-from gripcourse.words import Texts
+from gripcourse.text.words import Texts
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from gripcourse.course.toml_table import Table
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
-from gripcourse.units import known as known_unit
-from gripcourse.words import message
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import message
 
 POSITIONS = ("open", "at_max", "at_min")
 

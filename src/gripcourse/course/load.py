@@ -22,11 +22,12 @@ from gripcourse.course.model import (
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import Shared, read_scheme
-from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
-from gripcourse.words import LANGUAGES, message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
 

@@ -16,7 +16,7 @@ from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
 from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
-from gripcourse.words import Texts
+from gripcourse.text.words import Texts
 
 
 class Kind(StrEnum):

@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from gripcourse.course.model import Option, OptionChoice
-from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 
 
 def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:

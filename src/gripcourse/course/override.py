@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from gripcourse.course.declare import declare
 from gripcourse.course.kinematics import Kinematics
 from gripcourse.course.model import Quantity
-from gripcourse.course.toml_table import Table, did_you_mean
-from gripcourse.words import message
+from gripcourse.course.toml_table import Table
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 
 _ONLY_IN = "parts"  # the key of an override that names the parts it holds in
 

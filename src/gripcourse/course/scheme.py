@@ -19,7 +19,7 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_read import read_view
 from gripcourse.errors import Problem
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 
 @dataclass(frozen=True, slots=True)

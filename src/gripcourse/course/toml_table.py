@@ -8,20 +8,11 @@ import math
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 
 from gripcourse.errors import Problem
-from gripcourse.words import LANGUAGES, Message, Texts, message
-
-
-def did_you_mean(name: str, known: Iterable[str]) -> Message:
-    """Suggest the nearest known name, or list what is known where nothing is near."""
-    choices = sorted(known)
-    near = get_close_matches(name, choices, n=1)
-    if near:
-        return message("Did you mean '{near}'?", near=near[0])
-    return message("Known here: {names}.", names=", ".join(choices[:12]) or "—")
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 
 @dataclass(frozen=True, slots=True)

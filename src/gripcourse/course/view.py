@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.formula.tree import Formula
-from gripcourse.words import Texts
+from gripcourse.text.words import Texts
 
 
 class Face(StrEnum):

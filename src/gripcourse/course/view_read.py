@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.kinematics import POSITIONS
-from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.course.toml_table import Table
 from gripcourse.course.view import (
     HATCHES,
     LINES,
@@ -23,7 +23,8 @@ from gripcourse.course.view import (
 )
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
-from gripcourse.words import Message, message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
 
 
 def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:

@@ -20,8 +20,8 @@ from gripcourse.formula.tree import (
     names,
     walk,
 )
-from gripcourse.units import PLAIN, Dimension, dimension, known
-from gripcourse.words import Message, message
+from gripcourse.text.units import PLAIN, Dimension, dimension, known
+from gripcourse.text.words import Message, message
 
 _COMPARISONS = frozenset({"<", "<=", ">", ">=", "=="})
 

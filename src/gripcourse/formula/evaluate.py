@@ -25,7 +25,7 @@ from gripcourse.formula.tree import (
     Operation,
     Operator,
 )
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 __all__ = ["Array", "Column", "evaluate"]
 

@@ -25,7 +25,7 @@ from gripcourse.formula.tree import (
     Operation,
     walk,
 )
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 _LONGEST: Final = 8192  # signs, Excel's limit
 

@@ -1,7 +1,7 @@
 """What is wrong with a formula, and where."""
 
 from gripcourse.formula.tree import Span
-from gripcourse.words import Message
+from gripcourse.text.words import Message
 
 
 class FormulaFault(Exception):  # noqa: N818 - the glossary's word for an author's slip in a formula

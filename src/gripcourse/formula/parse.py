@@ -25,7 +25,7 @@ from gripcourse.formula.tree import (
     Operator,
     Span,
 )
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 __all__ = ["FormulaFault", "caret", "parse"]
 

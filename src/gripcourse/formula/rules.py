@@ -6,8 +6,8 @@ from typing import TypeAlias
 
 from gripcourse.formula.fault import FormulaFault
 from gripcourse.formula.tree import Call, Node
-from gripcourse.units import PLAIN, Dimension, dimension, dimension_text
-from gripcourse.words import LANGUAGES, Message, Texts, message
+from gripcourse.text.units import PLAIN, Dimension, dimension, dimension_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 Measured: TypeAlias = Dimension | None
 """What an expression measures; None for the number 0, which fits everything."""

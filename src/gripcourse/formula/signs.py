@@ -4,7 +4,7 @@ import re
 from typing import Final
 
 from gripcourse.formula.fault import FormulaFault
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 _DEEPEST: Final = 60
 

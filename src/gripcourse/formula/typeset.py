@@ -24,7 +24,7 @@ from gripcourse.formula.boxes import (
 )
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
-from gripcourse.number_text import format_number
+from gripcourse.text.number_text import format_number
 
 __all__ = ["Box", "declared_symbol", "equation", "number_box", "symbol_box", "typeset"]
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from gripcourse.gradebook.model import Entry, is_outdated, latest_marks, results_of
 from gripcourse.grading.flags import NOT_JUDGED, not_judged_flags
 from gripcourse.grading.model import Against, Decision, Finding, Flag, Outcome, Report
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 OUTDATED = "mark_outdated"
 """Code of the flag of marks that a person should look at again."""

@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
-from gripcourse.course.rubric import Rubric, RubricLine
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.gradebook.model import Attempt, Entry, Mark, Result
 from gripcourse.grading.model import OPEN, Outcome
-from gripcourse.words import Message, message
+from gripcourse.policy.rubric import Rubric, RubricLine
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
 
 _SAME = 1e-9  # 0.5 of a table and 0.5 of a level
 _ROUNDED = 0.005  # documents print points with two decimals, and people type what they read

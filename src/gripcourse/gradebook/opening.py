@@ -16,7 +16,7 @@ from sqlalchemy.pool import NullPool
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook.schema import VERSION, format_table, metadata
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 _PRIVATE = 0o600
 _SECONDS_TO_WAIT = 60.0  # for another program that writes to the same file

@@ -17,7 +17,7 @@ from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import opening, rows, schema
 from gripcourse.gradebook.model import Attempt, Entry, Mark, same_results
 from gripcourse.gradebook.opening import open_engine, shown, told
-from gripcourse.words import message
+from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
 _TRIES = 50

@@ -4,13 +4,13 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gripcourse.course.rubric_load import TABLE_COLUMNS
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem, TableError
 from gripcourse.gradebook.enter import Draft
+from gripcourse.policy.rubric_load import TABLE_COLUMNS
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
 from gripcourse.variants.cells import exact_number
 from gripcourse.variants.sheet import Row, Sheet, cell_place, column_name, read_sheet
-from gripcourse.words import Message, message
 
 _REQUIRED = ("student", "quantity")
 _YES = {"yes", "да", "так", "1", "x", "+"}

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from gripcourse.course.model import Kind
 from gripcourse.grading.model import Against, Cause, Finding, Outcome
 from gripcourse.grading.substitution import Substitution
-from gripcourse.pdf import amount_text
 from gripcourse.solver.plan import Plan
-from gripcourse.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.text.amounts import amount_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 
 _AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
 

@@ -7,10 +7,10 @@ import numpy as np
 
 from gripcourse.course.model import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.grading.view import View
+from gripcourse.grading.comparison import View
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, choose
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 # Series hold decimal numbers; a typed entry differs from them only in floating point.
 _SAME = 1e-6

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.choices import same_size, sound_sizes
+from gripcourse.grading.comparison import Judgement, Range, View
 from gripcourse.grading.explain import (
     Explanation,
     Weighed,
@@ -22,11 +23,10 @@ from gripcourse.grading.explain import (
     with_later_answers,
 )
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.view import Judgement, Range, View
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.solve import choose, evaluate, reference_rounding
-from gripcourse.units import factor
-from gripcourse.words import Message, message
+from gripcourse.text.units import factor
+from gripcourse.text.words import Message, message
 
 # A step in the head is left out less often than it is written down.
 _UNWRITTEN = 0.5

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from gripcourse.course.slip_policy import SlipPolicy
 from gripcourse.formula.tree import Formula, Name, walk
+from gripcourse.grading.comparison import Range, View
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
-from gripcourse.grading.view import Range, View
+from gripcourse.policy.slips import SlipPolicy
 from gripcourse.slips.model import Candidate
 from gripcourse.slips.rewrite import number, renamed
 

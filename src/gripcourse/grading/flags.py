@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from gripcourse.grading.model import Finding, Flag, Outcome
 from gripcourse.submission.model import Submission
+from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
-from gripcourse.words import message
 
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
 _SAME = 1e-12

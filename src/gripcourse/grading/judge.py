@@ -9,8 +9,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from gripcourse.course.model import Quantity
-from gripcourse.course.policy import Policy
-from gripcourse.grading.case import (
+from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
+from gripcourse.grading.comparison import View
+from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.flags import flags_of
+from gripcourse.grading.intended import as_meant
+from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
+from gripcourse.grading.significant_digits import figures_remark
+from gripcourse.grading.submission_case import (
     Case,
     Judged,
     explain,
@@ -18,20 +24,14 @@ from gripcourse.grading.case import (
     judge_answer,
     make_case,
 )
-from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
-from gripcourse.grading.diagnose import CandidatesOf
-from gripcourse.grading.figures import figures_remark
-from gripcourse.grading.flags import flags_of
-from gripcourse.grading.meant import as_meant
-from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
-from gripcourse.grading.view import View
+from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import from_si
 from gripcourse.submission.model import Answer, Submission
+from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
-from gripcourse.words import Message, message
 
 
 def judge(

@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
+from gripcourse.grading.comparison import Judgement, View
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.view import Judgement, View
-from gripcourse.units import factor
-from gripcourse.words import Message, message
+from gripcourse.text.units import factor
+from gripcourse.text.words import Message, message
 
 
 def judge_choice_answer(view: View) -> Judgement:

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.tree import Formula
+from gripcourse.grading.comparison import Judgement, Range, View
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.view import Judgement, Range, View
-from gripcourse.marking.bands import band
-from gripcourse.words import Message, message
+from gripcourse.policy.bands import band
+from gripcourse.text.words import Message, message
 
 
 def judge_value(view: View) -> Judgement:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
 
-from gripcourse.words import Message
+from gripcourse.text.words import Message
 
 
 class Outcome(StrEnum):

@@ -2,7 +2,7 @@
 
 import math
 
-from gripcourse.course.policy import Policy
+from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Answer
 
 _MORE = 5.0  # a digit more is ten times; binary fractions are not exact

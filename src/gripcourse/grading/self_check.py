@@ -11,15 +11,15 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.policy import Policy
+from gripcourse.grading.comparison import View
+from gripcourse.grading.follow_through import follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.own import follow
-from gripcourse.grading.view import View
+from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading, Submission
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 
 class State(StrEnum):

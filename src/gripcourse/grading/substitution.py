@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.grading.comparison import View
 from gripcourse.grading.explain import unexplained
 from gripcourse.grading.rounding import typed_half_unit
-from gripcourse.grading.view import View
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 # A wrong number is looked for between a tenth and ten times the right one.
 _SPAN: Final = np.geomspace(0.1, 10.0, 1601)

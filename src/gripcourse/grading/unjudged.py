@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from gripcourse.grading.model import Flag, Report
 from gripcourse.submission.model import Rejected
+from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
-from gripcourse.words import message
 
 
 def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:

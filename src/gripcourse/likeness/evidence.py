@@ -13,12 +13,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gripcourse.course.policy import LikenessRule
-from gripcourse.likeness.hits import same_as_issued, same_as_typed
 from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.matches import same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, Evidence, Kind, Work
 from gripcourse.likeness.odds import compare, rests_on
 from gripcourse.likeness.pool import Pool, chance_of, pool, where_right_is_shared
+from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
 

@@ -5,7 +5,7 @@ from typing import Final
 
 from gripcourse.grading.model import Flag
 from gripcourse.likeness.model import Evidence, Kind
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 _STUDENTS: Final = 5  # that one flag names
 _QUANTITIES: Final = 12

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Course, Kind
 from gripcourse.errors import UsageError
-from gripcourse.likeness.hits import Floats
+from gripcourse.likeness.matches import Floats
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 from gripcourse.variants.model import Variant
 
 _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities count as one

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.hits import Floats, Hits
+from gripcourse.likeness.matches import Floats, Hits
 from gripcourse.likeness.pool import Pool
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken

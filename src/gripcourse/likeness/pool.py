@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.hits import Floats, Hits, Ints, Numbers, density, last_unit
 from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.matches import Floats, Hits, Ints, Numbers, density, last_unit
 from gripcourse.likeness.model import Chances, Typed, Work
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed

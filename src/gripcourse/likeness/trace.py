@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.hits import Floats, Numbers, density, last_unit
 from gripcourse.likeness.issued import IssuedValues
+from gripcourse.likeness.matches import Floats, Numbers, density, last_unit
 
 _TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
 _LEAST = 1e-4  # nobody knows chance better than this

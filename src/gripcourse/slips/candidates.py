@@ -3,16 +3,16 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.slip_policy import GenericSlip, SlipPolicy
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
-from gripcourse.number_text import format_number
+from gripcourse.policy.slips import GenericSlip, SlipPolicy
 from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
 from gripcourse.slips.model import DECLARED, Candidate
 from gripcourse.solver.plan import Plan
-from gripcourse.units import known, unit_text
-from gripcourse.words import LANGUAGES, Texts
+from gripcourse.text.number_text import format_number
+from gripcourse.text.units import known, unit_text
+from gripcourse.text.words import LANGUAGES, Texts
 
 _GENERIC = frozenset({Kind.FORMULA, Kind.PICK})
 

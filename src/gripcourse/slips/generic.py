@@ -13,11 +13,11 @@ from types import MappingProxyType
 from typing import Final, TypeAlias
 
 from gripcourse.course.model import Quantity
-from gripcourse.course.slip_policy import GenericSlip, SlipKind
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
+from gripcourse.policy.slips import GenericSlip, SlipKind
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
 from gripcourse.solver.plan import Plan
-from gripcourse.units import dimension, factor
+from gripcourse.text.units import dimension, factor
 
 # A declaration stands for itself; so do a number, a unit, a piece of the formula.
 Place: TypeAlias = Quantity | Node | float | str

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from gripcourse.course.slip_policy import DECLARED
 from gripcourse.formula.tree import Formula
-from gripcourse.words import Texts
+from gripcourse.policy.slips import DECLARED
+from gripcourse.text.words import Texts
 
 __all__ = ["DECLARED", "Candidate"]
 

@@ -7,11 +7,11 @@ from heapq import heappop, heappush
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.compose import compose, direct_inputs, reference_formula
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from gripcourse.course.model import Choice, Convention, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Call, Formula, Name
 from gripcourse.solver.plan import Plan
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 _NOTHING = 1e-12  # of a declared unit: what is left where equal numbers were subtracted
 

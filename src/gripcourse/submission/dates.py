@@ -4,7 +4,7 @@ from datetime import date, timedelta
 from functools import cache, reduce
 from typing import Final
 
-from gripcourse.words import LANGUAGES, Message, message
+from gripcourse.text.words import LANGUAGES, Message, message
 
 _EPOCH: Final = date(1899, 12, 30)  # day zero of serial dates from March 1900 on
 _SERIALS: Final = (36526, 54789)  # 1 January 2000 and 31 December 2049

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Mapping
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.number_reading import NumberRead, read_number
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.submission.understand import shown, understand
-from gripcourse.words import Message, message
+from gripcourse.text.number_reading import NumberRead, read_number
+from gripcourse.text.words import Message, message
 
 
 def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:

@@ -6,7 +6,9 @@ from decimal import Decimal
 from typing import Final
 
 from gripcourse.course.model import Quantity
-from gripcourse.number_reading import (
+from gripcourse.submission.dates import names_month
+from gripcourse.submission.significant_digits import figures_of_number
+from gripcourse.text.number_reading import (
     A_DATE,
     Figures,
     NumberRead,
@@ -14,10 +16,8 @@ from gripcourse.number_reading import (
     read_number,
     readable,
 )
-from gripcourse.submission.dates import names_month
-from gripcourse.submission.figures import figures_of_number
-from gripcourse.units import UnitError, dimension, factor, read_unit, unit_text
-from gripcourse.words import LANGUAGES, Message, Texts, message
+from gripcourse.text.units import UnitError, dimension, factor, read_unit, unit_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 _ANGLES: Final = frozenset({"deg", "rad"})
 _PERCENT: Final = "%"

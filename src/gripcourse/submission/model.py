@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.words import Message
+from gripcourse.text.words import Message
 
 
 class Reading(StrEnum):

@@ -12,7 +12,7 @@ from collections import Counter
 from typing import Final
 from xml.parsers import expat
 
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 MEGABYTE: Final = 1_000_000
 LARGEST_FILE: Final = 20 * MEGABYTE

@@ -6,7 +6,7 @@ from datetime import date, datetime, time, timedelta
 from typing import TypeAlias
 
 from gripcourse.submission.model import Identity
-from gripcourse.words import Message
+from gripcourse.text.words import Message
 
 CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
 """What a spreadsheet cell can hold; `date` includes `datetime`."""

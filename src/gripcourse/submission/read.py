@@ -18,7 +18,7 @@ from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.submission.sheet_xml import Place, formulas, with_false_numbers_as_text
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
 
 if TYPE_CHECKING:

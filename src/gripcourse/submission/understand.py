@@ -8,7 +8,7 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.submission.dates import about_date, about_time, is_serial_date, serial_date
 from gripcourse.submission.measure import Understood, from_number, from_text
 from gripcourse.submission.raw import CellValue, RawCell
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 LONGEST_SHOWN: Final = 80
 """Characters of a cell that a report repeats."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.marking.bands import SLACK
+from gripcourse.policy.bands import SLACK
 from gripcourse.variants.answers import Item, Rows, section_totals
 from gripcourse.variants.apart import Limits
 from gripcourse.variants.feasible import Array

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.model import Course, Kind, Quantity
-from gripcourse.course.policy import Policy
-from gripcourse.marking.bands import SLACK, bands
-from gripcourse.marking.points import points_of
+from gripcourse.policy.bands import SLACK, bands
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant

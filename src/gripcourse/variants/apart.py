@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gripcourse.course.policy import Policy
-from gripcourse.marking.bands import SLACK
+from gripcourse.policy.bands import SLACK
+from gripcourse.policy.model import Policy
 from gripcourse.variants.answers import Item, Rows, Windows, windows_of
 from gripcourse.variants.feasible import Array
 

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gripcourse.course.model import Course, Kind
-from gripcourse.course.policy import Policy, VariantRules
-from gripcourse.marking.bands import SLACK
+from gripcourse.policy.bands import SLACK
+from gripcourse.policy.model import Policy, VariantRules
+from gripcourse.text.words import Message
 from gripcourse.variants.answers import (
     Group,
     given_items,
@@ -35,7 +36,6 @@ from gripcourse.variants.model import Variant
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
 from gripcourse.variants.space import Space
-from gripcourse.words import Message
 
 CLOSEST = 20  # pairs that are told of a table that keeps its limits
 COUNTED = 64  # variants that slips of all kinds are counted in, evenly taken from a larger table

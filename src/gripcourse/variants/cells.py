@@ -2,7 +2,7 @@
 
 import re
 
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _INVISIBLE = str.maketrans({" ": None, "\u00a0": None, "\u202f": None, "\u2009": None, "−": "-"})

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable, Sequence
 
-from gripcourse.course.toml_table import Table, did_you_mean
+from gripcourse.course.toml_table import Table
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula, Name, Node, Number, Operation, names, walk
 from gripcourse.solver.plan import Plan
-from gripcourse.units import dimension, factor, known
-from gripcourse.words import message
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import dimension, factor, known
+from gripcourse.text.words import message
 
 _COMPARISONS = ("<", "<=", ">", ">=", "==")
 

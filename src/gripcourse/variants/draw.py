@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.words import message
 from gripcourse.variants.counts import counts_of
 from gripcourse.variants.explain import in_short, listed
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Case, Space
 from gripcourse.variants.tally import Refusal, Tally, by_count, summed
-from gripcourse.words import message
 
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
 _CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy

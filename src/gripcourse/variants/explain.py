@@ -9,9 +9,9 @@ from gripcourse.course.model import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula, names
 from gripcourse.solver.plan import Plan
-from gripcourse.units import factor, unit_text
+from gripcourse.text.units import factor, unit_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.feasible import Cause, Feasibility, Reason, reasons_infeasible
-from gripcourse.words import LANGUAGES, Message, Texts, message
 
 
 def why_infeasible(

@@ -17,7 +17,7 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula, names
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation, evaluate
-from gripcourse.units import factor
+from gripcourse.text.units import factor
 
 Mask: TypeAlias = NDArray[np.bool_]
 Array: TypeAlias = NDArray[np.float64]

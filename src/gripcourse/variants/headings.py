@@ -13,11 +13,11 @@ from importlib.resources import files
 
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
-from gripcourse.units import dimension, read_unit
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import dimension, read_unit
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.sheet import Sheet, column_name
-from gripcourse.words import LANGUAGES, Message, Texts, message
 
 _SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (

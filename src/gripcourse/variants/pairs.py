@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gripcourse.course.model import Kind
-from gripcourse.course.policy import Policy
-from gripcourse.marking.bands import SLACK, bands
-from gripcourse.marking.points import points_of
+from gripcourse.policy.bands import SLACK, bands
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.variants.answers import Group, Item, Rows
 from gripcourse.variants.feasible import Array, Mask

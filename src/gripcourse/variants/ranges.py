@@ -11,9 +11,10 @@ from decimal import Decimal
 from typing import TypeAlias
 
 from gripcourse.course.model import Course, Quantity
-from gripcourse.course.toml_table import Table, did_you_mean
-from gripcourse.units import dimension, factor
-from gripcourse.words import message
+from gripcourse.course.toml_table import Table
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import dimension, factor
+from gripcourse.text.words import message
 
 _WAYS = ("step", "values", "catalogue", "follows")
 _KEYS = ("low", "high", "step", "values", "catalogue", "follows", "pairs")

@@ -6,16 +6,16 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gripcourse.course.model import Course, Option, Quantity, Scheme
-from gripcourse.course.toml_table import did_you_mean
 from gripcourse.errors import Problem
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import Column, plain
 from gripcourse.variants.model import Variant
 from gripcourse.variants.sheet import Row, Sheet, cell_place
-from gripcourse.words import LANGUAGES, Message, Texts, message
 
 
 @dataclass(frozen=True, slots=True)

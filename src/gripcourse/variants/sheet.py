@@ -10,7 +10,7 @@ from datetime import date, time
 from pathlib import Path
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.course.policy import Policy
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.marking.bands import bands
+from gripcourse.policy.bands import bands
+from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan

@@ -9,13 +9,14 @@ from dataclasses import dataclass
 from itertools import product
 
 from gripcourse.course.model import Course, Option, Scheme
-from gripcourse.course.toml_table import Table, did_you_mean, read_toml
+from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
 from gripcourse.variants.constraint import check_constraint, read_constraints
 from gripcourse.variants.ranges import Follower, Range, RangeReader
-from gripcourse.words import message
 
 _KEYS = ("scheme", "weight", "options", "given", "constraint")
 

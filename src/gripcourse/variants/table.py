@@ -14,7 +14,8 @@ from pathlib import Path
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem, TableError
-from gripcourse.files import write_bytes
+from gripcourse.machine.files import write_bytes
+from gripcourse.text.words import message
 from gripcourse.variants.cells import converted, number_text
 from gripcourse.variants.headings import (
     Column,
@@ -25,7 +26,6 @@ from gripcourse.variants.headings import (
 from gripcourse.variants.model import Variant
 from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
-from gripcourse.words import message
 
 
 def read_table(path: Path, course: Course) -> tuple[Variant, ...]:

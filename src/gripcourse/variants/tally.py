@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from gripcourse.words import Message
+from gripcourse.text.words import Message
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Final
 from gripcourse.course.model import Catalogue
 from gripcourse.formula.tree import Call, walk
 from gripcourse.solver.plan import Plan
-from gripcourse.units import factor, unit_text
-from gripcourse.words import Words, message
+from gripcourse.text.units import factor, unit_text
+from gripcourse.text.words import Words, message
 from gripcourse.workbook.layout import Place
 from gripcourse.workbook.style import Styles, set_page
 

@@ -2,11 +2,11 @@
 
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.pdf import day_text
-from gripcourse.shown import shown
 from gripcourse.solver.plan import Plan
+from gripcourse.text.amounts import day_text
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Issued
-from gripcourse.words import Words, message
 from gripcourse.workbook import names
 from gripcourse.workbook.guidance import HOW_TO
 from gripcourse.workbook.layout import (

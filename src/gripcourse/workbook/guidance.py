@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from gripcourse.words import Message, message
+from gripcourse.text.words import Message, message
 
 _EXAMPLE: Final = 12.5
 

@@ -13,12 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.course.model import Convention, Kind
-from gripcourse.files import write_bytes
+from gripcourse.machine.files import write_bytes
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
-from gripcourse.units import factor, unit_text
+from gripcourse.text.units import factor, unit_text
+from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Variant
-from gripcourse.words import Words, message
 from gripcourse.workbook import names
 from gripcourse.workbook.catalogues import place_tables, write_tables
 from gripcourse.workbook.key_formulas import chosen_form, direct_form, required_value

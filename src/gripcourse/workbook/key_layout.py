@@ -7,7 +7,7 @@ from typing import Final
 
 from gripcourse.course.model import Quantity
 from gripcourse.solver.plan import Plan
-from gripcourse.words import Words, message
+from gripcourse.text.words import Words, message
 from gripcourse.workbook.layout import Place
 
 

@@ -7,8 +7,8 @@ from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import reference_rounding
-from gripcourse.units import unit_text
-from gripcourse.words import Words, message
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words, message
 
 
 def formula_text(quantity: Quantity, plan: Plan, words: Words) -> str:

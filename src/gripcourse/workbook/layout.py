@@ -12,8 +12,8 @@ from typing import Final
 
 from gripcourse.course.model import Quantity, Section
 from gripcourse.solver.plan import Plan
-from gripcourse.units import unit_text
-from gripcourse.words import Words, message
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words, message
 from gripcourse.workbook.guidance import HOW_TO
 from gripcourse.workbook.names import FIELDS, HIDDEN_SHEET
 

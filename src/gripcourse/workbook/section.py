@@ -6,8 +6,8 @@ A check cell says what is wrong with the kind of an answer, never with its value
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.course.model import Course, Kind
+from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Issued
-from gripcourse.words import Words, message
 from gripcourse.workbook import names
 from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
 from gripcourse.formula.typeset import symbol_box
-from gripcourse.shown import shown
+from gripcourse.text.shown import shown
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Course
-from gripcourse.files import write_bytes
+from gripcourse.machine.files import write_bytes
 from gripcourse.solver.plan import Plan
+from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued
-from gripcourse.words import Words
 from gripcourse.workbook import names
 from gripcourse.workbook.cover import write_cover
 from gripcourse.workbook.layout import Layout, layout

@@ -1,0 +1,74 @@
+"""Grading one file, whatever it is: reading, identifying, judging."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Final
+
+from gripcourse.course.model import Course
+from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.identify import submitter
+from gripcourse.grading.judge import judge
+from gripcourse.grading.model import Report
+from gripcourse.grading.unjudged import rejected_report, unknown_student_report
+from gripcourse.policy.model import Policy
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.slips.model import Candidate
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.submission.interpret import interpret
+from gripcourse.submission.model import Rejected
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
+from gripcourse.variants.model import Issued, Variant
+
+# Compositions of a scheme and options that are remembered: about a megabyte each.
+_COMPOSITIONS: Final = 64
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Desk:
+    """What grading needs: the course, its policy and the register by student.
+
+    Two desks are never the same one, so that what was made for one can be remembered by it.
+    """
+
+    course: Course
+    policy: Policy
+    register: Mapping[str, Issued]
+
+
+def grade_file(file: Path, desk: Desk) -> Report:
+    """Grade one file; the student's faults are in the report, only ours are exceptions."""
+    raw = read_workbook(file)
+    if isinstance(raw, Rejected):
+        return rejected_report(raw, submitter(str(file), "", desk.register))
+    issued = submitter(str(file), raw.identity.student, desk.register)
+    if issued is None:
+        return unknown_student_report(str(file), raw.identity.student, raw.digest)
+    return judge_read(raw, issued, desk)
+
+
+def judge_read(raw: RawWorkbook, issued: Issued, desk: Desk) -> Report:
+    """Judge a workbook that was read against what was issued to who handed it in."""
+    plan, methods = methods_of(desk, issued.variant)
+    submission = interpret(raw, plan.quantities.values())
+    return judge(submission, issued, plan, desk.policy, methods)
+
+
+def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:
+    """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
+    return _methods(desk, variant.scheme, tuple(variant.options.items()))
+
+
+@lru_cache(maxsize=_COMPOSITIONS)
+def _methods(
+    desk: Desk, scheme: str, options: tuple[tuple[str, str], ...]
+) -> tuple[Plan, CandidatesOf]:
+    plan = make_plan(desk.course, scheme, dict(options))
+
+    @cache
+    def methods(name: str) -> tuple[Candidate, ...]:
+        return candidates_of(plan, name, desk.policy.slips)
+
+    return plan, methods

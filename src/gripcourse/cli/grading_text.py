@@ -1,0 +1,159 @@
+"""What the commands print that grade, mark and show what came of it."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.cli.text import table_text
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Words, message
+
+# `gripcourse --help` needs nothing of what is graded.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.demo.run import Demo
+    from gripcourse.gradebook.waiting import Waiting
+    from gripcourse.grading.model import Report
+    from gripcourse.usecases.grade import Outcome
+    from gripcourse.usecases.mark import Marking
+
+FLAGS = {
+    "givens_changed": message("given values changed"),
+    "givens_missing": message("given values missing"),
+    "identity_missing": message("issued to nobody"),
+    "incident": message("failure on our side"),
+    "issued_to_other": message("issued to another"),
+    "mark_outdated": message("mark outdated"),
+    "not_judged": message("not judged"),
+    "other_variant": message("another's variant"),
+    "rejected": message("file rejected"),
+    "report_incident": message("no report"),
+    "same_answers": message("another's answers"),
+    "same_bytes": message("another's file"),
+    "same_creator": message("same author"),
+    "several_files": message("several files"),
+    "signature": message("wrong signature"),
+    "unknown_student": message("unknown student"),
+}
+"""Each flag in two words, for a table; below it every flag has its sentence."""
+
+
+def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
+    """Return the scores as a table, what a person must look at, and where everything is."""
+    from gripcourse.usecases.grade import GRADES_CSV, INCIDENTS, REPORTS
+
+    rows = [
+        (
+            Path(one.file).name,
+            one.name or one.student or "—",
+            one.variant or "—",
+            f"{words.number(one.score, 4)} / {words.number(one.max_score, 4)}"
+            if one.judged
+            else "—",
+            _flags(one, words),
+        )
+        for one in outcome.reports
+    ]
+    heads = (
+        message("file"),
+        message("student"),
+        message("variant"),
+        message("points"),
+        message("flags"),
+    )
+    lines = [table_text([words.say(head) for head in heads], rows, right={3})]
+    lines += [
+        f"{shown(Path(one.file).name)}: {words.say(flag.message)}"
+        for one in outcome.reports
+        for flag in one.flags
+    ]
+    if outcome.cohort is None:
+        lines.append(words.say(message("The report on the batch could not be laid out.")))
+    incidents = out / INCIDENTS
+    for said, place in (
+        (message("Student reports"), out / REPORTS),
+        (message("Cohort summary"), outcome.cohort),
+        (message("Grades"), out / GRADES_CSV),
+        (message("Incidents, each with its trace"), incidents if incidents.exists() else None),
+    ):
+        if place is not None:
+            lines.append(f"{words.say(said)}: {place}")
+    return "\n".join(lines)
+
+
+def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
+    """Return what waits for a person as a table."""
+    if not waits:
+        return words.say(message("Nothing waits for a person."))
+    again = words.say(message("marked; look again"))
+    rows = [
+        (one.student, one.quantity, Path(one.file).name, again if one.again else "")
+        for one in waits
+    ]
+    heads = (message("student"), message("item"), message("file"))
+    return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
+
+
+def marking_text(marking: "Marking", words: Words) -> str:
+    """Return what the marks came to."""
+    lines = []
+    for item in marking.items:
+        mark = item.mark
+        said = message("{student}, {item}: withdrawn.", student=mark.student, item=mark.quantity)
+        if item.points is not None:
+            said = message(
+                "{student}, {item}: {points} of {most} points.",
+                student=mark.student,
+                item=mark.quantity,
+                points=round(item.points, 2),
+                most=round(item.max_points, 2),
+            )
+        lines.append(words.say(said))
+    if marking.unchanged:
+        lines.append(
+            words.say(message("{count} marks were just so already.", count=marking.unchanged))
+        )
+    if marking.empty:
+        lines.append(
+            words.say(message("{count} rows without a mark were left out.", count=marking.empty))
+        )
+    if marking.items:
+        lines.append(words.say(message("Grade again to renew the reports.")))
+    return "\n".join(lines) or words.say(message("There was nothing to enter."))
+
+
+def demo_text(demo: "Demo", words: Words) -> str:
+    """Return what each scripted student did and got, and where everything is."""
+    from gripcourse.demo.students import TOLD
+
+    by_student = {one.student: one for one in demo.outcome.reports}
+    rows = []
+    for student, story in demo.students.items():
+        report = by_student[student]
+        score = f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
+        told = words.say(TOLD[story])
+        rows.append((student, told, score, _flags(report, words)))
+    heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
+    lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
+    for item in demo.marking.items:
+        said = message(
+            "A person marked {item} of {student} from its rubric.",
+            item=item.mark.quantity,
+            student=item.mark.student,
+        )
+        lines += [words.say(said), ""]
+    for said, place in (
+        (message("Course with its key and register"), demo.course),
+        (message("Assignments, a folder per student"), demo.assignments),
+        (message("Workbooks that were handed in"), demo.submissions),
+        (message("Student reports"), demo.graded / "reports"),
+        (message("Cohort summary"), demo.graded / "cohort.pdf"),
+        (message("Grades"), demo.graded / "grades.csv"),
+    ):
+        lines.append(f"{words.say(said)}: {place}")
+    return "\n".join(lines)
+
+
+def _flags(report: "Report", words: Words) -> str:
+    return ", ".join(words.say(FLAGS[code]) for code in dict.fromkeys(f.code for f in report.flags))

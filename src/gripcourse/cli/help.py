@@ -1,0 +1,257 @@
+"""Help pages and refusals of the command line, in the language of whoever reads them.
+
+The library that parses the command line has one place for this: classes of commands. Ours put into
+words what they show, and turn what the parser refuses into a `UsageError` like any other.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
+
+from gripcourse.cli.options import WRONG_USE, LanguageOption, chosen_words
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.words import Message, Words, message
+
+if TYPE_CHECKING:
+    # The library gives these types no public name.
+    from typer._click import Command, Context, HelpFormatter, Parameter
+
+WIDTH = 100
+
+
+class SpokenCommand(TyperCommand):
+    """A command whose help and refusals are in the reader's language."""
+
+    # What is left over is refused below, with what it is.
+    allow_extra_args = True
+
+    def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+        """Write the help page."""
+        _write_page(self, ctx, formatter, chosen_words())
+
+    def parse_args(self, ctx: "Context", args: list[str]) -> list[str]:
+        """Parse what stands behind the command.
+
+        Raises:
+            UsageError: it cannot be used.
+        """
+        with _refusals_told(ctx):
+            left = super().parse_args(ctx, args)
+        if left and not ctx.resilient_parsing:
+            what = message("There is no place for '{text}'.", text=" ".join(left))
+            raise UsageError([Problem("", "", what, _see_help(ctx))])
+        return left
+
+
+class SpokenGroup(TyperGroup):
+    """A group of commands whose help and refusals are in the reader's language."""
+
+    def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+        """Write the help page with the list of the commands."""
+        _write_page(self, ctx, formatter, chosen_words())
+
+    def parse_args(self, ctx: "Context", args: list[str]) -> list[str]:
+        """Parse what stands before the name of a command.
+
+        Raises:
+            UsageError: it cannot be used.
+        """
+        with _refusals_told(ctx):
+            return super().parse_args(ctx, args)
+
+    def resolve_command(
+        self, ctx: "Context", args: list[str]
+    ) -> "tuple[str | None, Command | None, list[str]]":
+        """Find the command that is meant.
+
+        Raises:
+            UsageError: there is none of this name.
+        """
+        if args[0] not in self.commands:
+            from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
+
+            what = message("There is no command '{name}'.", name=args[0])
+            raise UsageError([Problem("", "", what, did_you_mean(args[0], self.commands))])
+        return super().resolve_command(ctx, args)
+
+
+def command_group(text: str) -> typer.Typer:
+    """Make a group of commands.
+
+    Args:
+        text: what it is for, in English.
+    """
+    made = typer.Typer(
+        cls=SpokenGroup,
+        help=text,
+        add_completion=False,
+        invoke_without_command=True,
+        pretty_exceptions_enable=False,
+        context_settings={"max_content_width": WIDTH},
+    )
+    made.callback()(_alone)
+    return made
+
+
+@contextmanager
+def _refusals_told(context: "Context") -> Iterator[None]:
+    """Turn what the parser refuses into an error like any other."""
+    try:
+        yield
+    except typer.TyperException as error:
+        raise UsageError([_refused(error, context)]) from error
+
+
+def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # noqa: ARG001
+    # The language is for the commands of the group: each asks for it, see `LanguageOption`.
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+        raise typer.Exit(WRONG_USE)
+
+
+def _write_page(
+    command: "Command", context: "Context", formatter: "HelpFormatter", words: Words
+) -> None:
+    some, one_of = words.translate("options"), words.translate("command")
+    pieces = [f"[{some}]"]
+    arguments: list[tuple[str, str]] = []
+    options: list[tuple[str, str]] = []
+    for parameter in command.get_params(context):
+        if isinstance(parameter, TyperArgument):
+            name = _argument_name(parameter, words)
+            pieces.append(name)
+            arguments.append((name, _described(parameter, context, words)))
+        elif isinstance(parameter, TyperOption) and not parameter.hidden:
+            value = _value_name(parameter, words)
+            written = ", ".join(parameter.opts) + (f" <{value}>" if value else "")
+            options.append((written, _described(parameter, context, words)))
+    commands: list[tuple[str, str]] = []
+    if isinstance(command, TyperGroup):
+        pieces.append(f"<{one_of}>…")
+        commands = [(name, words.declared(one.help)) for name, one in command.commands.items()]
+    usage = words.translate("Usage")
+    formatter.write_usage(context.command_path, " ".join(pieces), prefix=f"{usage}: ")
+    formatter.write_paragraph()
+    formatter.write_text(words.declared(command.help))
+    for heading, rows in (
+        (words.translate("Arguments"), arguments),
+        (words.translate("Options"), options),
+        (words.translate("Commands"), commands),
+    ):
+        if rows:
+            with formatter.section(heading):
+                formatter.write_dl(rows)
+
+
+def _argument_name(parameter: TyperArgument, words: Words) -> str:
+    name = words.declared(parameter.metavar or parameter.name)
+    more = "" if parameter.nargs == 1 else "…"
+    return f"<{name}>{more}" if parameter.required else f"[{name}]{more}"
+
+
+def _value_name(parameter: TyperOption, words: Words) -> str:
+    """Name what follows an option; nothing follows a flag."""
+    if parameter.is_flag:
+        return ""
+    if parameter.metavar:
+        return words.declared(parameter.metavar)
+    kind = parameter.type_descriptor.annotation
+    if kind is datetime:
+        return words.translate("YYYY-MM-DD")
+    if kind is Path:
+        return words.translate("path")
+    if kind in {int, float}:
+        return words.translate("number")
+    return words.translate("text")
+
+
+def _described(parameter: TyperOption | TyperArgument, context: "Context", words: Words) -> str:
+    """Say what a parameter is for, and in brackets what may be given."""
+    if set(parameter.opts) & set(context.help_option_names):
+        return words.translate("Show this help.")
+    text = words.declared(parameter.help)
+    notes = "; ".join(words.say(one) for one in _notes(parameter, words))
+    return f"{text} [{notes}]" if notes else text
+
+
+def _notes(parameter: TyperOption | TyperArgument, words: Words) -> Iterator[Message]:
+    shown: object = parameter.default
+    if isinstance(parameter.show_default, str):
+        shown = words.declared(parameter.show_default)
+    if parameter.required and isinstance(parameter, TyperOption):
+        yield message("required")
+    elif shown not in {None, ""} and shown is not False:
+        yield message("default: {value}", value=str(shown))
+    if isinstance(parameter, TyperOption) and parameter.multiple:
+        yield message("may be repeated")
+    if between := _range(parameter):
+        yield between
+
+
+def _range(parameter: TyperOption | TyperArgument) -> Message | None:
+    if parameter.min is not None and parameter.max is not None:
+        return message("from {least} to {most}", least=str(parameter.min), most=str(parameter.max))
+    if parameter.min is not None:
+        return message("at least {least}", least=str(parameter.min))
+    return None
+
+
+def _refused(error: typer.TyperException, context: "Context") -> Problem:
+    """Say what the parser refuses.
+
+    Its exceptions carry what they are about; their sentences are English and not taken over.
+    """
+    parameter: Parameter | None = getattr(error, "param", None)
+    remedy = _see_help(context)
+    if isinstance(parameter, TyperOption | TyperArgument):
+        name = _spoken_name(parameter, chosen_words())
+        return Problem("", name, _unusable(error, parameter), remedy)
+    name = getattr(error, "option_name", "")
+    if not name:
+        return Problem("", "", message("{reason}", reason=error.format_message()), remedy)
+    options = {two: one for one in context.command.get_params(context) for two in one.opts}
+    if name not in options:
+        from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
+
+        return Problem("", name, message("There is no such option."), did_you_mean(name, options))
+    if getattr(options[name], "is_flag", False):
+        return Problem("", name, message("This option takes no value."), remedy)
+    return Problem("", name, message("Behind this option a value is missing."), remedy)
+
+
+def _unusable(error: typer.TyperException, parameter: TyperOption | TyperArgument) -> Message:
+    if not isinstance(error, typer.BadParameter) or not error.message:
+        return message("It is missing.")
+    found = getattr(error.__cause__, "errors", None)
+    if found is None:
+        return message("{reason}", reason=error.message)  # said by a reader of our own
+    typed: Sequence[dict[str, object]] = found()
+    return message(
+        "'{text}' cannot be used here: {wanted}.",
+        text=str(typed[0]["input"]),
+        wanted=_wanted(parameter),
+    )
+
+
+def _wanted(parameter: TyperOption | TyperArgument) -> Message:
+    if parameter.type_descriptor.annotation is datetime:
+        return message("a date such as 2026-09-30 is wanted")
+    between = _range(parameter)
+    if between is not None:
+        return message("a whole number is wanted, {range}", range=between)
+    return message("a whole number is wanted")
+
+
+def _spoken_name(parameter: TyperOption | TyperArgument, words: Words) -> str:
+    if isinstance(parameter, TyperArgument):
+        return words.declared(parameter.metavar or parameter.name)
+    return ", ".join(parameter.opts)
+
+
+def _see_help(context: "Context") -> Message:
+    return message("See {command} --help.", command=context.command_path)

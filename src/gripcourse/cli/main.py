@@ -1,0 +1,252 @@
+"""The command line: parse, one call, print, exit code. No logic.
+
+Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid course; 3 our mistake.
+"""
+
+import sys
+import traceback
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import course as cli_course
+from gripcourse.cli import draw as cli_draw
+from gripcourse.cli import grading_text, simulation
+from gripcourse.cli import mark as cli_mark
+from gripcourse.cli import text as cli_text
+from gripcourse.cli import trace as cli_trace
+from gripcourse.cli import variants as cli_variants
+from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    OUR_MISTAKE,
+    PROCESSORS,
+    WRONG_USE,
+    CourseOption,
+    DateOption,
+    GradebookOption,
+    LanguageOption,
+    OutFileOption,
+    OutOption,
+    TableOption,
+    WorkersOption,
+    chosen_words,
+    course_folder,
+    day_of,
+    document_language,
+    gradebook_place,
+    main_table,
+    words_for,
+)
+from gripcourse.errors import GripcourseError, system_problem
+from gripcourse.text.words import Words, message
+
+# Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
+# ruff: noqa: PLC0415
+
+app = command_group(
+    "Course assignments for robot gripper design: issue variants, check, grade, report."
+)
+for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
+    app.add_typer(part.app)
+app.add_typer(cli_variants.app, name="variants")
+app.add_typer(simulation.tolerance_app, name="tolerance")
+
+
+@app.command(cls=SpokenCommand)
+def solve(  # noqa: PLR0913 (one parameter per option)
+    variant: Annotated[
+        str | None, typer.Argument(metavar="variant", help="Variant of the table.")
+    ] = None,
+    *,
+    scheme: Annotated[str | None, typer.Option(help="Scheme to solve without a table.")] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="name=value", help="A given number, in the declared unit."),
+    ] = None,
+    options: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--option", metavar="name=choice", help="What is chosen, for example drive=hydraulic."
+        ),
+    ] = None,
+    convention: Annotated[
+        str | None,
+        typer.Option(
+            metavar="corrected|guide", help="Errata corrected, or as the guide prints it."
+        ),
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the values as JSON.")] = False,
+    pdf: Annotated[bool, typer.Option("--pdf", help="Write the worked solution.")] = False,
+    xlsx: Annotated[bool, typer.Option("--xlsx", help="Write the key workbook.")] = False,
+    out: OutFileOption = None,
+    table: TableOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Solve a variant of the table, or a scheme with values set by hand."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases import solve as command
+
+    loaded = load_course(course_folder(course))
+    wanted = cli_text.chosen_convention(convention)
+    if (variant is None) == (scheme is None):
+        raise cli_text.misuse(message("Name a variant of the table, or a scheme with --scheme."))
+    if variant is not None:
+        if settings or options:
+            raise cli_text.misuse(message("--set and --option go with --scheme."))
+        from gripcourse.variants.table import read_table
+
+        variants = read_table(table or main_table(loaded.root), loaded)
+        solved = command.solve_from_table(loaded, variants, variant, wanted)
+    else:
+        solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
+    if pdf and xlsx and out is not None:
+        raise cli_text.misuse(
+            message("--out names one file for two documents."),
+            message("Ask for one of them, or leave --out out."),
+        )
+    words = Words(document_language(language, loaded.language))
+    if pdf:
+        typer.echo(str(command.write_solution(solved, out, words)))
+    if xlsx:
+        typer.echo(str(command.write_key(solved, out, words)))
+    if json:
+        typer.echo(command.solution_json(solved))
+    if not (pdf or xlsx or json):
+        typer.echo(cli_text.solution_table(solved, words))
+
+
+@app.command(cls=SpokenCommand)
+def issue(  # noqa: PLR0913 (one parameter per option)
+    *,
+    roster: Annotated[Path, typer.Option(help="Table of the students, csv or xlsx.")],
+    out: OutOption,
+    table: TableOption = None,
+    deadline: Annotated[
+        datetime | None, typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in.")
+    ] = None,
+    on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Issue an assignment to everybody on the roster: a sheet and an answer workbook each."""
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases.issue import Order, issue_order
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    order = Order(
+        roster=roster,
+        table=table or main_table(loaded.root),
+        out=out,
+        today=day_of(on),
+        deadline=deadline.date() if deadline else None,
+    )
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Issuing")), None)
+        issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
+    typer.echo(cli_text.issuing_text(issuing, out, words))
+    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
+
+
+@app.command(cls=SpokenCommand)
+def grade(  # noqa: PLR0913 (one parameter per option)
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+    ],
+    *,
+    out: OutOption,
+    json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
+    on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.usecases import grade as command
+    from gripcourse.usecases.gradebook import check_gradebook, keep
+    from gripcourse.usecases.opening import open_desk
+
+    words = words_for(language)
+    files = command.find_files(paths)
+    desk = open_desk(course_folder(course))
+    place = gradebook_place(gradebook, desk.course.root)
+    check_gradebook(place)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Grading")), len(files))
+        graded = command.grade(files, desk, workers, lambda _: tick())
+        graded = keep(graded, desk, place, datetime.now(UTC))
+        tick = step(words.say(message("Writing reports")), len(files))
+        outcome = command.write_results(graded, desk, out, day_of(on), workers, lambda _: tick())
+    if json:
+        typer.echo(command.json_text(outcome.reports, words))
+    else:
+        typer.echo(grading_text.grading_text(outcome, out, words))
+    raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
+
+
+@app.command(cls=SpokenCommand)
+def check(
+    file: Annotated[Path, typer.Argument(metavar="file", help="Your answer workbook.")],
+    *,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Show how a workbook is read and whether its numbers fit each other; never the answers."""
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases.check import check_file
+
+    loaded = load_course(course_folder(course))
+    checked = check_file(file, loaded, load_policy(loaded))
+    words = Words(document_language(language, loaded.language))
+    typer.echo(cli_text.check_text(checked, words))
+
+
+@app.command(cls=SpokenCommand)
+def demo(
+    *,
+    out: OutOption = Path("out"),
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
+    from gripcourse.demo.run import run_demo
+
+    words = words_for(language)
+    with cli_text.progress() as step:
+        done = run_demo(course_folder(course), out, words, workers, step)
+    typer.echo(grading_text.demo_text(done, words))
+
+
+def main() -> None:
+    """Run the command line; every failure is a sentence and an exit code, never a traceback."""
+    # Not standalone: what the parser refuses comes here, like all other refusals.
+    sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
+
+
+def _guard(run: Callable[[], int | None]) -> int:
+    try:
+        return run() or DONE
+    except GripcourseError as error:
+        words = chosen_words()
+        for problem in error.problems:
+            typer.echo(problem.say(words), err=True)
+        return WRONG_USE
+    except OSError as error:
+        typer.echo(system_problem(error).say(chosen_words()), err=True)
+        return WRONG_USE
+    except Exception:  # noqa: BLE001 (the last place that can say it kindly)
+        log = cli_text.write_incident(traceback.format_exc())
+        said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
+        typer.echo(chosen_words().say(said), err=True)
+        return OUR_MISTAKE

@@ -1,0 +1,106 @@
+"""`gripcourse mark`: parse, one call, print, exit code. No logic."""
+
+import getpass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import grading_text
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    CourseOption,
+    GradebookOption,
+    LanguageOption,
+    course_folder,
+    decimal_number,
+    gradebook_place,
+    words_for,
+)
+from gripcourse.text.words import message
+
+# Every command imports what it needs itself: numpy, pandas and the database cost half a second.
+# ruff: noqa: PLC0415
+
+
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
+def mark(  # noqa: PLR0913 (one parameter per option)
+    student: Annotated[str | None, typer.Argument(metavar="student", help="Whose item.")] = None,
+    quantity: Annotated[
+        str | None, typer.Argument(metavar="item", help="Which item; see --list.")
+    ] = None,
+    *,
+    lines: Annotated[
+        list[str] | None,
+        typer.Option("--line", metavar="id=share", help="What a line of the rubric earns, 0 to 1."),
+    ] = None,
+    points: Annotated[
+        float | None,
+        typer.Option(
+            parser=decimal_number, help="Points of the item, instead of what its lines add up to."
+        ),
+    ] = None,
+    credit: Annotated[
+        float | None,
+        typer.Option(
+            parser=decimal_number, help="Share of the points, 0 to 1, where there is no rubric."
+        ),
+    ] = None,
+    comment: Annotated[str, typer.Option(help="For the student.")] = "",
+    by: Annotated[
+        str | None, typer.Option("--by", help="Who marks; default: the user of this machine.")
+    ] = None,
+    override: Annotated[
+        bool, typer.Option("--override", help="Overrule the automatic result; needs a comment.")
+    ] = False,
+    withdraw: Annotated[
+        bool, typer.Option("--withdraw", help="Let the marks of this item count no longer.")
+    ] = False,
+    show: Annotated[bool, typer.Option("--list", help="Show what waits for a person.")] = False,
+    table: Annotated[
+        Path | None, typer.Option("--table", help="Table of marks, csv or xlsx, instead of one.")
+    ] = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Mark what a person judges; kept for good, and part of every report from the next grading."""
+    from gripcourse.gradebook.enter import Draft
+    from gripcourse.usecases import mark as command
+    from gripcourse.usecases.opening import open_desk
+
+    words = words_for(language)
+    root = course_folder(course)
+    place = gradebook_place(gradebook, root)
+    one = student is not None and quantity is not None
+    if [show, table is not None, one].count(True) != 1 or (student is not None and not one):
+        raise cli_text.misuse(
+            message("Name a student and an item, or a file with --table, or ask with --list.")
+        )
+    if show:
+        waits = command.what_waits(place)
+        typer.echo(grading_text.waiting_text(waits, words))
+        raise typer.Exit(NEEDS_PERSON if waits else DONE)
+    desk, marker, now = open_desk(root), by or getpass.getuser(), datetime.now(UTC)
+    if table is not None:
+        done = command.enter_table(table, desk, place, marker, now)
+    else:
+        draft = Draft(
+            student=str(student),
+            quantity=str(quantity),
+            lines=command.read_lines(lines or ()),
+            points=points,
+            credit=credit,
+            comment=comment,
+            override=override,
+            withdraw=withdraw,
+        )
+        done = command.enter_mark(draft, desk, place, marker, now)
+    typer.echo(grading_text.marking_text(done, words))

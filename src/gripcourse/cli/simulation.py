@@ -1,0 +1,142 @@
+"""Commands that measure the grader: virtual students and tolerances."""
+
+from pathlib import Path
+from time import perf_counter
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import simulation_text
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.options import (
+    NEEDS_PERSON,
+    PROCESSORS,
+    CountOption,
+    CourseOption,
+    LanguageOption,
+    OutFileOption,
+    OutOption,
+    SchemeOption,
+    SeedOption,
+    TableOption,
+    WorkersOption,
+    course_folder,
+    main_table,
+    words_for,
+)
+from gripcourse.text.words import message
+
+# Every command imports what it needs itself, as in `cli`.
+# ruff: noqa: PLC0415
+
+app = typer.Typer()
+tolerance_app = command_group("Tolerances: derive them.")
+
+
+@app.command(cls=SpokenCommand)
+def simulate(  # noqa: PLR0913 (one parameter per option)
+    *,
+    count: CountOption = 1000,
+    seed: SeedOption = 1,
+    scheme: SchemeOption = None,
+    out: OutOption = Path("cohort"),
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Write the workbooks of virtual students, and beside them what each of them did."""
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases import virtual as command
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    cohort = command.Cohort(count, seed, scheme)
+    started = perf_counter()
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Filling in")), count)
+        written = command.simulate(loaded, policy, cohort, out, workers, tick)
+    typer.echo(simulation_text.simulated_text(written, out, perf_counter() - started, words))
+
+
+@app.command(cls=SpokenCommand)
+def evaluate(  # noqa: PLR0913 (one parameter per option)
+    folder: Annotated[
+        Path | None, typer.Argument(metavar="folder", help="Folder of a simulated cohort.")
+    ] = None,
+    *,
+    in_memory: Annotated[
+        bool, typer.Option("--in-memory", help="Judge a new cohort without writing workbooks.")
+    ] = False,
+    count: CountOption = 1000,
+    seed: SeedOption = 1,
+    scheme: SchemeOption = None,
+    misses: Annotated[
+        Path | None, typer.Option("--misses", help="With --in-memory: CSV file of every miss.")
+    ] = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Set what virtual students did against what the grader says of it."""
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases import virtual as command
+
+    if in_memory == (folder is not None):
+        raise cli_text.misuse(message("Name the folder of a cohort, or --in-memory."))
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    cohort = command.Cohort(count, seed, scheme)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Grading")), count if folder is None else None)
+        if folder is None:
+            found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
+        else:
+            found = command.evaluate_folder(loaded, policy, folder, workers, tick)
+    typer.echo(simulation_text.evaluation_text(found, policy, words))
+    if found.missed:
+        raise typer.Exit(NEEDS_PERSON)
+
+
+@tolerance_app.command("audit", cls=SpokenCommand)
+def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
+    *,
+    apply: Annotated[
+        bool, typer.Option("--apply", help="Write what is proposed into the policy.")
+    ] = False,
+    count: Annotated[
+        int, typer.Option("--count", min=0, max=100_000, help="Variants drawn besides the table's.")
+    ] = 2000,
+    seed: SeedOption = 1,
+    out: OutFileOption = None,
+    table: TableOption = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Derive tolerances from honest students who round, cut off and shorten constants."""
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases import tolerance as command
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    policy = load_policy(loaded)
+    sample = command.Sample(table or main_table(loaded.root), count, seed)
+    variants = command.variants_of(loaded, sample)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Answering")), len(variants))
+        found = command.audit(loaded, policy, variants, workers, tick)
+    if out is not None:
+        command.write_audit(found, out)
+    typer.echo(simulation_text.audit_text(found, policy, words))
+    if apply:
+        changed = command.apply(found, loaded, policy)
+        said = message("{count} tolerances were written into the policy.", count=changed)
+        typer.echo(words.say(said))
+    elif found.refuses:
+        raise typer.Exit(NEEDS_PERSON)

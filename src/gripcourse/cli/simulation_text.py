@@ -1,0 +1,226 @@
+"""What the commands that measure the grader print."""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.cli.text import table_text
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words, message
+
+# `gripcourse --help` needs nothing of what is measured.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.course.model import Tolerance
+    from gripcourse.policy.model import Policy
+    from gripcourse.simulation.confusion import Evaluation
+    from gripcourse.simulation.rates import Rate
+    from gripcourse.simulation.tolerance import Audit, Audited
+
+_RATES = {
+    "incidents": message("failures on our side"),
+    "honest_refused": message("answers of honest students refused"),
+    "slip_accepted": message("wrong methods accepted as right"),
+    "slip_named": message("slips named as what they are"),
+    "slip_misnamed": message("slips given another name"),
+    "copy_flagged": message("copied works flagged"),
+    "honest_flagged": message("other works flagged"),
+    "source_flagged": message("works that were copied, flagged"),
+    "slip_tied": message("slips named together with a second one"),
+    "other_refused": message("right answers of other students refused"),
+    "follows_refused": message("right answers after something wrong refused"),
+    "bare_unit_accepted": message("numbers in another unit accepted"),
+    "wrong_unit_accepted": message("units that do not fit accepted"),
+    "rounded_down_accepted": message("sizes rounded down accepted"),
+    "copied_accepted": message("copied answers accepted"),
+}
+
+_SAID = {
+    "correct": message("correct"),
+    "carried": message("carried"),
+    "named": message("named"),
+    "tied": message("one of two"),
+    "misnamed": message("another slip"),
+    "wrong": message("wrong"),
+    "blank": message("blank"),
+    "unreadable": message("unreadable"),
+    "not_judged": message("not judged"),
+}
+_DONE = {
+    "right": message("the right method"),
+    "follows": message("the right method after something wrong"),
+    "slip": message("a wrong method"),
+    "bare_unit": message("another unit, untold"),
+    "wrong_unit": message("a unit that does not fit"),
+    "rounded_down": message("a size rounded down"),
+    "blank": message("blank"),
+    "copied": message("copied"),
+}
+
+
+def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
+    """Return how many workbooks were written, where, and how fast."""
+    return words.say(
+        message(
+            "{count} workbooks of virtual students are in {folder}: {speed} per second.",
+            count=count,
+            folder=str(out),
+            speed=float(f"{count / max(seconds, 1e-9):.3g}"),
+        )
+    )
+
+
+def evaluation_text(found: "Evaluation", policy: "Policy", words: Words) -> str:
+    """Return the confusion table, the rates, and the share of each kind of slip that was named."""
+    lines = [
+        words.say(message("{count} virtual students", count=found.students)),
+        _confusion(found, words),
+        _rates(found, words),
+        _kinds(found, policy, words),
+        words.say(
+            message(
+                "Of {tried} places tried for slips {hidden} change the answer too little for "
+                "anybody to see.",
+                tried=found.tried,
+                hidden=found.hidden,
+            )
+        ),
+    ]
+    return "\n\n".join([*lines, *dict.fromkeys(found.incidents)])
+
+
+def _confusion(found: "Evaluation", words: Words) -> str:
+    from gripcourse.simulation.confusion import Said
+    from gripcourse.simulation.model import Done
+
+    heads = (
+        words.say(message("done \\ said")),
+        *(words.say(_SAID[said.value]) for said in Said),
+    )
+    rows = [
+        (
+            words.say(_DONE[done.value]),
+            *(str(found.table.get((done, said), 0) or "·") for said in Said),
+        )
+        for done in Done
+        if any(found.table.get((done, said)) for said in Said)
+    ]
+    return table_text(heads, rows, right=set(range(1, len(heads))))
+
+
+def _rates(found: "Evaluation", words: Words) -> str:
+    heads = (
+        message("measured"), message("count"), message("of"), message("share, %"),
+        message("95 % interval"), message("required"), "",
+    )  # fmt: skip
+    rows = [
+        (words.say(_RATES[name]), *_numbers(rate, words), "✓" if rate.reached else "✗")
+        if rate.required
+        else (words.say(_RATES[name]), *_numbers(rate, words), "")
+        for name, rate in found.rates.items()
+    ]
+    named = [one if isinstance(one, str) else words.say(one) for one in heads]
+    return table_text(named, rows, right={1, 2, 3, 4, 5})
+
+
+def _kinds(found: "Evaluation", policy: "Policy", words: Words) -> str:
+    titles = {kind.value: slip.title for kind, slip in policy.slips.kinds.items()}
+    own = words.say(message("declared beside the formula"))
+    heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
+    named = {
+        kind: titles[kind].of(words.language) if kind in titles else own for kind in found.by_kind
+    }
+    rows = [(named[kind], *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
+    return table_text([words.say(one) for one in heads], rows, right={1, 2, 3})
+
+
+def _numbers(rate: "Rate", words: Words) -> Iterator[str]:
+    low, high = rate.interval
+    yield str(rate.hits)
+    yield str(rate.total)
+    yield _percent(rate.share, words)
+    yield f"{_percent(low, words)} … {_percent(high, words)}"
+    yield "".join(_limits(rate, words))
+
+
+def _limits(rate: "Rate", words: Words) -> Iterable[str]:
+    if rate.at_most is not None:
+        yield f"≤ {_percent(rate.at_most, words)}"
+    if rate.at_least is not None:
+        yield f"≥ {_percent(rate.at_least, words)}"
+
+
+def _percent(share: float, words: Words) -> str:
+    return words.number(100 * share, 3)
+
+
+def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
+    """Return what a tolerance audit found: sums, what would change, and where steps are shaky."""
+    heads = (
+        message("quantity"), message("answers"), message("refused"), message("band now"),
+        message("wrong, %"), message("proposed"), message("wrong, %"), message("spread, %"),
+    )  # fmt: skip
+    shown = [one for one in found.quantities if one.changes or one.tally.refused]
+    shaky = [one for one in found.quantities if one.ill_conditioned]
+    floors = ", ".join(
+        f"{words.number(value)} {unit_text(unit, words.language)}".strip()
+        for unit, value in policy.floors.items()
+    )
+    answers = sum(one.tally.answers for one in found.quantities)
+    lines = [
+        table_text(
+            [words.say(one) for one in heads],
+            [_audited(one, words) for one in shown],
+            right=set(range(1, len(heads))),
+        ),
+        words.say(
+            message(
+                "{variants} variants answered in {ways} ways by honest students: {answers} answers "
+                "to {quantities} computed quantities, {refused} refused with the bands that apply "
+                "now.",
+                variants=found.variants,
+                ways=found.ways,
+                answers=answers,
+                quantities=len(found.quantities),
+                refused=sum(one.tally.refused for one in found.quantities),
+            )
+        ),
+        words.say(
+            message(
+                "“wrong” is the share of wrong methods that a band accepts, of students with the "
+                "fewest figures, whose numbers leave the widest range; a wrong method that gives "
+                "the right value is left out."
+            )
+        ),
+        words.say(message("Near zero an absolute floor counts instead: {floors}.", floors=floors)),
+    ]
+    if shaky:
+        said = message(
+            "Ill-conditioned: rounding earlier numbers moves these most: {names}.",
+            names=", ".join(one.quantity.id for one in shaky),
+        )
+        lines.append(words.say(said))
+    return "\n\n".join(lines)
+
+
+def _audited(one: "Audited", words: Words) -> tuple[str, ...]:
+    tally = one.tally
+    return (
+        one.quantity.id,
+        str(tally.answers),
+        str(tally.refused),
+        _band(one.now, one, words),
+        _percent(tally.accepted / tally.slips, words) if tally.slips else "",
+        _band(one.proposed, one, words) if one.changes else "",
+        _percent(one.price, words) if tally.slips else "",
+        _percent(tally.widest, words),
+    )
+
+
+def _band(tolerance: "Tolerance", one: "Audited", words: Words) -> str:
+    relative = f"{_percent(tolerance.relative, words)} %"
+    if not one.by_absolute:
+        return relative
+    unit = unit_text(one.quantity.unit, words.language)
+    return f"{relative}, {words.number(tolerance.absolute)} {unit}".strip()

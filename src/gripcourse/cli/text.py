@@ -1,0 +1,230 @@
+"""What the command line prints: tables, summaries and the progress bar."""
+
+import hashlib
+import io
+import math
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Message, Texts, Words, message
+
+# rich costs 60 ms to import: only who prints a table or a bar pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.course.model import Convention
+    from gripcourse.machine.doctor import Check as MachineCheck
+    from gripcourse.usecases.audit import Audited
+    from gripcourse.usecases.check import Checked
+    from gripcourse.usecases.issue import Issuing
+    from gripcourse.usecases.solve import Solved
+    from gripcourse.variants.draw import Drawn
+
+Step = Callable[[str, int | None], Callable[[], None]]
+WIDTH = 110
+
+
+def misuse(what: Message, remedy: Message | None = None) -> UsageError:
+    """Make the error of a command that was called wrongly."""
+    return UsageError([Problem("", "", what, remedy or message("See --help."))])
+
+
+def chosen_convention(name: str | None) -> "Convention | None":
+    """Read the convention that a user chose; None for the course's."""
+    from gripcourse.course.model import Convention
+
+    if name is None or name in list(Convention):
+        return None if name is None else Convention(name)
+    raise misuse(
+        message("There is no convention '{name}': corrected or guide.", name=name),
+    )
+
+
+@contextmanager
+def progress() -> Iterator[Step]:
+    """Show a bar for each step with the time that it still takes; on stderr, plain without one."""
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True)) as bar:
+
+        def step(name: str, total: int | None) -> Callable[[], None]:
+            task = bar.add_task(name, total=total)
+            return lambda: bar.advance(task)
+
+        yield step
+
+
+def solution_table(solved: "Solved", words: Words) -> str:
+    """Return the values of a solution as a table, by section."""
+    plan = solved.plan
+    rows = [
+        (
+            quantity.id,
+            quantity.symbol.of(words.language),
+            _title(quantity.title, words),
+            words.number(solved.values[quantity.id])
+            if math.isfinite(solved.values[quantity.id])
+            else "—",
+            _unit(quantity.unit, words),
+        )
+        for quantity in (*plan.constants, *plan.givens, *plan.answered)
+    ]
+    return table_text(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
+
+
+def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
+    """Return how many variants were drawn, the acceptance rates and the main reasons."""
+    lines = [
+        words.say(
+            message(
+                "{count} variants were written to {file}.", count=len(drawn.variants), file=str(out)
+            )
+        )
+    ]
+    for tally in drawn.tallies:
+        lines.append(
+            words.say(
+                message(
+                    "{scheme}: {share} % of {tried} candidates are feasible.",
+                    scheme=tally.scheme,
+                    share=round(100 * tally.acceptance, 1),
+                    tried=tally.tried,
+                )
+            )
+        )
+        refusals = (*tally.refusals[:5], *tally.set_aside)
+        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in refusals]
+    return "\n".join(lines)
+
+
+def audit_text(audited: "Audited", words: Words) -> str:
+    """Return how many variants break which rule, and where the certificate is."""
+    found = audited.audit
+    share = float(found.apart.whole.share.max(initial=0.0))
+    said = [
+        message("{count} variants of {file} were checked.", count=len(found.variants),
+                file=str(audited.table)),
+        message("{count} break a rule of their space.",
+                count=sum(bool(one.broken) for one in found.variants)),
+        message("{count} have a slip that gives nearly the right result.",
+                count=sum(bool(one.slips) for one in found.variants)),
+        message("{count} have a size at the edge of its step.",
+                count=sum(bool(one.edges) for one in found.variants)),
+        message("{count} are too near to another variant.",
+                count=sum(one.above for one in found.variants)),
+        message("At most {share} % of the points of computed quantities are shared.",
+                share=round(100 * share, 1)),
+        message("The longest assignment has {ratio} times as many answers as the shortest.",
+                ratio=round(found.ratio, 2)),
+    ]  # fmt: skip
+    verdict = (
+        message("The table keeps all rules.")
+        if found.passed
+        else message("The table does not keep all rules.")
+    )
+    return "\n".join([*(words.say(one) for one in (*said, verdict)), *map(str, audited.written)])
+
+
+def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
+    """Return what was issued, the notes and what could not be written."""
+    whole = [one for one in issuing.handouts if not one.faults]
+    said = message("{count} assignments are in {folder}.", count=len(whole), folder=str(out))
+    lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
+    lines += [
+        f"{shown(one.student)}: {words.say(fault)}"
+        for one in issuing.handouts
+        for fault in one.faults
+    ]
+    return "\n".join(lines)
+
+
+def check_text(checked: "Checked", words: Words) -> str:
+    """Return what a student learns about a workbook."""
+    from gripcourse.submission.model import Reading
+
+    rows = []
+    for check in checked.checks:
+        quantity = checked.plan.quantities[check.quantity]
+        said = " ".join(words.say(one) for one in (check.message, *check.remarks))
+        if check.answer.reading is Reading.UNREADABLE:
+            said = f"{check.answer.cell}: {said}"
+        typed = check.answer.typed
+        rows.append(
+            (
+                quantity.symbol.of(words.language),
+                _title(quantity.title, words),
+                typed,
+                _unit(quantity.unit, words),
+                said,
+            )
+        )
+    heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
+    lines = [words.say(remark) for remark in checked.remarks]
+    named = [one if isinstance(one, str) else words.say(one) for one in heads]
+    return "\n".join([*lines, table_text(named, rows, right={2})])
+
+
+def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
+    """Return what the machine has and lacks, each lack with its remedy."""
+    lines = []
+    for check in found:
+        sign = "✓" if check.ok else ("✗" if check.required else "–")
+        remedy = "" if check.ok else f". {words.say(check.remedy)}"
+        lines.append(f"{sign} {words.say(check.message)}{remedy}")
+    return "\n".join(lines)
+
+
+def write_incident(trace: str) -> Path:
+    """Write a traceback where a user can find it, and return where."""
+    number = hashlib.sha256(trace.encode()).hexdigest()[:8]
+    path = Path(tempfile.gettempdir()) / f"gripcourse-incident-{number}.log"
+    path.write_text(trace, encoding="utf-8")
+    return path
+
+
+def _title(title: Texts, words: Words) -> str:
+    return title.of(words.language)
+
+
+def _unit(unit: str, words: Words) -> str:
+    from gripcourse.text.units import unit_text
+
+    return unit_text(unit, words.language)
+
+
+def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
+    """Lay out a table; `right` are the columns that stand at the right."""
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=SIMPLE_HEAD, pad_edge=False)
+    for number, head in enumerate(heads):
+        table.add_column(Text(head), justify="right" if number in right else "left")
+    for row in rows:
+        # Text, not markup: what a student typed must not be read as a colour.
+        table.add_row(*(Text(shown(cell)) for cell in row))
+    # A file, not the terminal: the caller decides where it goes.
+    console = Console(width=WIDTH, file=io.StringIO())
+    with console.capture() as capture:
+        console.print(table)
+    return capture.get().rstrip()

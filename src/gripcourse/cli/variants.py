@@ -1,0 +1,96 @@
+"""The commands on tables of variants: parse, one call, print, exit code. No logic."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    CountOption,
+    CourseOption,
+    DateOption,
+    LanguageOption,
+    OutOption,
+    OutTableOption,
+    SchemeOption,
+    SeedOption,
+    TableOption,
+    course_folder,
+    day_of,
+    document_language,
+    main_table,
+    words_for,
+)
+from gripcourse.text.words import Words, message
+
+# Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
+# ruff: noqa: PLC0415
+
+app = command_group("Variant tables: draw, import or audit.")
+
+
+@app.command("draw", cls=SpokenCommand)
+def draw(  # noqa: PLR0913 (one parameter per option)
+    *,
+    count: CountOption,
+    seed: SeedOption,
+    scheme: SchemeOption = None,
+    freely: Annotated[
+        bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
+    ] = False,
+    out: OutTableOption = Path("variants.csv"),
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Draw variants that can be solved and are far enough apart from the course's spaces."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases.variants import draw_table
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely)
+    typer.echo(cli_text.drawn_text(drawn, out, words))
+
+
+@app.command("import", cls=SpokenCommand)
+def import_(
+    source: Annotated[
+        Path, typer.Argument(metavar="table", help="An instructor's own table, xlsx or csv.")
+    ],
+    *,
+    out: OutTableOption = Path("variants.csv"),
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Check an instructor's own table and write it in the form that the other commands read."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases.variants import import_table
+
+    words = words_for(language)
+    count = import_table(load_course(course_folder(course)), source, out)
+    said = message("{count} variants were written to {file}.", count=count, file=str(out))
+    typer.echo(words.say(said))
+
+
+@app.command("audit", cls=SpokenCommand)
+def audit(
+    *,
+    table: TableOption = None,
+    out: OutOption = Path("audit"),
+    on: DateOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Check that a table's variants are far from slips, fair and apart; write a certificate."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases.audit import audit_table
+
+    loaded = load_course(course_folder(course))
+    document = Words(document_language(language, loaded.language))
+    audited = audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+    typer.echo(cli_text.audit_text(audited, words_for(language)))
+    raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)

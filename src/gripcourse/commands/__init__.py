@@ -1,1 +1,0 @@
-"""What each command does, one module per command, without a word about terminals."""

@@ -1,0 +1,1 @@
+"""A whole small course played through, with scripted students."""

@@ -1,0 +1,1 @@
+"""Everything that is printed: one module and one template for each kind."""

@@ -1,0 +1,312 @@
+"""The assignment sheet of one student: who, what is given, what is asked, how it is judged."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
+from gripcourse.documents.pdf import Document, picture, render_fitting
+from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
+from gripcourse.drawing.diagram.layout import WIDEST
+from gripcourse.issuing.seal import seal_of, seal_svg
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan
+from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Message, Words, message
+from gripcourse.variants.model import Issued
+
+TEMPLATE = "assignment.html.j2"
+STYLES = ("page.css", "formula.css", "assignment.css")
+
+# So many letters of a signature tell two sheets apart at a glance.
+_CONTROL_LETTERS = 12
+_NARROW = 112.0  # mm of a diagram that leaves room for text beside it
+_MANY = 85  # quantities, from which on a diagram has to leave room beside it
+_PAGES = 2  # one sheet of paper
+# Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
+# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
+_DENSITIES = ("", "dense", "dense long", "dense long torn")
+_CROWDED, _HIGH = 105, 58.0
+_GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
+
+
+@dataclass(frozen=True, slots=True)
+class Datum:
+    """A row of the given data: texts in the reader's language, `symbol` as declared.
+
+    Degrees belong to the number and stand in `value`; any other unit has a column of its own.
+    """
+
+    symbol: str
+    title: str
+    value: str
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A diagram for a page.
+
+    Attributes:
+        address: of the picture.
+        text: what it shows, for a reader who does not see it.
+        width, height: mm.
+        beside: whether it is narrow enough for text beside it.
+        moves: whether it shows more than one position.
+    """
+
+    address: str
+    text: str
+    width: float
+    height: float
+    beside: bool
+    moves: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A quantity that the student is asked for.
+
+    Attributes:
+        symbol: as declared.
+        text: name, unit, and the band where it is not the usual one.
+        wide: whether the symbol is a whole condition, or there is none.
+    """
+
+    symbol: str
+    text: str
+    wide: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A section of the assignment with its points and the quantities asked."""
+
+    title: str
+    task: str
+    points: str
+    items: tuple[Asked, ...]
+
+
+def assignment_sheet(
+    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
+) -> bytes:
+    """Make the assignment sheet of a student as a PDF file of one or two pages.
+
+    Args:
+        issued: the student, the frozen values and the dates.
+        plan: of the variant's scheme and options.
+        policy: points, bands and credits that the sheet announces.
+        course: titles, tasks and constants.
+        words: the language of the sheet.
+    """
+    values = sheet_values(issued, plan, policy, course, words)
+    tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
+    prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
+    return render_fitting(prints, _PAGES, course.root / "templates", words)
+
+
+def sheet_values(
+    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
+    listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
+    widest = _NARROW if listed > _MANY else WIDEST
+    diagram = drawn_diagram(plan, issued.variant.given, words, widest)
+    return {
+        "course": course.title.of(words.language),
+        "student": issued.student.name,
+        "variant": issued.variant.id,
+        "control": issued.signature[:_CONTROL_LETTERS],
+        "seal": picture(seal_svg(seal_of(issued, course.id))),
+        "diagram": diagram,
+        "pairs": _pairs(issued, plan, words),
+        "task": plan.scheme.task.of(words.language),
+        "data": given_data(plan.givens, issued.variant.given, words),
+        "constants": given_data(plan.constants, issued.variant.given, words),
+        "density": _density(listed, diagram),
+        "sections": list(_tasks(plan, policy, course, words)),
+        "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
+        "rules": [words.say(sentence) for sentence in _rules(plan, policy, words)],
+    }
+
+
+def _density(listed: int, diagram: Drawn | None) -> str:
+    """Name the largest print in which so many quantities, with the diagram, may fit."""
+    stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
+    return "dense" if listed > _CROWDED or stacked else ""
+
+
+def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
+    """Return labels and values of the head of the sheet; what is unknown is left out."""
+    language, deadline = words.language, issued.deadline
+    pairs = [
+        (words.say(message("Student")), issued.student.name),
+        (words.say(message("Group")), issued.student.group),
+        (words.say(message("Variant")), issued.variant.id),
+        (words.say(message("Scheme")), plan.scheme.title.of(language)),
+        (words.say(message("Issued on")), day_text(issued.issued_on, words)),
+        (words.say(message("Deadline")), day_text(deadline, words) if deadline else ""),
+        *option_pairs(plan, words),
+    ]
+    return [(label, value) for label, value in pairs if value]
+
+
+def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
+    """Yield the titles of a plan's options, as labels, and of what was chosen."""
+    for option in plan.scheme.options:
+        label = option.title.of(words.language)
+        for choice in option.choices:
+            if choice.id == plan.options.get(option.id):
+                yield label[:1].upper() + label[1:], choice.title.of(words.language)
+
+
+def drawn_diagram(
+    plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
+) -> Drawn | None:
+    """Return the diagram of a variant for a page; None where there is none.
+
+    Args:
+        plan: of the variant's scheme and options.
+        values: in declared units; the givens at least.
+        words: the language of the symbols.
+        widest: mm that it may take of the page's width.
+    """
+    diagram = kinematic_diagram(plan, values, words.language, widest)
+    if diagram is None:
+        return None
+    return Drawn(
+        address=picture(diagram.svg()),
+        text=diagram.title,
+        width=round(diagram.width, 2),
+        height=round(diagram.height, 2),
+        beside=diagram.width <= _NARROW,
+        moves=plan.scheme.kinematics is not None,
+    )
+
+
+def given_data(
+    quantities: Iterable[Quantity], values: Mapping[str, float], words: Words
+) -> list[Datum]:
+    """Return rows of given data; a constant that `values` does not have counts as declared."""
+    return [
+        _datum(quantity, values.get(quantity.id, quantity.value), words) for quantity in quantities
+    ]
+
+
+def _datum(quantity: Quantity, value: float | None, words: Words) -> Datum:
+    language = words.language
+    unit = unit_text(quantity.unit, language)
+    written = "—" if value is None else words.number(value, _GIVEN_FIGURES)
+    degrees = unit.startswith("°")
+    return Datum(
+        symbol=quantity.symbol.of(language),
+        title=quantity.title.of(language),
+        value=f"{written}{unit}" if degrees else written,
+        unit="" if degrees else unit,
+    )
+
+
+def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[Task]:
+    for section in course.sections:
+        asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
+        if asked:
+            yield _task(section, asked, policy, words)
+
+
+def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> Task:
+    points = policy.section_points.get(section.id)
+    said = message("{points} points", points=points_text(points or 0.0, words))
+    return Task(
+        title=section.title.of(words.language),
+        task=section.task.of(words.language),
+        points="" if points is None else words.say(said),
+        items=tuple(_asked(quantity, policy, words) for quantity in asked),
+    )
+
+
+def _asked(quantity: Quantity, policy: Policy, words: Words) -> Asked:
+    text = quantity.title.of(words.language)
+    if quantity.kind is Kind.VERDICT:
+        text += f" ({words.say(message('yes or no'))})"
+    elif quantity.kind is Kind.MANUAL:
+        text += f" ({words.say(message('marked by a person'))})"
+    elif quantity.unit:
+        text += f",{NO_BREAK_SPACE}{unit_text(quantity.unit, words.language)}"
+    band = policy.tolerances.get(quantity.id) or quantity.tolerance
+    unusual = band is not None and band.relative != policy.tolerance.relative
+    if band is not None and unusual and quantity.kind is Kind.FORMULA:
+        text += f", {_band(band, words)}"
+    symbol = quantity.symbol.of(words.language)
+    wide = quantity.kind is Kind.VERDICT or not symbol
+    return Asked(symbol, text, wide)
+
+
+def _band(band: Tolerance, words: Words) -> str:
+    return f"±{NO_BREAK_SPACE}{percent_text(band.relative, words)}"
+
+
+def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
+    yield message(
+        "The workbook that was issued with this sheet, with your answers in its marked cells. "
+        "Do not change the given values: answers are judged against the values of this sheet."
+    )
+    if plan.manual:
+        titles = "; ".join(quantity.title.of(words.language) for quantity in plan.manual)
+        yield message("To be marked by a person from a rubric: {titles}.", titles=titles)
+
+
+def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
+    yield message(
+        "Grip force is the force at ONE jaw, normal to the object; drive force is the force at the "
+        "output link of the drive, for all jaws together."
+    )
+    yield message(
+        "An answer is right when it differs from the expected value by no more than {band}, unless "
+        "another band is printed beside the quantity.",
+        band=percent_text(policy.tolerance.relative, words),
+    )
+    yield from _carried(policy, words)
+    yield message(
+        "Sizes that you accept from a series are design decisions. They are judged by their rule: "
+        "an entry of the series, not below the required value and not wastefully above it. Your "
+        "own choice is used in everything that follows."
+    )
+    yield from _errata(plan, policy, words)
+    yield message(
+        "Write numbers with a decimal comma or a decimal point, in the unit beside the cell, and "
+        "keep at least four significant figures. An empty cell is no answer; it is not read as "
+        "zero."
+    )
+
+
+def _carried(policy: Policy, words: Words) -> Iterator[Message]:
+    if policy.carried_credit >= 1:
+        yield message(
+            "A mistake costs its points once: an answer that follows from your own earlier numbers "
+            "counts in full."
+        )
+    elif policy.carried_credit > 0:
+        yield message(
+            "A mistake is not charged twice: an answer that follows from your own earlier numbers "
+            "earns {share} of its points.",
+            share=percent_text(policy.carried_credit, words),
+        )
+
+
+def _errata(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
+    if plan.convention is Convention.GUIDE:
+        yield message("The reference follows the formulas of the guide as they are printed.")
+    elif policy.printed_credit is None:
+        yield message("The guide has known misprints; only the corrected formulas count.")
+    elif policy.printed_credit >= 1:
+        yield message(
+            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "counts in full, with a remark on what is right."
+        )
+    else:
+        yield message(
+            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "earns {share} of its points, with a remark on what is right.",
+            share=percent_text(policy.printed_credit, words),
+        )

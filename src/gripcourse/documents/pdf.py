@@ -1,0 +1,256 @@
+"""Templates of a course made into PDF files, the same bytes for the same content.
+
+The look belongs to a designer: this module only knows the folder with the templates and the style
+sheets. It offers to every template
+
+    _("English sentence")    a sentence of the template in the reader's language
+    say(message)             a message that was made in Python
+    language                 the reader's language
+    value | points           points with at most two decimals
+    value | percent          a share of one as a percentage
+    value | day              a date written out
+    text | symbol            a declared symbol as a formula writes it
+    box | formula            a formula
+    box | mathml             a formula for a browser; mathml(large=True) on a line of its own
+    box | plain              a formula as one line of text
+    box | aside              the same, empty where its MathML can be read without being drawn
+
+and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
+style sheets. A value that a template does not get is an error, never an empty place.
+"""
+
+import gc
+import traceback
+from base64 import b64encode
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from gripcourse.errors import CourseError, Problem, UsageError
+from gripcourse.formula.boxes import Box
+from gripcourse.formula.markup import html, text
+from gripcourse.formula.mathml import mathml, reads_aloud
+from gripcourse.formula.typeset import declared_symbol
+from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
+from gripcourse.text.amounts import day_text, percent_text, points_text
+from gripcourse.text.shown import shown
+from gripcourse.text.words import LANGUAGES, Words, message
+
+# Jinja2, Babel and WeasyPrint cost 40, 60 and 450 ms to import: only who makes a document pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
+
+
+_COLLECTOR_THRESHOLD = 100_000
+_VARIANT = "pdf/ua-1"
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """One document to render.
+
+    Attributes:
+        template: name of the template in the folder, for example `student.html.j2`.
+        styles: names of style sheets in its `style` folder, in order of precedence.
+        values: what the template gets, by name.
+    """
+
+    template: str
+    styles: tuple[str, ...]
+    values: Mapping[str, object]
+
+
+def render_pdf(document: Document, templates: Path, words: Words) -> bytes:
+    """Render a document; tagged, with title and language, without any date of its own.
+
+    Args:
+        document: what to render.
+        templates: the folder of the course with the templates and their `style` folder.
+        words: the reader's language.
+
+    Returns:
+        The bytes of the PDF file; equal for equal content.
+
+    Raises:
+        CourseError: a template is missing, does not parse, or asks for a value it does not get.
+        UsageError: this machine has no fonts.
+        OSError: a style sheet cannot be read.
+    """
+    return pdf_from_html(render_html(document, templates, words), document.styles, templates)
+
+
+def render_html(document: Document, templates: Path, words: Words) -> str:
+    """Fill the template of a document; see `render_pdf` for the arguments and the errors."""
+    from jinja2 import TemplateError
+
+    try:
+        template = template_environment(templates, words.language).get_template(document.template)
+        return template.render(document.values)
+    except TemplateError as error:
+        raise CourseError([template_problem(error, document.template, templates)]) from error
+
+
+def render_fitting(
+    documents: Sequence[Document], pages: int, templates: Path, words: Words
+) -> bytes:
+    """Render the first document that has at most so many pages; the last where none has.
+
+    Args:
+        documents: the same in ever smaller print, at least one.
+        pages: that it may have.
+        templates: the folder of the course; see `render_pdf`, also for the errors.
+        words: the reader's language.
+    """
+    *roomy, tightest = documents
+    for document in roomy:
+        html = render_html(document, templates, words)
+        with _few_collections():
+            laid_out = _laid_out(html, document.styles, templates)
+            if len(laid_out.pages) <= pages:
+                return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
+    return render_pdf(tightest, templates, words)
+
+
+def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
+    """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
+    with _few_collections():
+        return bytes(_laid_out(html, styles, templates).write_pdf(pdf_variant=_VARIANT))
+
+
+def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    from weasyprint import HTML, URLFetcher
+
+    sheets = [_style_sheet(path, path.stat().st_mtime_ns) for path in _paths(templates, styles)]
+    source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))
+    return source.render(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
+
+
+def picture(svg: str) -> str:
+    """Return an SVG text as an address that a page can show without fetching anything."""
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
+
+
+def _paths(templates: Path, styles: tuple[str, ...]) -> tuple[Path, ...]:
+    return tuple(templates / "style" / name for name in styles)
+
+
+def _markup(box: Box) -> "Markup":
+    """Return the HTML of a formula; its text was escaped when it was made."""
+    from markupsafe import Markup
+
+    return Markup(html(box))  # noqa: S704 - see above
+
+
+def _mathml(box: Box, *, large: bool = False) -> "Markup":
+    """Return the MathML of a formula; its text was escaped when it was made."""
+    from markupsafe import Markup
+
+    return Markup(mathml(box, large=large))  # noqa: S704 - see above
+
+
+def template_problem(error: Exception, name: str, templates: Path) -> Problem:
+    """Say what a designer has to mend, with the template and the line where it failed.
+
+    Args:
+        error: that parsing or filling a template raised.
+        name: of the template that was to be filled; it may have failed in another one.
+        templates: the folder of the course with the templates.
+    """
+    from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
+
+    found = traceback.extract_tb(error.__traceback__)
+    inside = [step for step in found if Path(step.filename).is_relative_to(templates)]
+    place, line = (inside[-1].filename, inside[-1].lineno) if inside else (templates / name, None)
+    what = message("The template fails: {reason}.", reason=_reason(error))
+    remedy = message("Mend what stands there; compare it with the reference course's template.")
+    match error:
+        case TemplateNotFound():
+            what = message("There is no template {name}.", name=str(error.name))
+            remedy = message("Correct the name, or copy the file from the reference course.")
+        case TemplateSyntaxError():
+            place, line = templates / (error.name or name), error.lineno
+        case UndefinedError():
+            remedy = message("Correct the name; it may be only the name of what stands before it.")
+    shown = f"{templates.name}/{Path(place).relative_to(templates).as_posix()}"
+    return Problem(shown, "" if line is None else f"line {line}", what, remedy)
+
+
+def _reason(error: Exception) -> str:
+    """Return what a library says, without the full stop that the sentence has."""
+    return (str(error) or type(error).__name__).rstrip(".")
+
+
+def _seen(value: object) -> object:
+    """Keep what no page can show out of it; what was made of formulas is known to be whole."""
+    return shown(value) if type(value) is str else value
+
+
+# One environment for each folder and language of a run.
+@lru_cache(maxsize=4 * len(LANGUAGES))
+def template_environment(templates: Path, language: str) -> "Environment":
+    """Return what every template of a folder gets whatever the document: see the list above."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    words = Words(language)
+    environment = Environment(
+        loader=FileSystemLoader(templates),
+        autoescape=True,
+        undefined=StrictUndefined,
+        finalize=_seen,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.globals.update({"_": words.translate, "say": words.say, "language": language})
+    filters: Mapping[str, Callable[..., str]] = {
+        "points": lambda value: points_text(value, words),
+        "percent": lambda share: percent_text(share, words),
+        "day": lambda day: day_text(day, words),
+        "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
+        "formula": _markup,
+        "mathml": _mathml,
+        "plain": text,
+        "aside": lambda box: "" if reads_aloud(box) else text(box),
+    }
+    environment.filters.update(filters)
+    return environment
+
+
+@lru_cache(maxsize=1)
+def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    from weasyprint.text.fonts import FontConfiguration
+
+    # Without any font Pango does not say so: it takes the whole process down.
+    if not any(fonts_used(FONT_PACKAGES).values()):
+        what = message("This machine has no font, so that no page can be laid out.")
+        remedy = message("gripcourse doctor names what is missing and how to install it.")
+        raise UsageError([Problem("", "", what, remedy)])
+    return FontConfiguration()
+
+
+@lru_cache(maxsize=32)
+def _style_sheet(path: Path, _changed: int) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    """Parse a style sheet once for each time that the file was changed."""
+    from weasyprint import CSS, URLFetcher
+
+    return CSS(
+        string=path.read_text(encoding="utf-8"),
+        font_config=_fonts(),
+        url_fetcher=URLFetcher(allowed_protocols=("data",)),
+    )
+
+
+@contextmanager
+def _few_collections() -> Iterator[None]:
+    """Collect garbage rarely: a layout makes many objects that live, 15 % of its time otherwise."""
+    before = gc.get_threshold()
+    gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])
+    try:
+        yield
+    finally:
+        gc.set_threshold(*before)

@@ -1,0 +1,1 @@
+"""The formula reference, made from the declarations."""

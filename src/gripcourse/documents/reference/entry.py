@@ -1,0 +1,326 @@
+"""A quantity as the reference prints it: everything that its declaration says."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+from gripcourse.course.model import AsPrinted, Course, Kind, Quantity, Rounding, Source
+from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
+from gripcourse.documents.reference.occurrence import Condition, Content, Occurrence
+from gripcourse.formula.boxes import Box
+from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.typeset import typeset
+from gripcourse.text.amounts import amount_text, percent_text
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import LANGUAGES, Texts, Words, message
+
+_FIGURES: Final = 12  # a declared number is printed as it was declared
+_KINDS: Final = {
+    Kind.GIVEN: message("given"),
+    Kind.CONSTANT: message("constant"),
+    Kind.FORMULA: message("computed"),
+    Kind.CHOICE: message("decision"),
+    Kind.PICK: message("read from a table"),
+    Kind.VERDICT: message("verdict"),
+    Kind.MANUAL: message("marked by a person"),
+}
+_ROUNDED: Final = {
+    Rounding.UP: message("the smallest entry that is not below the required value"),
+    Rounding.NEAREST: message("the entry nearest to the required value"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A title in another language, with the symbol where that differs too."""
+
+    language: str
+    symbol: Box | None
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A quantity elsewhere on the page; `version` is its part where several declare the id."""
+
+    anchor: str
+    symbol: Box
+    title: str
+    version: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cited:
+    """A source: title of the work, its equation, a note."""
+
+    work: str
+    equation: str
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class Brought:
+    """An option and the titles of its choices that bring a declaration."""
+
+    option: str
+    choices: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """The rule of a decision.
+
+    Attributes:
+        series, also: preferred and further series, as `catalogue.column`.
+        rounding: which entry is the reference.
+        steps: how far above it an entry may lie.
+        condition: what the chosen entry must satisfy too, None for nothing more.
+    """
+
+    series: str
+    also: tuple[str, ...]
+    rounding: str
+    steps: str
+    condition: Box | None
+
+
+@dataclass(frozen=True, slots=True)
+class WrongMethod:
+    """An anticipated slip: what is computed, and what the student is told."""
+
+    formula: Box
+    hint: str
+    credit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A version as a source prints it; `rounding` where only that differs."""
+
+    erratum: str
+    formula: Box | None
+    rounding: str
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One declaration, ready to print.
+
+    Attributes:
+        anchor, id: its place on the page and its name in declarations.
+        kind, unit, bounds, tolerance: in words; empty where there is none.
+        symbol, title, others: in the language of the page and in the others.
+        part, brought, changed: where it is declared (no part: the scheme, or the course itself),
+            what brings it, whether the scheme changes it.
+        of_course: whether the course declares it for all schemes.
+        formula: what it says, None for given and manual quantities.
+        entering: symbol and unit of each bare number of an empirical formula.
+        value: of a constant, else empty.
+        guard: what a student's value must satisfy to be carried on.
+        rule: of a decision.
+        rubric: of a manual item, else empty.
+        explain: how to think about it, else empty.
+        source: where it comes from.
+        inputs, users: what it is computed from, and what is computed from it.
+        slips, printed: wrong methods and versions as printed.
+    """
+
+    anchor: str
+    id: str
+    kind: str
+    unit: str
+    bounds: str
+    tolerance: str
+    symbol: Box | None
+    title: str
+    others: tuple[Named, ...]
+    part: str
+    brought: tuple[Brought, ...]
+    changed: bool
+    of_course: bool
+    formula: Box | None
+    entering: tuple[tuple[Box, str], ...]
+    value: str
+    guard: Box | None
+    rule: Rule | None
+    rubric: str
+    explain: str
+    source: Cited
+    inputs: tuple[Link, ...]
+    users: tuple[Link, ...]
+    slips: tuple[WrongMethod, ...]
+    printed: tuple[Printed, ...]
+
+
+def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
+    """Put a declaration into words and boxes."""
+    quantity, language = one.quantity, words.language
+    symbols = symbols_for(one, content, language)
+    formula = quantity.formula
+    return Entry(
+        anchor=one.anchor,
+        id=quantity.id,
+        kind=words.say(_KINDS[quantity.kind]),
+        unit=unit_text(quantity.unit, language),
+        bounds=_bounds(quantity, words),
+        tolerance=_tolerance(quantity, words),
+        symbol=symbol_of(quantity, language) if quantity.symbol.of(language) else None,
+        title=quantity.title.of(language),
+        others=_others(quantity, language),
+        part=one.part,
+        brought=tuple(brought(each, language) for each in one.conditions),
+        changed=one.changed,
+        of_course=quantity.id in content.course.constants,
+        formula=None if formula is None else statement(quantity, formula, symbols, language),
+        entering=_entering(formula, symbols, language),
+        value=_value(quantity, words),
+        guard=_condition(quantity.valid, symbols, language),
+        rule=_rule(quantity, symbols, words),
+        rubric=quantity.rubric,
+        explain="" if quantity.explain is None else quantity.explain.of(language),
+        source=cited(quantity.source, content.course, language),
+        inputs=tuple(_links(_inputs(quantity), one, content, language)),
+        users=tuple(_users(one, content, language)),
+        slips=tuple(
+            WrongMethod(
+                statement(quantity, slip.formula, symbols, language),
+                slip.hint.of(language),
+                percent_text(slip.credit, words) if slip.credit else "",
+            )
+            for slip in quantity.slips
+        ),
+        printed=tuple(_printed(each, quantity, symbols, words) for each in quantity.as_printed),
+    )
+
+
+def titles_elsewhere(title: Texts, language: str) -> tuple[Named, ...]:
+    """Return a title in the languages that are not the page's."""
+    return tuple(Named(each, None, title.of(each)) for each in LANGUAGES if each != language)
+
+
+def cited(source: Source, course: Course, language: str) -> Cited:
+    """Cite a source in full: an equation by its number in brackets."""
+    equation = source.equation
+    numbered = f"({equation})" if equation[:1].isdigit() else equation
+    work = course.works.get(source.work)
+    note = "" if source.note is None else source.note.of(language)
+    return Cited(source.work if work is None else work.title.of(language), numbered, note)
+
+
+def link_to(one: Occurrence, content: Content, language: str) -> Link:
+    """Make a link to a declaration on the same page."""
+    quantity = one.quantity
+    version = one.part if len(content.by_id[quantity.id]) > 1 else ""
+    return Link(one.anchor, symbol_of(quantity, language), quantity.title.of(language), version)
+
+
+def brought(condition: Condition, language: str) -> Brought:
+    """Name an option and those of its choices that bring a part."""
+    choices = " / ".join(one.title.of(language) for one in condition.choices)
+    return Brought(condition.option.title.of(language), choices)
+
+
+def _others(quantity: Quantity, language: str) -> tuple[Named, ...]:
+    """Return titles in the other languages, with the symbols that are not the page's own."""
+    own = quantity.symbol.of(language)
+    return tuple(
+        Named(
+            each,
+            symbol_of(quantity, each) if quantity.symbol.of(each) != own else None,
+            quantity.title.of(each),
+        )
+        for each in LANGUAGES
+        if each != language
+    )
+
+
+def _bounds(quantity: Quantity, words: Words) -> str:
+    if quantity.kind in {Kind.VERDICT, Kind.MANUAL}:
+        return ""
+    low, high = (words.number(bound, _FIGURES) for bound in quantity.bounds)
+    place = message("{low} to {high}", low=low, high=high)
+    if quantity.integer:
+        place = message("{low} to {high}, whole numbers", low=low, high=high)
+    return words.say(place)
+
+
+def _tolerance(quantity: Quantity, words: Words) -> str:
+    if quantity.tolerance is None:
+        return ""
+    band = quantity.tolerance
+    relative = percent_text(band.relative, words)
+    absolute = amount_text(band.absolute, quantity.unit, words, _FIGURES)
+    if not band.absolute:
+        return relative
+    if not band.relative:
+        return absolute
+    wider = message("{relative} or {absolute}, the wider", relative=relative, absolute=absolute)
+    return words.say(wider)
+
+
+def _value(quantity: Quantity, words: Words) -> str:
+    if quantity.value is None:
+        return ""
+    return amount_text(quantity.value, quantity.unit, words, _FIGURES)
+
+
+def _entering(
+    formula: Formula | None, symbols: Symbols, language: str
+) -> tuple[tuple[Box, str], ...]:
+    units = {} if formula is None else formula.units
+    return tuple((symbols[name], unit_text(unit, language)) for name, unit in units.items() if unit)
+
+
+def _condition(formula: Formula | None, symbols: Symbols, language: str) -> Box | None:
+    return None if formula is None else typeset(formula.tree, symbols, language)
+
+
+def _rule(quantity: Quantity, symbols: Symbols, words: Words) -> Rule | None:
+    choice = quantity.choice
+    if choice is None:
+        return None
+    steps = message("any larger entry is accepted")
+    if choice.steps is not None:
+        steps = message("accepted up to {steps} steps above it", steps=choice.steps)
+    return Rule(
+        choice.column,
+        choice.also,
+        words.say(_ROUNDED[choice.rounding]),
+        words.say(steps),
+        _condition(choice.condition, symbols, words.language),
+    )
+
+
+def _printed(one: AsPrinted, quantity: Quantity, symbols: Symbols, words: Words) -> Printed:
+    formula = one.formula
+    return Printed(
+        one.erratum,
+        None if formula is None else statement(quantity, formula, symbols, words.language),
+        "" if one.rounding is None else words.say(_ROUNDED[one.rounding]),
+        one.note.of(words.language),
+    )
+
+
+def _inputs(quantity: Quantity) -> tuple[str, ...]:
+    """Return the ids that the declared formula and the rule of a quantity use."""
+    formulas = [quantity.formula]
+    if quantity.choice is not None:
+        formulas.append(quantity.choice.condition)
+    used = (name for formula in formulas if formula is not None for name in names(formula.tree))
+    return tuple(dict.fromkeys(name for name in used if name != quantity.id))
+
+
+def _links(
+    ids: tuple[str, ...], one: Occurrence, content: Content, language: str
+) -> Iterator[Link]:
+    for name in ids:
+        yield from (link_to(each, content, language) for each in content.meant(name, one))
+
+
+def _users(one: Occurrence, content: Content, language: str) -> Iterator[Link]:
+    """Yield links to what is computed from this declaration."""
+    for other in content.occurrences:
+        uses = one.quantity.id in _inputs(other.quantity)
+        if uses and one in content.meant(one.quantity.id, other):
+            yield link_to(other, content, language)

@@ -1,0 +1,228 @@
+"""The pages of the formula reference: one for each scheme, an index, and the errata.
+
+Everything on them comes from the declarations, so the same course gives the same bytes.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from gripcourse.course.model import Course, Kind
+from gripcourse.documents.pdf import Document, render_html
+from gripcourse.documents.reference.entry import (
+    Brought,
+    Entry,
+    Link,
+    Named,
+    brought,
+    entry_of,
+    link_to,
+    titles_elsewhere,
+)
+from gripcourse.documents.reference.errata import faults_of
+from gripcourse.documents.reference.example import example_of
+from gripcourse.documents.reference.motion import motion_of
+from gripcourse.documents.reference.occurrence import (
+    Content,
+    Occurrence,
+    conditions_of,
+    content_of,
+    parts_of,
+)
+from gripcourse.documents.reference.tables import tables_of
+from gripcourse.text.words import Texts, Words
+
+STYLE: Final = "reference.css"
+_INDEX, _SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("", "_scheme", "_errata"))
+_TABULATED: Final = frozenset({Kind.GIVEN, Kind.CONSTANT})
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """A choice of an option and the parts that it brings."""
+
+    id: str
+    title: str
+    others: tuple[Named, ...]
+    parts: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Offered:
+    """An option of a scheme."""
+
+    id: str
+    title: str
+    others: tuple[Named, ...]
+    choices: tuple[Choice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A shared part of a scheme: what brings it, and what it declares."""
+
+    id: str
+    brought: tuple[Brought, ...]
+    quantities: tuple[Link, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """The quantities of a section: given numbers in a table, the rest one by one."""
+
+    id: str
+    title: str
+    others: tuple[Named, ...]
+    given: tuple[Entry, ...]
+    entries: tuple[Entry, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """A scheme on the index page."""
+
+    id: str
+    title: str
+    others: tuple[Named, ...]
+    options: tuple[str, ...]
+    answered: int
+
+
+def pages(course: Course, words: Words) -> dict[str, str]:
+    """Return every page of the reference by the name of its file.
+
+    Args:
+        course: whose declarations are printed.
+        words: the language of the pages; titles stand in the other languages too.
+
+    Raises:
+        CourseError: a template is missing or cannot be filled.
+        OSError: the style sheet cannot be read.
+    """
+    templates = course.root / "templates"
+    return {
+        name: render_html(document, templates, words)
+        for name, document in page_documents(course, words).items()
+    }
+
+
+def page_documents(course: Course, words: Words) -> dict[str, Document]:
+    """Return what every page is made of by the name of its file; see `pages`."""
+    style = (course.root / "templates" / "style" / STYLE).read_text(encoding="utf-8")
+    contents = [content_of(course, scheme) for scheme in course.schemes.values()]
+    common: dict[str, object] = {
+        "style": style,
+        "course": course.title.of(words.language),
+        "schemes": [_listed(content, words.language) for content in contents],
+    }
+
+    def page(template: str, values: Mapping[str, object]) -> Document:
+        return Document(template, (), {**common, **values})
+
+    made = {
+        f"{content.scheme.id}.html": page(_SCHEME, scheme_values(content, words))
+        for content in contents
+    }
+    made["index.html"] = page(_INDEX, index_values(course, words))
+    made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
+    return made
+
+
+def index_values(course: Course, words: Words) -> dict[str, object]:
+    """Return what the index page needs besides what every page has."""
+    return {
+        "others": titles_elsewhere(course.title, words.language),
+        "works": [(work.id, work.title.of(words.language)) for work in course.works.values()],
+        "errata": len(course.errata),
+    }
+
+
+def scheme_values(content: Content, words: Words) -> dict[str, object]:
+    """Return what the page of a scheme needs besides what every page has."""
+    scheme, language = content.scheme, words.language
+    return {
+        "id": scheme.id,
+        "title": scheme.title.of(language),
+        "others": titles_elsewhere(scheme.title, language),
+        "task": scheme.task.of(language),
+        "always": scheme.parts,
+        "options": _options(content, language),
+        "pieces": _pieces(content, language),
+        "chapters": _chapters(content, words),
+        "motion": motion_of(content, words),
+        "example": example_of(content, words),
+        "tables": tables_of(content, words),
+    }
+
+
+def _listed(content: Content, language: str) -> Listed:
+    scheme = content.scheme
+    answered = {one.quantity.id for one in content.occurrences if one.quantity.kind.answered}
+    return Listed(
+        scheme.id,
+        scheme.title.of(language),
+        titles_elsewhere(scheme.title, language),
+        tuple(option.title.of(language) for option in scheme.options),
+        len(answered),
+    )
+
+
+def _options(content: Content, language: str) -> tuple[Offered, ...]:
+    return tuple(
+        Offered(
+            option.id,
+            option.title.of(language),
+            titles_elsewhere(option.title, language),
+            tuple(
+                Choice(
+                    choice.id,
+                    choice.title.of(language),
+                    titles_elsewhere(choice.title, language),
+                    choice.parts,
+                )
+                for choice in option.choices
+            ),
+        )
+        for option in content.scheme.options
+    )
+
+
+def _pieces(content: Content, language: str) -> tuple[Piece, ...]:
+    return tuple(
+        Piece(
+            part.id,
+            tuple(brought(one, language) for one in conditions_of(content.scheme, part.id)),
+            tuple(
+                link_to(one, content, language)
+                for one in content.occurrences
+                if one.part == part.id
+            ),
+        )
+        for part in parts_of(content.course, content.scheme)
+    )
+
+
+def _chapters(content: Content, words: Words) -> tuple[Chapter, ...]:
+    """Arrange the quantities by section; what has none, the course's constants, comes first."""
+    loose = [one for one in content.occurrences if not one.quantity.section]
+    nameless = Texts({})
+    chapters = [_chapter("constants", nameless, loose, content, words)] if loose else []
+    for section in content.course.sections:
+        inside = [one for one in content.occurrences if one.quantity.section == section.id]
+        if inside:
+            chapters.append(_chapter(section.id, section.title, inside, content, words))
+    return tuple(chapters)
+
+
+def _chapter(
+    identifier: str, title: Texts, inside: list[Occurrence], content: Content, words: Words
+) -> Chapter:
+    entries = [(one.quantity.kind, entry_of(one, content, words)) for one in inside]
+    entries.sort(key=lambda one: one[0] is Kind.MANUAL)  # a drawing is made of what is computed
+    return Chapter(
+        f"section-{identifier}",
+        title.by_language.get(words.language, ""),
+        titles_elsewhere(title, words.language) if title.by_language else (),
+        tuple(entry for kind, entry in entries if kind in _TABULATED),
+        tuple(entry for kind, entry in entries if kind not in _TABULATED),
+    )

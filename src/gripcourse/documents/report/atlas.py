@@ -1,0 +1,170 @@
+"""The atlas of a source: its figures and its table of cases, from the course's own formulas."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.atlas import Atlas, AtlasFigure, AtlasRow
+from gripcourse.course.model import Course
+from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.report.charts import Line, line_plot
+from gripcourse.formula.boxes import Box
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Formula
+from gripcourse.formula.typeset import equation, symbol_box, typeset
+from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.solver.solve import evaluate, to_si
+from gripcourse.text.amounts import amount_text
+from gripcourse.text.units import factor, unit_text
+from gripcourse.text.words import Words
+
+TEMPLATE = "atlas.html.j2"
+STYLES = ("page.css", "formula.css", "atlas.css")
+
+_POINTS = 61
+# Symbols of what a table of cases calls its sizes without signs.
+_CASE_SYMBOLS = {"inclination": "w", "tilt": "e"}
+_CASE_UNIT = "deg"
+
+
+@dataclass(frozen=True, slots=True)
+class Plate:
+    """A figure ready to print: number, title, and the plot as SVG text."""
+
+    number: int
+    title: str
+    svg: str
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A row of the table: number, title, both formulas, and what they give for the example."""
+
+    number: int
+    title: str
+    inclination: Box
+    diameter: Box
+    example: str
+
+
+def plates(atlas: Atlas, course: Course, words: Words) -> tuple[Plate, ...]:
+    """Draw every figure of an atlas."""
+    scheme = course.schemes[atlas.scheme]
+    plan = make_plan(course, atlas.scheme, default_options(scheme))
+    given = scheme.example.given if scheme.example is not None else {}
+    known = {name: value for name, value in given.items() if name in plan.quantities}
+    return tuple(
+        Plate(one.number, one.title.of(words.language), _plot(one, plan, known, words))
+        for one in atlas.figures
+    )
+
+
+def curve_values(
+    figure: AtlasFigure, plan: Plan, known: Mapping[str, float]
+) -> tuple[NDArray[np.float64], dict[int, NDArray[np.float64]]]:
+    """Compute the curves of a figure.
+
+    Args:
+        figure: what is drawn against what.
+        plan: of the atlas's scheme.
+        known: given values that the figure leaves open, in declared units.
+
+    Returns:
+        The abscissae, and the ordinates by the curve's number, in declared units; NaN where the
+        prism cannot hold (an arm is not positive).
+    """
+    along = np.linspace(figure.low, figure.high, _POINTS)
+    curves: dict[int, NDArray[np.float64]] = {}
+    for curve in figure.curves:
+        fixed: dict[str, NDArray[np.float64] | float] = dict(to_si(plan, {**known, **curve.at}))
+        fixed[figure.against] = along * factor(plan.quantities[figure.against].unit)
+        computed = evaluate(plan, fixed).computed[curve.quantity]
+        values = np.broadcast_to(
+            computed / factor(plan.quantities[curve.quantity].unit), along.shape
+        )
+        curves[curve.number] = np.where(values > 0, values, np.nan)
+    return along, curves
+
+
+def case_values(row: AtlasRow, plan: Plan) -> tuple[float, float]:
+    """Compute the inclination (SI) and the diameter (SI) of a row's example."""
+    known = {
+        name: np.asarray(value * factor(_unit(name, plan))) for name, value in row.example.items()
+    }
+    inclination = evaluate_formula(row.inclination, _CASE_UNIT, known, {})
+    diameter = evaluate_formula(row.diameter, "mm", {**known, "inclination": inclination}, {})
+    return float(inclination), float(diameter)
+
+
+def atlas_pdf(atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Words) -> bytes:
+    """Make the atlas as a PDF file: its figures and its table of cases."""
+    content = atlas_values(atlas, drawn, course, words)
+    return render_pdf(Document(TEMPLATE, STYLES, content), course.root / "templates", words)
+
+
+def atlas_values(
+    atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs; see `atlas_pdf`."""
+    scheme = course.schemes[atlas.scheme]
+    plan = make_plan(course, atlas.scheme, default_options(scheme))
+    return {
+        "course": course.title.of(words.language),
+        "title": atlas.title.of(words.language),
+        "work": course.works[atlas.work].title.of(words.language),
+        "plates": [(one.number, one.title, picture(one.svg)) for one in drawn],
+        "cases": list(_cases(atlas, plan, words)),
+    }
+
+
+def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Words) -> str:
+    along, curves = curve_values(figure, plan, known)
+    lines = [
+        Line(str(one.number), _label(one.quantity, one.at, plan, words), curves[one.number])
+        for one in figure.curves
+    ]
+    against = plan.quantities[figure.against]
+    label = f"{against.title.of(words.language)}, {unit_text(against.unit, words.language)}"
+    return line_plot(along, lines, label, unit_text("mm", words.language), words)
+
+
+def _label(quantity: str, at: Mapping[str, float], plan: Plan, words: Words) -> str:
+    symbol = plan.quantities[quantity].symbol.of(words.language).removesuffix("max")
+    fixed = "; ".join(
+        f"{_plain(plan.quantities[name].symbol.of(words.language))} = "
+        f"{amount_text(value, plan.quantities[name].unit, words)}"
+        for name, value in at.items()
+    )
+    return f"{_plain(symbol)} ({fixed})"
+
+
+def _plain(symbol: str) -> str:
+    """Write a symbol without its underscore; a plot's legend has no subscripts."""
+    return symbol.replace("_max", "").replace("_", "")
+
+
+def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[Case]:
+    for row in atlas.rows:
+        inclination, diameter = case_values(row, plan)
+        yield Case(
+            row.number,
+            row.title.of(words.language),
+            _equation("w", row.inclination, plan, words),
+            _equation("D", row.diameter, plan, words),
+            f"w = {amount_text(inclination / factor(_CASE_UNIT), _CASE_UNIT, words)}, "
+            f"D = {amount_text(diameter / factor('mm'), 'mm', words)}",
+        )
+
+
+def _equation(symbol: str, formula: Formula, plan: Plan, words: Words) -> Box:
+    names = {
+        name: symbol_box(one.symbol.of(words.language)) for name, one in plan.quantities.items()
+    }
+    names |= {name: symbol_box(text) for name, text in _CASE_SYMBOLS.items()}
+    return equation((symbol_box(symbol), typeset(formula.tree, names, words.language)))
+
+
+def _unit(name: str, plan: Plan) -> str:
+    return _CASE_UNIT if name in _CASE_SYMBOLS else plan.quantities[name].unit

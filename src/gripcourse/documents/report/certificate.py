@@ -1,0 +1,276 @@
+"""The certificate of a table of variants, for the instructor: what was demanded and what was found.
+
+It is kept with the table: it names the file by its digest, and every number of the rules.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import date
+from itertools import groupby
+
+import numpy as np
+
+from gripcourse.course.compose import compose
+from gripcourse.course.model import Course, Quantity
+from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.report.charts import share_plot
+from gripcourse.documents.report.columns import aligned, aligned_cells
+from gripcourse.policy.model import Policy
+from gripcourse.slips.model import DECLARED
+from gripcourse.text.amounts import amount_text, percent_text, points_text
+from gripcourse.text.words import Message, Words, message
+from gripcourse.variants.apart import Shares
+from gripcourse.variants.audit import Audit, Checked
+from gripcourse.variants.fair import Spread, Steps
+from gripcourse.variants.pairs import Pair
+from gripcourse.variants.slip_distance import SlipCount
+
+TEMPLATE = "certificate.html.j2"
+STYLES = ("page.css", "formula.css", "certificate.css")
+
+_MOST = 40  # rows of a table on paper; all of them are in the CSV files
+_PAIRS = 20
+_MOST_SHARE = 0.99  # of the pairs
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The table that was audited: name of the file and SHA-256 of its bytes."""
+
+    name: str
+    digest: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of the table of checks."""
+
+    what: Message
+    limit: str
+    found: str
+    kept: bool
+
+
+def certificate(
+    audit: Audit, source: Source, course: Course, policy: Policy, words: Words, day: date
+) -> bytes:
+    """Make the certificate as a PDF file.
+
+    Args:
+        audit: what was found out.
+        source: the table.
+        course: titles, declarations and the folder with the templates.
+        policy: titles of the kinds of slips.
+        words: the language of the certificate.
+        day: that is printed.
+    """
+    values = certificate_values(audit, source, course, policy, words) | {"day": day}
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+
+
+def certificate_values(
+    audit: Audit, source: Source, course: Course, policy: Policy, words: Words
+) -> dict[str, object]:
+    """Return what the template needs but the day; see `certificate` for the arguments."""
+    declared = _declared(audit, course, words)
+    titles = {id_: scheme.title.of(words.language) for id_, scheme in course.schemes.items()}
+    flagged = [one for one in audit.variants if not one.passed]
+    weak = audit.weak_items
+    return {
+        "course": course.title.of(words.language),
+        "source": source,
+        "count": len(audit.variants),
+        "passed": audit.passed,
+        "checks": [(words.say(one.what), one.limit, one.found, one.kept)
+                   for one in _checks(audit, words)],
+        "plot": picture(share_plot(audit.apart.whole.histogram.tolist(),
+                                   audit.rules.shared_points, words)),
+        "sections": aligned_cells([
+            _section(section.title.of(words.language), shares, audit.apart.pairs, words)
+            for section, shares in zip(course.sections, audit.apart.sections, strict=True)
+        ]),
+        "section_limit": audit.rules.shared_section_points,
+        "beside": audit.beside,
+        "beyond": bool(audit.apart.beyond),
+        "pairs": _pairs(audit, declared, words),
+        "flagged": [(one.variant.id, titles[one.variant.scheme],
+                     [words.say(said) for said in _sentences(one, audit, declared)])
+                    for one in flagged[:_MOST]],
+        "flagged_rest": len(flagged[_MOST:]),
+        "steps": [_steps(titles[scheme], tuple(found)) for scheme, found in _by_scheme(audit)],
+        "margins": [(_title(declared, one.quantity), one.near, one.variants)
+                    for one in audit.margins if one.near],
+        "weak": _weak_rows(weak[:_MOST], titles, declared, words),
+        "weak_rest": len(weak[_MOST:]),
+        "weak_limit": audit.rules.weak_item,
+        "slips_counted": audit.slips_counted,
+        "slips": aligned_cells(
+            [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
+        ),
+    }  # fmt: skip
+
+
+def _checks(audit: Audit, words: Words) -> Iterator[Line]:
+    rules, apart = audit.rules, audit.apart
+
+    def variants(found: int) -> str:
+        return words.say(message("{count} of {all}", count=found, all=len(audit.variants)))
+
+    broken = sum(bool(one.broken) for one in audit.variants)
+    yield Line(message("Variants that cannot be solved or break a constraint of their space"),
+               "0", variants(broken), not broken)  # fmt: skip
+    near = sum(bool(one.slips) for one in audit.variants)
+    yield Line(
+        message("Variants in which a slip gives the right result to within {bands} tolerances",
+                bands=rules.slip_bands),
+        "0", variants(near), not near,
+    )  # fmt: skip
+    edges = sum(bool(one.edges) for one in audit.variants)
+    yield Line(
+        message("Variants in which a size changes when an answer it is taken for moves by {share}",
+                share=percent_text(rules.step_margin, words)),
+        "0", variants(edges), not edges,
+    )  # fmt: skip
+    yield Line(message("Answers of the longest assignment over those of the shortest"),
+               words.number(rules.steps_ratio, 3), words.number(audit.ratio, 3),
+               audit.alike_steps)  # fmt: skip
+    whole = float(apart.whole.share.max(initial=0.0))
+    yield Line(
+        message("Points of computed quantities that one student gets with another's answers"),
+        percent_text(rules.shared_points, words), percent_text(whole, words),
+        not apart.whole.above,
+    )  # fmt: skip
+    section = max((float(one.share.max(initial=0.0)) for one in apart.sections), default=0.0)
+    yield Line(
+        message("The same inside one section"),
+        percent_text(rules.shared_section_points, words), percent_text(section, words),
+        not any(one.above for one in apart.sections),
+    )  # fmt: skip
+
+
+def _section(title: str, shares: Shares, pairs: int, words: Words) -> tuple[str, ...]:
+    return (
+        title,
+        percent_text(float(shares.share.max(initial=0.0)), words),
+        str(shares.above),
+        percent_text(_below(shares, pairs), words),
+    )
+
+
+def _below(shares: Shares, pairs: int) -> float:
+    """Return the whole percent, as a share, that most pairs stay below."""
+    done = np.cumsum(shares.histogram)
+    return float(np.searchsorted(done, _MOST_SHARE * pairs) + 1) / 100 if pairs else 0.0
+
+
+def _pairs(
+    audit: Audit, declared: Mapping[str, str], words: Words
+) -> list[tuple[str, str, tuple[str, ...], str]]:
+    """Return for the nearest pairs their variants, shares, and what is the same."""
+    pairs = audit.pairs[:_PAIRS]
+    shares = aligned_cells([("", *_shares(pair, words)) for pair in pairs])
+    return [
+        (
+            audit.variants[pair.own].variant.id,
+            audit.variants[pair.other].variant.id,
+            written[1:],
+            "; ".join(_title(declared, one) for one in pair.equal),
+        )
+        for pair, written in zip(pairs, shares, strict=True)
+    ]
+
+
+def _shares(pair: Pair, words: Words) -> Iterator[str]:
+    for share in (pair.share, max(pair.sections), pair.sizes, pair.given, pair.followed):
+        yield percent_text(share, words)
+
+
+def _sentences(checked: Checked, audit: Audit, declared: Mapping[str, str]) -> Iterator[Message]:
+    yield from checked.broken
+    for quantity, slip in checked.slips:
+        yield message("the slip '{slip}' gives nearly the right result: {quantity}",
+                      slip=slip, quantity=_title(declared, quantity))  # fmt: skip
+    for quantity in checked.edges:
+        yield message("the size lies at the edge of its step: {quantity}",
+                      quantity=_title(declared, quantity))  # fmt: skip
+    if checked.above and checked.nearest is not None:
+        other = audit.variants[checked.nearest.other].variant.id
+        yield message("too near to another variant; the nearest is {variant}", variant=other)
+
+
+def _by_scheme(audit: Audit) -> Iterator[tuple[str, Iterable[Steps]]]:
+    yield from groupby(sorted(audit.steps, key=lambda one: one.scheme), lambda one: one.scheme)
+
+
+def _steps(title: str, steps: Sequence[Steps]) -> tuple[str, ...]:
+    return (
+        title,
+        str(sum(one.variants for one in steps)),
+        _range([one.computed for one in steps]),
+        _range([one.decided for one in steps]),
+        _range([one.read for one in steps]),
+        _range([one.total for one in steps]),
+        _range([one.chain for one in steps]),
+    )
+
+
+def _range(counts: Sequence[int]) -> str:
+    low, high = min(counts), max(counts)
+    return str(low) if low == high else f"{low}–{high}"
+
+
+def _weak_rows(
+    spreads: Sequence[Spread], titles: Mapping[str, str], declared: Mapping[str, str], words: Words
+) -> list[tuple[str, ...]]:
+    points = aligned([points_text(one.points, words) for one in spreads])
+    equal = aligned([percent_text(one.equal, words) for one in spreads])
+    return [
+        (titles[one.scheme], _title(declared, one.quantity), mark, _extent(one, words), share)
+        for one, mark, share in zip(spreads, points, equal, strict=True)
+    ]
+
+
+def _extent(spread: Spread, words: Words) -> str:
+    ends = (amount_text(one, spread.unit, words, 4) for one in (spread.lowest, spread.highest))
+    return " … ".join(dict.fromkeys(ends))
+
+
+def _by_kind(audit: Audit) -> Iterator[tuple[str, list[SlipCount]]]:
+    kinds: dict[str, list[SlipCount]] = {}
+    for one in audit.slips:
+        kinds.setdefault(one.kind, []).append(one)
+    yield from sorted(kinds.items(), key=lambda one: (one[0] != DECLARED, -_mean(_varying(one[1]))))
+
+
+def _slips(kind: str, counts: Sequence[SlipCount], policy: Policy, words: Words) -> tuple[str, ...]:
+    titles = {one.value: slip.title.of(words.language) for one, slip in policy.slips.kinds.items()}
+    sometimes = _varying(counts)
+    return (
+        titles.get(kind) or words.say(message("declared by the course")),
+        str(len(counts)),
+        str(len(counts) - len(sometimes)),
+        str(sum(one.near > 0 for one in sometimes)),
+        percent_text(_mean(sometimes), words),
+    )
+
+
+def _varying(counts: Sequence[SlipCount]) -> list[SlipCount]:
+    """Leave slips out that change nothing in any variant."""
+    return [one for one in counts if one.near < one.variants]
+
+
+def _mean(counts: Sequence[SlipCount]) -> float:
+    variants = sum(one.variants for one in counts)
+    return sum(one.near for one in counts) / variants if variants else 0.0
+
+
+def _declared(audit: Audit, course: Course, words: Words) -> dict[str, str]:
+    """Return the title of every quantity that occurs; the first scheme's counts."""
+    found: dict[str, Quantity] = {}
+    for one in audit.steps:
+        found = compose(course, course.schemes[one.scheme], dict(one.options)) | found
+    return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
+
+
+def _title(declared: Mapping[str, str], quantity: str) -> str:
+    return declared.get(quantity, quantity)

@@ -1,0 +1,184 @@
+"""The report on a cohort, for the instructor: what to look at, slips, fairness, every quantity."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import PurePath
+
+from gripcourse.course.compose import compose
+from gripcourse.course.model import Course, Quantity, Section
+from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.report.charts import Box, box_plot, facility_plot, score_plot
+from gripcourse.documents.report.columns import aligned_rows
+from gripcourse.documents.report.fairness import extent_text, fairness_rows
+from gripcourse.documents.report.flagged import flagged_files
+from gripcourse.documents.report.items import FEWEST, item_statistics
+from gripcourse.documents.report.marked import decision_rows, marked_tables
+from gripcourse.documents.report.mistakes import kind_rows, slip_rows
+from gripcourse.documents.report.quantities import COUNTED, Asked, hardest, quantity_groups
+from gripcourse.documents.report.totals import (
+    quantity_totals,
+    section_shares,
+    section_totals,
+    shares,
+    spread,
+)
+from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
+from gripcourse.grading.model import Report
+from gripcourse.policy.model import Policy
+from gripcourse.text.amounts import percent_text, points_text
+from gripcourse.text.words import Message, Words, message
+
+TEMPLATE = "cohort.html.j2"
+STYLES = ("page.css", "formula.css", "cohort.css")
+
+
+@dataclass(frozen=True, slots=True)
+class StudentRow:
+    """A student's line: texts in the order of the columns; `flags` counts what to look at."""
+
+    name: str
+    variant: str
+    score: str
+    sections: tuple[str, ...]
+    open_points: str
+    flags: str
+
+
+@dataclass(frozen=True, slots=True)
+class SectionRow:
+    """A section's line: its number, title and points, and how scores in it are spread."""
+
+    number: int
+    title: str
+    points: float
+    mean: str
+    median: str
+    deviation: str
+    extent: str
+
+
+def cohort_report(
+    reports: Sequence[Report], policy: Policy, course: Course, words: Words, graded_on: date
+) -> bytes:
+    """Make the report on a cohort as a PDF file.
+
+    Args:
+        reports: one for each file, judged or rejected, in the order of the table.
+        policy: points of the sections.
+        course: titles, declarations and the folder with the templates.
+        words: the language of the report.
+        graded_on: the day that is printed.
+    """
+    values = cohort_values(reports, policy, course, words) | {"graded_on": graded_on}
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+
+
+def cohort_values(
+    reports: Sequence[Report], policy: Policy, course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs but the date; see `cohort_report` for the arguments."""
+    declared, scores = _declared(reports, course), shares(reports)
+    judged = [report for report in reports if report.judged]
+    totals, items = quantity_totals(judged), item_statistics(judged)
+    asked = Asked(judged, totals, items, declared, course)
+    bars = hardest(asked, words)
+    sections = [section for section in course.sections if section.id in policy.section_points]
+    rows = [_section(reports, section, number, policy, words)
+            for number, section in enumerate(sections, start=1)]  # fmt: skip
+    students = [_student(one, [section.id for section in sections], words) for one in reports]
+    return {
+        "course": course.title.of(words.language),
+        "summary": list(_summary(reports, scores, words)),
+        "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
+        "students": aligned_rows(students, "sections", "score", "open_points"),
+        "score_plot": picture(score_plot(scores, words)) if scores else "",
+        "section_plot": _section_plot(reports, sections, words),
+        "facility_plot": picture(facility_plot(bars, words)) if bars else "",
+        "slips": aligned_rows(slip_rows(reports, declared, words), "share"),
+        "kinds": aligned_rows(kind_rows(reports, policy.slips, words), "share"),
+        "fairness": aligned_rows(
+            fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
+        ),
+        "fewest": FEWEST,
+        "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
+        "groups": quantity_groups(asked, words),
+        "marked": marked_tables(reports, declared, policy, words),
+        "decided": decision_rows(reports, declared, words),
+        "flagged": flagged_files(reports, declared, words),
+    }
+
+
+def _declared(reports: Sequence[Report], course: Course) -> dict[str, Quantity]:
+    """Return the declaration of every quantity that occurs, by id; the first scheme's counts."""
+    declared: dict[str, Quantity] = {}
+    seen: set[tuple[str, frozenset[tuple[str, str]]]] = set()
+    for report in reports:
+        kind = (report.scheme, frozenset(report.options.items()))
+        if kind in seen or report.scheme not in course.schemes:
+            continue
+        seen.add(kind)
+        declared = compose(course, course.schemes[report.scheme], report.options) | declared
+    return declared
+
+
+def _summary(
+    reports: Sequence[Report], scores: Sequence[float], words: Words
+) -> Iterator[tuple[str, str]]:
+    judged = sum(report.judged for report in reports)
+    found = spread(scores)
+    numbers: tuple[tuple[Message, str], ...] = (
+        (message("Files"), str(len(reports))),
+        (message("Judged"), str(judged)),
+        (message("Not judged"), str(len(reports) - judged)),
+        (message("To look at"), str(sum(bool(report.flags) for report in reports))),
+        (message("Mean"), _share(found.mean, words)),
+        (message("Median"), _share(found.median, words)),
+        (message("Standard deviation"), _share(found.deviation, words)),
+        (message("Lowest and highest"), extent_text(found.lowest, found.highest, words)),
+    )
+    for label, value in numbers:
+        yield words.say(label), value
+
+
+def _share(share: float | None, words: Words) -> str:
+    return "—" if share is None else percent_text(share, words)
+
+
+def _section(
+    reports: Sequence[Report], section: Section, number: int, policy: Policy, words: Words
+) -> SectionRow:
+    found = spread(section_shares(reports, section.id))
+    return SectionRow(
+        number=number,
+        title=section.title.of(words.language),
+        points=policy.section_points[section.id],
+        mean=_share(found.mean, words),
+        median=_share(found.median, words),
+        deviation=_share(found.deviation, words),
+        extent=extent_text(found.lowest, found.highest, words),
+    )
+
+
+def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words: Words) -> str:
+    boxes = [
+        Box(section.title.of(words.language), found)
+        for section in sections
+        if (found := section_shares(reports, section.id))
+    ]
+    return picture(box_plot(boxes, words)) if boxes else ""
+
+
+def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
+    totals = section_totals(report) if report.judged else {}
+    return StudentRow(
+        name=report.name or report.student or PurePath(report.file).name,
+        variant=report.variant or "—",
+        score=points_text(report.score, words) if report.judged else "—",
+        sections=tuple(
+            points_text(totals[section].points, words) if section in totals else "—"
+            for section in sections
+        ),
+        open_points=points_text(report.open_points, words) if report.open_points else "",
+        flags=str(len(report.flags)) if report.flags else "",
+    )

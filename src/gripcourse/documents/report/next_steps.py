@@ -1,0 +1,117 @@
+"""What a student should do next: what stands in the rows, gathered in the order of doing it.
+
+Every step names the student's own cells; none needs a number that the student has not got.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from gripcourse.documents.report.answers import shortened
+from gripcourse.documents.report.root_causes import spoiled
+from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.solver.plan import Plan
+from gripcourse.text.amounts import points_text
+from gripcourse.text.words import Words
+
+_AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
+_TYPED_LETTERS = 48  # of an unreadable cell: enough to find it and to see what is wrong
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A quantity: its symbol, empty for none, and its title."""
+
+    symbol: str
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unread:
+    """A cell that held no answer that could be judged: where, what it shows, what is wrong."""
+
+    symbol: str
+    title: str
+    cell: str
+    typed: str
+    remarks: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NextSteps:
+    """What to do, in this order.
+
+    Attributes:
+        compare: given values that other numbers were used for.
+        first: wrong answers that later ones follow from, and answers that another number was used
+            for, in order of calculation.
+        other: the other wrong answers.
+        unreadable: cells that could not be read.
+        blank: cells without an answer.
+        waiting: what a person decides about.
+        waiting_points: how much that may bring.
+    """
+
+    compare: tuple[Named, ...]
+    first: tuple[Named, ...]
+    other: tuple[Named, ...]
+    unreadable: tuple[Unread, ...]
+    blank: tuple[Named, ...]
+    waiting: tuple[Named, ...]
+    waiting_points: str
+
+    @property
+    def any(self) -> bool:
+        """Whether there is anything to do or to wait for."""
+        steps = (self.compare, self.first, self.other, self.unreadable, self.blank, self.waiting)
+        return any(steps)
+
+
+def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
+    """Gather what a student should do next."""
+    found = {finding.quantity: finding for finding in report.findings}
+    used = {one.quantity: hit.quantity for one in report.causes if (hit := spoiled(one, report))}
+    wrong = [name for name in plan.quantities if name in found and found[name].outcome in _AT_FAULT]
+    roots = {
+        root for one in report.findings if one.outcome is Outcome.CARRIED for root in one.roots
+    }
+    # Where a number was used wrongly, the answer that it spoiled first is put right with it.
+    spoiled_first = set(used.values())
+    compare = [name for name in used if not plan.quantities[name].kind.answered]
+    first = (roots & set(wrong)) - spoiled_first | (used.keys() - compare)
+    other = set(wrong) - roots - spoiled_first - first
+    return NextSteps(
+        compare=_named(compare, plan, words),
+        first=_named((name for name in plan.quantities if name in first), plan, words),
+        other=_named((name for name in plan.quantities if name in other), plan, words),
+        unreadable=tuple(
+            _unread(one, plan, words)
+            for one in report.findings
+            if one.outcome is Outcome.UNREADABLE
+        ),
+        blank=_named(
+            (one.quantity for one in report.findings if one.outcome is Outcome.BLANK), plan, words
+        ),
+        waiting=_named((one.quantity for one in report.findings if one.is_open), plan, words),
+        waiting_points=points_text(report.open_points, words),
+    )
+
+
+def _named(quantities: Iterable[str], plan: Plan, words: Words) -> tuple[Named, ...]:
+    return tuple(
+        Named(
+            plan.quantities[name].symbol.of(words.language),
+            plan.quantities[name].title.of(words.language),
+        )
+        for name in quantities
+    )
+
+
+def _unread(finding: Finding, plan: Plan, words: Words) -> Unread:
+    quantity = plan.quantities[finding.quantity]
+    return Unread(
+        symbol=quantity.symbol.of(words.language),
+        title=quantity.title.of(words.language),
+        cell=finding.cell,
+        typed=shortened(finding.typed, _TYPED_LETTERS),
+        remarks=tuple(words.say(remark) for remark in finding.remarks),
+    )

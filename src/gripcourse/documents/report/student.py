@@ -1,0 +1,172 @@
+"""The report that a student gets: the result, what is behind it, and every answer with its verdict.
+
+What the policy keeps back never reaches the template: where it reveals nothing, neither a reference
+value, nor a result that would be one, nor a number that is not the student's own is put into words.
+Flags are for the instructor and are not read here at all.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import date
+
+from gripcourse.course.model import Course
+from gripcourse.documents.pdf import Document, render_pdf
+from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbers
+from gripcourse.documents.report.columns import aligned_rows
+from gripcourse.documents.report.next_steps import next_steps
+from gripcourse.documents.report.root_causes import cause_rows
+from gripcourse.documents.report.totals import SectionTotal, is_open, section_totals
+from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
+from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.policy.model import Policy, Reveal
+from gripcourse.solver.plan import Plan
+from gripcourse.text.amounts import percent_text, points_text
+from gripcourse.text.words import Words, message
+
+TEMPLATE = "student.html.j2"
+STYLES = ("page.css", "formula.css", "student.css")
+
+_COSTLY = 6  # so many of the costliest answers stand on the first page
+
+
+@dataclass(frozen=True, slots=True)
+class SectionBlock:
+    """One section: its bar on the first page and its table.
+
+    Attributes:
+        title: in the reader's language.
+        points: `12 / 15`.
+        percent: share of the points earned, 0…100, as the width of the bar.
+        waiting: what still waits for a person, empty for nothing.
+        rows: one for each answer.
+    """
+
+    title: str
+    points: str
+    percent: float
+    waiting: str
+    rows: tuple[AnswerRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Loss:
+    """An answer that cost points: how many, which, and the verdict with its sign."""
+
+    points: str
+    symbol: str
+    title: str
+    sign: str
+    verdict: str
+
+
+def student_report(
+    report: Report, plan: Plan, policy: Policy, course: Course, words: Words, graded_on: date
+) -> bytes:
+    """Make the report of one submission as a PDF file.
+
+    Args:
+        report: the judgement, of a judged or of a rejected file.
+        plan: of the scheme and options that the report names.
+        policy: what may be revealed.
+        course: titles and the folder with the templates.
+        words: the language of the report.
+        graded_on: the day that is printed.
+    """
+    values = student_values(report, plan, policy, course, words) | {"graded_on": graded_on}
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
+
+
+def student_values(
+    report: Report, plan: Plan, policy: Policy, course: Course, words: Words
+) -> dict[str, object]:
+    """Return what the template needs but the date; see `student_report` for the arguments."""
+    reveal = policy.reveal is Reveal.REFERENCE
+    share = report.score / report.max_score if report.max_score else None
+    return {
+        "course": course.title.of(words.language),
+        "student": report.name or report.student or "—",
+        "variant": report.variant or "—",
+        "scheme": plan.scheme.title.of(words.language),
+        "judged": report.judged,
+        "score": report.score,
+        "max_score": report.max_score,
+        "share": "" if share is None else percent_text(share, words),
+        "open_points": report.open_points,
+        "reveal": reveal,
+        "remarks": [words.say(remark) for remark in report.remarks],
+        "sections": aligned_rows(list(_sections(report, plan, policy, course, words)), "points"),
+        "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
+        "causes": list(cause_rows(report, plan, words)),
+        "steps": next_steps(report, plan, words),
+        "legend": [
+            (SIGNS[outcome], words.say(OUTCOME_WORDS[outcome]), words.say(meaning))
+            for outcome, meaning in LEGEND
+            if any(finding.outcome is outcome for finding in report.findings)
+        ],
+    }
+
+
+LEGEND = (
+    (Outcome.CORRECT, message("equals the expected value within its band")),
+    (Outcome.CARRIED, message("follows correctly from your own earlier numbers")),
+    (Outcome.SLIP, message("the result of a known mistake, named below the answer")),
+    (Outcome.WRONG, message("neither the expected value nor one that follows from your numbers")),
+    (Outcome.BLANK, message("the cell is empty; it was not read as zero")),
+    (Outcome.UNREADABLE, message("the cell holds something that is not a number")),
+    (Outcome.NOT_JUDGED, message("could not be judged automatically; a person decides")),
+    (Outcome.MANUAL, message("marked or decided by a person")),
+)
+
+
+def _sections(
+    report: Report, plan: Plan, policy: Policy, course: Course, words: Words
+) -> Iterator[SectionBlock]:
+    totals, own = section_totals(report), own_numbers(report, plan)
+    for section in course.sections:
+        if section.id not in totals:
+            continue
+        total = totals[section.id]
+        rows = aligned_rows(
+            [
+                answer_row(finding, plan, own, policy, words)
+                for finding in report.findings
+                if finding.section == section.id
+            ],
+            "points",
+        )
+        yield SectionBlock(
+            title=section.title.of(words.language),
+            points=_earned(total, words),
+            percent=100 * total.points / total.max_points if total.max_points else 0.0,
+            waiting=_waiting(total, words),
+            rows=tuple(rows),
+        )
+
+
+def _earned(total: SectionTotal, words: Words) -> str:
+    if not total.max_points:
+        return "—"
+    return f"{points_text(total.points, words)} / {points_text(total.max_points, words)}"
+
+
+def _waiting(total: SectionTotal, words: Words) -> str:
+    if not total.open_points:
+        return ""
+    points = points_text(total.open_points, words)
+    return words.say(message("+ up to {points} by hand", points=points))
+
+
+def _costly(report: Report) -> list[Finding]:
+    lost = [one for one in report.findings if not is_open(one) and one.points < one.max_points]
+    return sorted(lost, key=lambda one: one.points - one.max_points)[:_COSTLY]
+
+
+def _loss(finding: Finding, plan: Plan, words: Words) -> Loss:
+    quantity = plan.quantities[finding.quantity]
+    return Loss(
+        points=f"−{points_text(finding.max_points - finding.points, words)}",
+        symbol=quantity.symbol.of(words.language),
+        title=quantity.title.of(words.language),
+        sign=SIGNS[finding.outcome],
+        verdict=words.say(OUTCOME_WORDS[finding.outcome]),
+    )

@@ -1,0 +1,1 @@
+"""The kinematic diagram of a variant."""

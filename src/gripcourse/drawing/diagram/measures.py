@@ -1,0 +1,148 @@
+"""Forces, moments, lengths and angles of a diagram, each with the symbol of its quantity."""
+
+import math
+from collections.abc import Iterator
+from typing import Final
+
+from gripcourse.drawing.diagram.marks import (
+    Arc,
+    Fill,
+    Letter,
+    Mark,
+    Path,
+    angle_of,
+    between,
+    place,
+    polar,
+)
+from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.text import Point
+
+_HEAD: Final = (3.0, 0.55)  # length and half width of the arrow of a dimension
+_FORCE_HEAD: Final = (3.2, 1.0)
+_OVER: Final = 1.2  # how far extension lines reach over the dimension line
+_SHORT: Final = 7.5  # a dimension line with arrows inside is at least so long
+_TAIL: Final = 4.0  # of arrows that stand outside
+_SMALLEST: Final = math.radians(1.5)  # an angle that cannot be seen is not drawn
+
+
+def head(tip: Point, turn: float, size: tuple[float, float] = _HEAD) -> Fill:
+    """Return an arrow head whose tip points along `turn`."""
+    long, half = size
+    return Fill(place(((0, 0), (-long, half), (-long, -half)), tip, turn))
+
+
+def force(shape: Shape) -> Iterator[Mark]:
+    """Draw a force along `turn`; the point is its tip or its tail, `shift` to the left of it."""
+    turn, long = shape.angles["turn"], shape.numbers["long"]
+    at = polar(shape.at, shape.numbers["shift"], turn + math.pi / 2)
+    is_tip = shape.element.words["end"] == "tip"
+    tail, tip = (polar(at, -long, turn), at) if is_tip else (at, polar(at, long, turn))
+    yield Path((tail, polar(tip, -_FORCE_HEAD[0], turn)), LineKind.OUTLINE)
+    yield head(tip, turn, _FORCE_HEAD)
+    yield Letter(shape.symbol, (between(tail, tip, 0.25), tail, between(tail, tip, 0.6)))
+
+
+def moment(shape: Shape) -> Iterator[Mark]:
+    """Draw a moment about the point as an arc with an arrow."""
+    radius, start, sweep = shape.numbers["radius"], shape.angles["start"], shape.angles["sweep"]
+    sense = math.copysign(1, sweep)
+    bend = sense * _FORCE_HEAD[0] / radius
+    yield Arc(shape.at, radius, start, sweep - bend, LineKind.OUTLINE)
+    tip = polar(shape.at, radius, start + sweep)
+    yield head(tip, start + sweep + sense * math.pi / 2 - bend / 2, _FORCE_HEAD)
+    yield Letter(
+        shape.symbol,
+        tuple(polar(shape.at, radius, start + share * sweep) for share in (0.5, 0.25, 0.75, 0, 1)),
+    )
+
+
+def length(shape: Shape) -> Iterator[Mark]:
+    """Draw a dimension between two points, along their line or along one axis."""
+    start, end = shape.through[0], shape.through[-1]
+    along = shape.element.words["along"]
+    turn = {"x": 0.0, "y": math.pi / 2}.get(along, angle_of(start, end))
+    normal = (-math.sin(turn), math.cos(turn))
+    # The dimension line lies beyond the end that reaches farther to its side.
+    shift = shape.numbers["shift"]
+    heights = [one[0] * normal[0] + one[1] * normal[1] for one in (start, end)]
+    level = (max(heights) if shift >= 0 else min(heights)) + shift
+    feet = [_moved(one, normal, level - height)
+            for one, height in zip((start, end), heights, strict=True)]  # fmt: skip
+    for one, foot in zip((start, end), feet, strict=True):
+        if math.dist(one, foot) > _OVER / 2:
+            beyond = polar(foot, _OVER, angle_of(one, foot))
+            yield Path((one, beyond), LineKind.DIMENSION)
+    yield from _arrows(feet[0], feet[1])
+    yield Letter(
+        shape.symbol, tuple(between(feet[0], feet[1], share) for share in (0.5, 0.35, 0.65, 0, 1))
+    )
+
+
+def _moved(point: Point, normal: Point, distance: float) -> Point:
+    return point[0] + normal[0] * distance, point[1] + normal[1] * distance
+
+
+def _arrows(start: Point, end: Point) -> Iterator[Mark]:
+    """Draw a dimension line; where it is too short, its arrows stand outside."""
+    turn = angle_of(start, end)
+    if math.dist(start, end) >= _SHORT:
+        yield Path((start, end), LineKind.DIMENSION)
+        yield head(start, turn + math.pi)
+        yield head(end, turn)
+        return
+    reach = _HEAD[0] + _TAIL - 2
+    yield Path((polar(start, -reach, turn), polar(end, reach, turn)), LineKind.DIMENSION)
+    yield head(start, turn)
+    yield head(end, turn + math.pi)
+
+
+def angle(shape: Shape) -> Iterator[Mark]:
+    """Draw an angle from `start` over `sweep`, with the lines that it lies between."""
+    radius, start, sweep = shape.numbers["radius"], shape.angles["start"], shape.angles["sweep"]
+    if abs(sweep) < _SMALLEST:
+        return
+    for one in (start, start + sweep):
+        yield Path((shape.at, polar(shape.at, radius + _OVER, one)), LineKind.DIMENSION)
+    bend = _HEAD[0] / radius / 2
+    sense = math.copysign(1, sweep)
+    if abs(sweep) * radius >= 2 * _HEAD[0] + 1:
+        yield Arc(shape.at, radius, start, sweep, LineKind.DIMENSION)
+        yield head(polar(shape.at, radius, start), start - sense * (math.pi / 2 - bend))
+        yield head(polar(shape.at, radius, start + sweep),
+                   start + sweep + sense * (math.pi / 2 - bend))  # fmt: skip
+    else:
+        tail = sense * (_HEAD[0] + 1.5) / radius
+        yield Arc(shape.at, radius, start - tail, sweep + 2 * tail, LineKind.DIMENSION)
+        yield head(polar(shape.at, radius, start), start + sense * (math.pi / 2 - bend))
+        yield head(polar(shape.at, radius, start + sweep),
+                   start + sweep - sense * (math.pi / 2 - bend))  # fmt: skip
+    middle = start + sweep / 2
+    places = [polar(shape.at, radius, middle), polar(shape.at, radius, start + sweep),
+              polar(shape.at, radius, start), polar(shape.at, radius * 0.6, middle)]  # fmt: skip
+    yield Letter(shape.symbol, tuple(places))
+
+
+def radius(shape: Shape) -> Iterator[Mark]:
+    """Draw a radius from the centre to the rim along `turn`."""
+    turn, reach = shape.angles["turn"], shape.lengths["radius"]
+    rim = polar(shape.at, reach, turn)
+    yield Path((shape.at, rim), LineKind.DIMENSION)
+    yield head(rim, turn)
+    yield Letter(shape.symbol, tuple(between(shape.at, rim, share) for share in (0.6, 0.4, 0.8)))
+
+
+def diameter(shape: Shape) -> Iterator[Mark]:
+    """Draw a leader from outside to the rim of a circle, met along `turn`."""
+    turn, reach = shape.angles["turn"], shape.lengths["diameter"] / 2
+    rim = polar(shape.at, reach, turn)
+    end = polar(rim, shape.numbers["long"], turn)
+    yield Path((rim, end), LineKind.DIMENSION)
+    yield head(rim, turn + math.pi)
+    yield Letter(shape.symbol, (end,))
+
+
+def letter(shape: Shape) -> Iterator[Mark]:
+    """Write a symbol near a point."""
+    yield Letter(shape.symbol, (shape.at,))

@@ -1,0 +1,160 @@
+"""A sheet by GOST: frame and title block of form 1 (2.104), list of parts, characteristics.
+
+Millimetres; the origin is the lower left corner of the sheet.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells, Pen
+from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import Box
+from gripcourse.drawing.paper.text import add_text
+from gripcourse.drawing.paper.title_block import (
+    BLOCK_HEIGHT,
+    BLOCK_WIDTH,
+    TitleBlock,
+    draw_title_block,
+)
+from gripcourse.text.words import Words, message
+
+if TYPE_CHECKING:
+    from ezdxf.layouts.layout import Modelspace
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """A sheet: its name and size."""
+
+    name: str
+    width: float
+    height: float
+
+    @property
+    def frame(self) -> Box:
+        """The frame: 20 mm free on the left for binding, 5 mm elsewhere."""
+        return Box(20.0, 5.0, self.width - 5.0, self.height - 5.0)
+
+
+A4 = Format("A4", 210.0, 297.0)
+A3 = Format("A3", 420.0, 297.0)
+A2 = Format("A2", 594.0, 420.0)
+FORMATS = (A4, A3, A2)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of the parts list."""
+
+    number: str
+    title: str
+    count: str
+    sizes: str
+
+
+_ROW = 8.0
+_LINE = 6.0
+_INDENT = 3.0  # of characteristics, from the frame
+_COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
+_CORNER = (70.0, 14.0)  # the designation again, upside down, in the upper left corner
+_ABOVE_LIST = 4.0
+_BESIDE = 4.0
+_FORMAT_LEFT, _FORMAT_LOW = 20.0, 1.2  # of the name of the format, under the frame
+
+
+def block_box(sheet: Format, rows: int) -> Box:
+    """Return what the title block takes with the parts list over it."""
+    frame = sheet.frame
+    above = _ROW * (rows + 1) if rows else 0.0
+    return Box(
+        frame.right - BLOCK_WIDTH, frame.bottom, frame.right, frame.bottom + BLOCK_HEIGHT + above
+    )
+
+
+def lines_boxes(sheet: Format, rows: int, lines: int) -> tuple[Box, ...]:
+    """Return where characteristics may stand: over the parts list, or left of the title block."""
+    block, size = block_box(sheet, rows), _LINE * (lines + 1)
+    over = Box(block.left, block.top, block.right, block.top + _ABOVE_LIST + size)
+    left = block.left - BLOCK_WIDTH - _BESIDE
+    beside = Box(left, block.bottom + _BESIDE, left + BLOCK_WIDTH, block.bottom + _BESIDE + size)
+    return (over, beside) if left >= sheet.frame.left + _BESIDE else (over,)
+
+
+def corner_box(sheet: Format) -> Box:
+    """Return what the designation in the upper left corner takes."""
+    frame = sheet.frame
+    long, short = _CORNER
+    if sheet.width > sheet.height:
+        return Box(frame.left, frame.top - long, frame.left + short, frame.top)
+    return Box(frame.left, frame.top - short, frame.left + long, frame.top)
+
+
+def draw_sheet(
+    layout: "Modelspace", sheet: Format, block: TitleBlock, scale: str, words: Words
+) -> None:
+    """Draw the frame and fill in the title block."""
+    pen = Pen(layout)
+    outer, frame = Box(0.0, 0.0, sheet.width, sheet.height), sheet.frame
+    pen.box(outer, LineKind.THIN)
+    pen.box(frame, LineKind.OUTLINE)
+    _draw_corner(pen, corner_box(sheet), block.designation, turned=sheet.width > sheet.height)
+    cell = Cells(pen, frame.right - BLOCK_WIDTH, frame.bottom)
+    draw_title_block(cell, block, scale, words)
+    size = words.say(message("Format {name}", name=sheet.name))
+    add_text(layout, size, (frame.right - _FORMAT_LEFT, _FORMAT_LOW), SMALL)
+
+
+def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[Row], words: Words) -> None:
+    """Draw the parts list over the title block, its heading below, as it grows upwards."""
+    if not rows:
+        return
+    cell = Cells(Pen(layout), sheet.frame.right - BLOCK_WIDTH, sheet.frame.bottom + BLOCK_HEIGHT)
+    heading = Row(
+        words.say(message("Pos.")),
+        words.say(message("Name")),
+        words.say(message("Qty")),
+        words.say(message("Sizes, mm")),
+    )
+    edges = [sum(_COLUMNS[:number]) for number in range(len(_COLUMNS) + 1)]
+    # Rows are read downwards: the first part stands highest, under the heading.
+    for number, row in enumerate([*reversed(rows), heading]):
+        bottom = _ROW * number
+        kind = LineKind.OUTLINE if row is heading or number == len(rows) else LineKind.THIN
+        cell.line((0.0, bottom), (BLOCK_WIDTH, bottom), kind)
+        for column, text in enumerate((row.number, row.title, row.count, row.sizes)):
+            middle = row is heading or column in {0, 2}
+            place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
+            cell.words(text, place, size, NORMAL, middle=middle, most=2)
+    top = _ROW * (len(rows) + 1)
+    cell.line((0.0, top), (BLOCK_WIDTH, top))
+    for edge in edges:
+        cell.line((edge, 0.0), (edge, top))
+
+
+def draw_characteristics(
+    layout: "Modelspace", box: Box, lines: Sequence[str], words: Words
+) -> None:
+    """Write characteristics to the top of a box."""
+    if not lines:
+        return
+    cell = Cells(Pen(layout), box.left, box.top)
+    heading = words.say(message("Technical characteristics"))
+    cell.words(heading, (0.0, -_LINE), (box.width, _LINE), NORMAL, middle=True)
+    for number, line in enumerate(lines, 1):
+        place = (_INDENT, -_LINE * (number + 1))
+        cell.words(f"{number}. {line}", place, (box.width - _INDENT, _LINE), NORMAL)
+
+
+def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:
+    pen.line((box.left, box.bottom), (box.right, box.bottom))
+    pen.line((box.right, box.bottom), (box.right, box.top))
+    add_text(
+        pen.layout,
+        designation,
+        ((box.left + box.right) / 2, (box.bottom + box.top) / 2),
+        LARGE,
+        align="MIDDLE_CENTER",
+        rotation=270.0 if turned else 180.0,
+        widest=_CORNER[0] - 2 * PAD,
+    )

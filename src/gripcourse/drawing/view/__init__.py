@@ -1,0 +1,1 @@
+"""The general view of a variant."""

@@ -1,0 +1,207 @@
+"""The declared view with a variant's numbers: strokes in millimetres of the gripper itself."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from gripcourse.course.view import Face, View, ViewDimension, ViewLabel, ViewPart
+from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import (
+    Arc,
+    Box,
+    Stroke,
+    box_of,
+    covered,
+    outside,
+    points_of,
+    reach_of,
+)
+from gripcourse.drawing.paper.text import Point
+from gripcourse.drawing.view.numbers import Numbers, numbers_at
+from gripcourse.drawing.view.placed_shapes import Shown, as_other, shown
+from gripcourse.solver.plan import Plan
+from gripcourse.text.units import factor
+
+_NEVER_COVERED = {LineKind.CENTRE, LineKind.HIDDEN}
+_NEAR = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A stroke and the line that it is drawn in."""
+
+    stroke: Stroke
+    kind: LineKind
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A cut face: a closed polygon, and which way its hatch leans."""
+
+    ring: Sequence[Point]
+    hatch: str
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """A part with a number in the parts list; `mark` is where its leader ends."""
+
+    part: ViewPart
+    count: int
+    mark: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A dimension with its two points, and the value of its quantity in the declared unit."""
+
+    declared: ViewDimension
+    value: float
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, slots=True)
+class Labelled:
+    """A label with its place and the numbers that stand in its text, lengths in mm."""
+
+    declared: ViewLabel
+    at: Point
+    values: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """All that a general view shows, in millimetres of the gripper itself.
+
+    Attributes:
+        upright: whether the gripper's axis stands upright in the main face.
+        seen: strokes that nothing covers, by face.
+        cuts: faces to be hatched, by face.
+        positions: parts with numbers, as they are numbered.
+        measured, labelled: dimensions and labels of all faces.
+    """
+
+    upright: bool
+    seen: Mapping[Face, Sequence[Seen]]
+    cuts: Mapping[Face, Sequence[Cut]]
+    positions: Sequence[Position]
+    measured: Sequence[Measured]
+    labelled: Sequence[Labelled]
+
+    @property
+    def faces(self) -> tuple[Face, ...]:
+        """The faces that show anything."""
+        return tuple(face for face in Face if self.seen[face])
+
+    def extent(self, face: Face) -> Box:
+        """Return the box round all strokes of a face."""
+        return box_of(point for one in self.seen[face] for point in points_of(one.stroke))
+
+    @property
+    def detail(self) -> float:
+        """Diameter of the smallest circle that is seen; infinite where there is none."""
+        circles = (
+            2 * one.stroke.radius
+            for face in self.faces
+            for one in self.seen[face]
+            if isinstance(one.stroke, Arc) and one.stroke.is_circle
+        )
+        return min(circles, default=math.inf)
+
+
+def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
+    """Put a variant's values, in declared units, into the view of its scheme."""
+    main = numbers_at(plan, view, solved, view.position)
+    other = numbers_at(plan, view, solved, view.other) if view.other else main
+    drawn = [(part, list(shown(part, main))) for part in view.parts]
+    shapes = [one for _, found in drawn for one in found]
+    from_behind = [one for _, found in reversed(drawn) for one in found]
+    moving = [part for part in view.parts if part.moves and view.other]
+    edges = [one for part in moving for one in shown(part, other) if one.kind is LineKind.OUTLINE]
+    ghosts = [as_other(one) for one in edges]
+    return Figure(
+        upright=view.upright,
+        seen={
+            face: list(_visible([*ghosts, *(from_behind if face is Face.END else shapes)], face))
+            for face in Face
+        },
+        cuts={face: list(_cut_faces(shapes, face)) for face in Face},
+        positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
+        measured=list(_measured(view, main, other, solved)),
+        labelled=list(_labelled(view, main)),
+    )
+
+
+def _visible(shapes: Sequence[Shown], face: Face) -> Iterator[Seen]:
+    """Yield what later shapes leave to be seen of each; axes are never covered."""
+    here = [one for one in shapes if one.face is face]
+    for number, one in enumerate(here):
+        left: list[Stroke] = list(one.outline.strokes)
+        lost: list[Stroke] = []
+        for cover in here[number + 1 :] if one.kind not in _NEVER_COVERED else ():
+            if cover.outline.mask:
+                if one.hidden_edges:
+                    lost += [piece for stroke in left for piece in _lost(stroke, cover)]
+                left = [piece for stroke in left for piece in _left(stroke, cover)]
+        yield from (Seen(stroke, one.kind) for stroke in left)
+        yield from (Seen(stroke, LineKind.HIDDEN) for stroke in lost)
+        yield from (Seen(stroke, LineKind.CENTRE) for stroke in one.outline.axes)
+
+
+def _left(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
+    if reach_of(stroke).overlaps(cover.box.grown(_NEAR)):
+        yield from outside(stroke, cover.outline.mask)
+    else:
+        yield stroke
+
+
+def _lost(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
+    if reach_of(stroke).overlaps(cover.box.grown(_NEAR)):
+        yield from covered(stroke, cover.outline.mask)
+
+
+def _cut_faces(shapes: Sequence[Shown], face: Face) -> Iterator[Cut]:
+    for one in shapes:
+        if one.hatch and one.face is face and one.ring:
+            yield Cut(one.ring, one.hatch)
+
+
+def _positions(
+    drawn: Sequence[tuple[ViewPart, Sequence[Shown]]], numbers: Numbers
+) -> Iterator[Position]:
+    for part, shapes in drawn:
+        mark = numbers.point(part.mark) if part.title is not None else None
+        if mark is None or not shapes:
+            continue
+        count = numbers.number(part.count, "") if part.count is not None else None
+        usual = 2 if part.mirrored else 1
+        yield Position(part, usual if count is None else round(count), mark)
+
+
+def _measured(
+    view: View, main: Numbers, other: Numbers, solved: Mapping[str, float]
+) -> Iterator[Measured]:
+    for one in view.dimensions:
+        numbers = other if one.at_other else main
+        start, end = numbers.point(one.start), numbers.point(one.end)
+        if start is not None and end is not None and one.quantity in numbers.values:
+            yield Measured(one, solved[one.quantity], start, end)
+
+
+def _labelled(view: View, numbers: Numbers) -> Iterator[Labelled]:
+    for one in view.labels:
+        at = numbers.point(one.at)
+        units = {name: _unit(source, view, numbers) for name, source in one.values.items()}
+        found = {
+            name: float(numbers.values[source]) / factor(units[name])
+            for name, source in one.values.items()
+            if source in numbers.values
+        }
+        if at is not None and len(found) == len(one.values):
+            yield Labelled(one, at, found)
+
+
+def _unit(name: str, view: View, numbers: Numbers) -> str:
+    measure = view.measures.get(name)
+    return measure.unit if measure is not None else numbers.plan.quantities[name].unit

@@ -1,0 +1,118 @@
+"""The general view of a solved gripper on a sheet, as a document.
+
+Pure: from the plan, the solved values, the language and what the title block says.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from gripcourse.course.view import Face, View
+from gripcourse.drawing.paper.document import new_document
+from gripcourse.drawing.paper.sheet import (
+    Row,
+    draw_characteristics,
+    draw_list,
+    draw_sheet,
+)
+from gripcourse.drawing.paper.strokes import Box
+from gripcourse.drawing.paper.text import capital
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.view.contents import Figure, figure
+from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout, length_text
+from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+from gripcourse.solver.plan import Plan
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
+_FIGURES = 4  # of a characteristic
+_MOST_LINES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class GeneralView:
+    """A general view: what it shows, how it lies on its sheet, and the finished document."""
+
+    figure: Figure
+    faces: Mapping[Face, FaceLayout]
+    arranged: Arranged
+    rows: tuple[Row, ...]
+    lines: tuple[str, ...]
+    document: "Drawing"
+
+
+def general_view(
+    plan: Plan, view: View, values: Mapping[str, float], block: TitleBlock, words: Words
+) -> GeneralView:
+    """Draw the general view of a variant.
+
+    Args:
+        plan: of the variant.
+        view: of its scheme.
+        values: of every quantity, in declared units.
+        block: what the title block says.
+        words: of the reader.
+    """
+    plain = figure(plan, view, values)
+    lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
+
+    def boxes(scale: float) -> Mapping[Face, Box]:
+        return {face: face_layout(plain, face, scale, words).box for face in plain.faces}
+
+    main = plain.extent(Face.MAIN)
+    pictured = Pictured(max(main.width, main.height), plain.detail)
+    arranged = arrange(boxes, pictured, len(plain.positions), len(lines))
+    over, under = arranged.scale
+    shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
+    faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
+    rows = tuple(_rows(shown, plan, values, words))
+    document = new_document(words.language)
+    layout = document.modelspace()
+    scale = f"{words.number(over)}:{words.number(under)}"
+    draw_sheet(layout, arranged.sheet, block, scale, words)
+    draw_list(layout, arranged.sheet, rows, words)
+    draw_characteristics(layout, arranged.lines, lines, words)
+    for face, origin in arranged.origins.items():
+        draw_face(layout, shown, face, faces[face], arranged.factor, origin)
+    return GeneralView(shown, faces, arranged, rows, lines, document)
+
+
+def _numbered(shown: Figure, main: FaceLayout) -> Figure:
+    """Number the positions in the order of their shelves; crossing leaders change places."""
+    level = {leader.note.text: leader.left for leader in main.leaders}
+    numbered = enumerate(shown.positions, 1)
+    ordered = sorted(numbered, key=lambda one: level[str(one[0])])
+    return replace(shown, positions=[position for _, position in ordered])
+
+
+def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Row]:
+    """Yield the parts list: the sizes of a part that this variant has."""
+    for number, one in enumerate(shown.positions, 1):
+        sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
+        written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
+        title = one.part.title.of(words.language) if one.part.title is not None else ""
+        yield Row(str(number), capital(title), str(one.count), written)
+
+
+def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
+    quantity = plan.quantities[name]
+    symbol = quantity.symbol.of(words.language).replace("_", "")
+    value = values[name]
+    written = length_text(value, words) if quantity.unit == "mm" else words.number(value, _FIGURES)
+    unit = "" if quantity.unit == "mm" else unit_text(quantity.unit, words.language)
+    joint = "" if unit in {"", "°"} else " "
+    return f"{symbol} = {written}{joint}{unit}"
+
+
+def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[str]:
+    """Yield the characteristics that this variant has."""
+    for name in view.characteristics:
+        if name not in values or values[name] != values[name]:
+            continue
+        quantity = plan.quantities[name]
+        unit = unit_text(quantity.unit, words.language)
+        written = words.number(values[name], _FIGURES)
+        yield f"{capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()

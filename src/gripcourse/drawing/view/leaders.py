@@ -1,0 +1,154 @@
+"""Leader lines from parts to a row of shelves above a view, none crossing another.
+
+Lengths are millimetres of paper, in the coordinates of the face.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import Box, Line, outside, reach_of
+from gripcourse.drawing.paper.text import Point, add_text, text_width
+
+if TYPE_CHECKING:
+    from ezdxf.layouts.layout import Modelspace
+
+ABOVE = 10.0  # from what stands below to the shelves
+_BETWEEN = 4.0  # from one shelf to the next
+_SHORTEST = 7.0
+_AWAY = 6.0  # along x, from the part to its shelf where there is room
+_OVER = 1.0  # the words over their shelf
+_DOT = 0.6  # radius of the end of a leader
+_SHIFTS = (0.0, *(side * step for step in range(3, 40, 3) for side in (1.0, -1.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Words about a point."""
+
+    text: str
+    height: float
+    at: Point
+
+    @property
+    def width(self) -> float:
+        """Length of its shelf."""
+        return max(_SHORTEST, text_width(self.text, self.height) + 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Leader:
+    """A note with its shelf: `left` is where the shelf begins, `level` its height."""
+
+    note: Note
+    left: float
+    level: float
+
+    @property
+    def knee(self) -> Point:
+        """Where the leader line meets the shelf."""
+        right = self.left + self.note.width
+        nearer_left = abs(self.note.at[0] - self.left) <= abs(self.note.at[0] - right)
+        return (self.left if nearer_left else right), self.level
+
+    @property
+    def box(self) -> Box:
+        """The box round shelf and words."""
+        top = self.level + _OVER + self.note.height
+        return Box(self.left, self.level, self.left + self.note.width, top)
+
+
+def place_leaders(notes: Iterable[Note], below: Box, numbers: Sequence[Box] = ()) -> list[Leader]:
+    """Give each note a shelf in one row above a box, if possible no farther right than it.
+
+    Args:
+        notes: what is written.
+        below: what the row stands above.
+        numbers: what no leader line should run through.
+    """
+    leaders = _uncrossed(notes, below)
+    moved = (_shifted(leaders, shift) for shift in _SHIFTS)
+    return next((one for one in moved if _is_clear(one, numbers)), leaders)
+
+
+def _shifted(leaders: Sequence[Leader], shift: float) -> list[Leader]:
+    return [Leader(one.note, one.left + shift, one.level) for one in leaders]
+
+
+def _is_clear(leaders: Sequence[Leader], numbers: Sequence[Box]) -> bool:
+    lines = [Line(one.note.at, one.knee) for one in leaders]
+    through = (
+        list(outside(line, box.corners)) != [line]
+        for line in lines
+        for box in numbers
+        if reach_of(line).overlaps(box)
+    )
+    return not any(through) and not any(cross(*pair) for pair in combinations(leaders, 2))
+
+
+def _uncrossed(notes: Iterable[Note], below: Box) -> list[Leader]:
+    ordered = sorted(notes, key=lambda one: (one.at[0], -one.at[1], one.text))
+    for _ in range(len(ordered) ** 2):
+        leaders = _in_row(ordered, below)
+        crossing = next(
+            (
+                (first, second)
+                for first, second in combinations(range(len(leaders)), 2)
+                if cross(leaders[first], leaders[second])
+            ),
+            None,
+        )
+        if crossing is None:
+            return leaders
+        first, second = crossing
+        ordered[first], ordered[second] = ordered[second], ordered[first]
+    return _in_row(ordered, below)
+
+
+def cross(first: Leader, second: Leader) -> bool:
+    """Tell whether two leader lines cross."""
+    a, b, c, d = first.note.at, first.knee, second.note.at, second.knee
+    return _left(a, b, c) * _left(a, b, d) < 0 and _left(c, d, a) * _left(c, d, b) < 0
+
+
+def draw_leaders(layout: "Modelspace", leaders: Sequence[Leader], by: Point) -> None:
+    """Draw leaders on paper moved by `by`."""
+    thin = {"layer": LineKind.THIN}
+    for one in leaders:
+        at, knee = _moved(one.note.at, by), _moved(one.knee, by)
+        left, right = _moved((one.left, one.level), by), one.left + one.note.width + by[0]
+        layout.add_line(at, knee, dxfattribs=thin)
+        layout.add_line(left, (right, left[1]), dxfattribs=thin)
+        dot = layout.add_hatch(dxfattribs=thin)
+        ring = [(at[0] - _DOT, at[1], 1.0), (at[0] + _DOT, at[1], 1.0)]
+        dot.paths.add_polyline_path(ring, is_closed=True)
+        middle = ((left[0] + right) / 2, left[1] + _OVER)
+        add_text(layout, one.note.text, middle, one.note.height, align="CENTER")
+
+
+def _in_row(ordered: Sequence[Note], below: Box) -> list[Leader]:
+    lefts: list[float] = []
+    for note in ordered:
+        free = lefts[-1] + ordered[len(lefts) - 1].width + _BETWEEN if lefts else note.at[0] + _AWAY
+        lefts.append(max(free, note.at[0] + _AWAY))
+    pushed = [left - note.at[0] - _AWAY for left, note in zip(lefts, ordered, strict=True)]
+    back = sum(pushed) / len(pushed) if pushed else 0.0
+    if ordered:
+        too_far = lefts[-1] + ordered[-1].width - back - below.right
+        room = lefts[0] - back - below.left
+        back += max(0.0, min(too_far, room))
+    return [
+        Leader(note, left - back, below.top + ABOVE)
+        for note, left in zip(ordered, lefts, strict=True)
+    ]
+
+
+def _left(a: Point, b: Point, c: Point) -> float:
+    """Return a positive number where c lies on the left of the line from a to b."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _moved(point: Point, by: Point) -> Point:
+    return point[0] + by[0], point[1] + by[1]

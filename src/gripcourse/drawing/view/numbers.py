@@ -1,0 +1,77 @@
+"""What the formulas of a view may use: quantities, coordinates, and the view's own lengths."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+
+import numpy as np
+
+from gripcourse.course.view import Expression, View
+from gripcourse.drawing.paper.text import Point
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Formula
+from gripcourse.solver.motion import coordinates, drive_at
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import Values, to_si
+from gripcourse.text.units import factor
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """Values at one position of the gripper, in SI."""
+
+    values: Values
+    plan: Plan
+
+    def number(self, formula: Formula, unit: str) -> float | None:
+        """Compute a formula in a unit; None where a name is missing or there is no value."""
+        if any(name not in self.values for name in formula.names):
+            return None
+        found = float(evaluate_formula(formula, unit, self.values, self.plan.columns))
+        return None if math.isnan(found) else found / factor(unit)
+
+    def numbers(self, written: Sequence[Expression], unit: str = "mm") -> list[float] | None:
+        """Compute several formulas; None where one of them has no value."""
+        found = [0.0 if one is None else self.number(one, unit) for one in written]
+        complete = [one for one in found if one is not None]
+        return complete if len(complete) == len(found) else None
+
+    def point(self, written: Sequence[Expression]) -> Point | None:
+        """Compute a point, mm."""
+        found = self.numbers(written)
+        return None if found is None else (found[0], found[1])
+
+
+def numbers_at(plan: Plan, view: View, solved: Mapping[str, float], position: str) -> Numbers:
+    """Collect the numbers of a view at a position of the kinematics.
+
+    Args:
+        plan: of the variant.
+        view: of its scheme.
+        solved: values of the variant in declared units; what is NaN is left out.
+        position: `open`, `at_max` or `at_min`; empty where the scheme has none.
+    """
+    finite = {name: value for name, value in solved.items() if math.isfinite(value)}
+    known = {name: np.asarray(one) for name, one in to_si(plan, finite).items()}
+    motion = plan.scheme.kinematics
+    if motion is not None and position:
+        drive = drive_at(motion, known, position)
+        known |= {**coordinates(motion, known, drive), motion.drive: drive}
+    numbers = Numbers(known, plan)
+    for name in _in_order(view):
+        measure = view.measures[name]
+        found = (numbers.number(one, measure.unit) for one in measure.formulas)
+        value = next((one for one in found if one is not None), None)
+        if value is not None:
+            known[name] = np.asarray(value * factor(measure.unit))
+    return numbers
+
+
+def _in_order(view: View) -> tuple[str, ...]:
+    """Return the view's own measures, each after those that it needs."""
+    needed = {
+        name: [one for formula in measure.formulas for one in formula.names if one in view.measures]
+        for name, measure in view.measures.items()
+    }
+    return tuple(TopologicalSorter(needed).static_order())

@@ -1,0 +1,119 @@
+"""The numbers of an audit as tables for a spreadsheet program: one row for each thing looked at."""
+
+from collections.abc import Iterator, Sequence
+
+from gripcourse.exports.csv_text import number_cell, table_text, text_cell
+from gripcourse.text.words import Words
+from gripcourse.variants.audit import Audit, Checked
+from gripcourse.variants.pairs import Pair
+
+_BESIDE = ("sizes", "verdicts", "given", "followed")
+
+
+def audit_tables(audit: Audit, sections: Sequence[str], words: Words) -> dict[str, str]:
+    """Return the tables of an audit by the name of their file.
+
+    Args:
+        audit: what was found out.
+        sections: ids of the course's sections, in order.
+        words: the language of the sentences; headings are the same in every language.
+    """
+    return {
+        "variants.csv": _variants(audit, sections, words),
+        "pairs.csv": _pairs(audit, sections),
+        "quantities.csv": _quantities(audit),
+        "slips.csv": _slips(audit),
+    }
+
+
+def _variants(audit: Audit, sections: Sequence[str], words: Words) -> str:
+    header = (
+        *("variant", "scheme", "options", "passed", "broken", "slips", "edges", "above_a_limit"),
+        *("nearest", "share", *_headings(sections), *_BESIDE),
+    )
+    return table_text(header, (_variant(one, audit, len(sections), words)
+                               for one in audit.variants))  # fmt: skip
+
+
+def _variant(checked: Checked, audit: Audit, sections: int, words: Words) -> tuple[str, ...]:
+    variant, pair = checked.variant, checked.nearest
+    options = "; ".join(f"{name}={choice}" for name, choice in variant.options.items())
+    found = (
+        "; ".join(words.say(one) for one in checked.broken),
+        "; ".join(f"{quantity}: {slip}" for quantity, slip in checked.slips),
+        "; ".join(checked.edges),
+    )
+    nearest = (
+        ("",) * (2 + sections + len(_BESIDE))
+        if pair is None
+        else (text_cell(audit.variants[pair.other].variant.id), *_shares(pair))
+    )
+    return (
+        text_cell(variant.id),
+        variant.scheme,
+        options,
+        _yes(checked.passed),
+        *map(text_cell, found),
+        _yes(checked.above),
+        *nearest,
+    )
+
+
+def _pairs(audit: Audit, sections: Sequence[str]) -> str:
+    header = ("variant", "answers_of", "share", *_headings(sections), *_BESIDE, "equal")
+    return table_text(header, (
+        (
+            text_cell(audit.variants[pair.own].variant.id),
+            text_cell(audit.variants[pair.other].variant.id),
+            *_shares(pair),
+            "; ".join(pair.equal),
+        )
+        for pair in audit.pairs
+    ))  # fmt: skip
+
+
+def _headings(sections: Sequence[str]) -> Iterator[str]:
+    yield from (f"share_{section}" for section in sections)
+
+
+def _shares(pair: Pair) -> Iterator[str]:
+    beside = (pair.sizes, pair.verdicts, pair.given, pair.followed)
+    yield from map(number_cell, (pair.share, *pair.sections, *beside))
+
+
+def _quantities(audit: Audit) -> str:
+    header = (
+        *("scheme", "quantity", "unit", "variants", "points", "lowest", "median", "highest"),
+        *("equal", "weak"),
+    )
+    return table_text(header, (
+        (
+            one.scheme,
+            one.quantity,
+            one.unit,
+            str(one.variants),
+            *map(number_cell, (one.points, one.lowest, one.median, one.highest, one.equal)),
+            _yes(one.equal > audit.rules.weak_item),
+        )
+        for one in audit.spreads
+    ))  # fmt: skip
+
+
+def _slips(audit: Audit) -> str:
+    header = ("quantity", "slip", "kind", "near", "variants", "share", "refuses")
+    return table_text(header, (
+        (
+            one.quantity,
+            text_cell(one.slip),
+            str(one.kind),
+            str(one.near),
+            str(one.variants),
+            number_cell(one.share),
+            _yes(one.kind in audit.rules.keep_apart and not one.is_size),
+        )
+        for one in audit.slips
+    ))  # fmt: skip
+
+
+def _yes(holds: bool) -> str:  # noqa: FBT001 (a cell of a table)
+    return "yes" if holds else "no"

@@ -1,0 +1,166 @@
+"""What a judge of one answer looks at, and what it concludes."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Quantity
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Formula
+from gripcourse.grading.follow_through import Own, range_of
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.policy.bands import band, computed_band, within
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan
+from gripcourse.submission.model import Answer
+from gripcourse.text.units import factor
+from gripcourse.text.words import Message
+
+_SAME: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """The conclusion about one answer.
+
+    Attributes:
+        outcome, against: what was found, and by which comparison.
+        expected: the value at the student's own inputs, in the declared unit.
+        band: how far from it the answer may be.
+        credit: share of the points, 0…1.
+        slip: id of a recognised slip.
+        tied: ids of other slips that explain the answer as well.
+        roots: ids of the quantities whose wrong answers this one follows from.
+        message, remarks: for the student.
+    """
+
+    outcome: Outcome
+    against: Against
+    expected: float | None
+    band: float
+    credit: float
+    slip: str
+    tied: tuple[str, ...]
+    roots: tuple[str, ...]
+    message: Message
+    remarks: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """A value and how far rounded inputs may move it; all NaN where there is none."""
+
+    value: float
+    low: float
+    high: float
+
+    def nearest(self, value: float) -> float:
+        """Return the point of the range that is nearest to a value."""
+        return min(max(value, self.low), self.high)
+
+
+NOWHERE = Range(math.nan, math.nan, math.nan)
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """One answer with everything that it can be judged by.
+
+    Attributes:
+        value: the answer, in the declared unit.
+        reference_values: of every quantity, SI.
+        own: the calculation at the student's own numbers.
+    """
+
+    plan: Plan
+    policy: Policy
+    quantity: Quantity
+    answer: Answer
+    value: float
+    reference_values: Mapping[str, float]
+    own: Own
+
+    @property
+    def reference(self) -> float:
+        """The reference value, in the declared unit; NaN where there is none."""
+        return self.reference_values.get(self.quantity.id, math.nan) / factor(self.quantity.unit)
+
+    @property
+    def has_reference(self) -> bool:
+        """Whether the reference solution has a value of this quantity."""
+        return math.isfinite(self.reference)
+
+    @property
+    def expected(self) -> float:
+        """The value at the student's own inputs, in the declared unit; NaN where there is none."""
+        return self.follows.value
+
+    @property
+    def follows(self) -> Range:
+        """What follows from the student's own inputs, in the declared unit."""
+        if self.quantity.id in self.own.bridged:
+            return NOWHERE
+        computed = self.own.evaluation.computed[self.quantity.id]
+        return self._range(float(computed), self.own.moved.computed[self.quantity.id])
+
+    def at_reference(self, formula: Formula) -> float:
+        """Evaluate a formula at the reference's inputs, in the declared unit."""
+        values = {name: np.asarray(self.reference_values[name]) for name in formula.names}
+        return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
+
+    def at_own(self, formula: Formula) -> Range:
+        """Evaluate a formula at the student's inputs, in the declared unit."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def near_own(self, formula: Formula) -> Range:
+        """Do the same; the range is only looked at where the answer may lie in it."""
+        value = float(self._evaluate(formula, self.own.evaluation.values))
+        declared = value / factor(self.quantity.unit)
+        most = 2 * self._widest(declared) + 2 * self.answer.half_unit
+        if not abs(self.value - declared) <= most:
+            return Range(declared, declared, declared)
+        return self._range(value, self._evaluate(formula, self.own.moved.values))
+
+    def following(self, name: str, value: float) -> Range:
+        """Return what follows here if another quantity is exactly a value (declared units)."""
+        formula = self.plan.reference_formula(self.quantity.id)
+        if formula is None:
+            return NOWHERE
+        exact = np.asarray(value * factor(self.plan.quantities[name].unit))
+        result = self._evaluate(formula, {**self.own.evaluation.values, name: exact})
+        return self._range(
+            float(result), self._evaluate(formula, {**self.own.moved.values, name: exact})
+        )
+
+    def fits(self, expected: float) -> bool:
+        """Tell whether the answer lies in the band round an expected value."""
+        return within(self.value, expected, band(self.quantity, expected, self.policy))
+
+    def has_own_inputs(self, formula: Formula) -> bool:
+        """Tell whether the student's numbers differ from the reference where a formula looks."""
+        values = self.own.evaluation.values
+        return any(
+            not math.isclose(float(values[name]), self.reference_values[name], rel_tol=_SAME)
+            for name in formula.names
+        )
+
+    def _range(self, value: float, moved: NDArray[np.float64]) -> Range:
+        """Convert SI to the declared unit; a range wider than the policy allows is cut."""
+        size = factor(self.quantity.unit)
+        low, high = range_of(moved)
+        value, low, high = value / size, low / size, high / size
+        most = self._widest(value)
+        return Range(value, max(low, value - most), min(high, value + most))
+
+    def _widest(self, value: float) -> float:
+        return self.policy.widest * computed_band(self.quantity, value, self.policy)
+
+    def _evaluate(
+        self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
+    ) -> NDArray[np.float64]:
+        return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)

@@ -1,0 +1,181 @@
+"""The calculation at the student's own numbers.
+
+People keep more digits in the calculator than they type, so a typed number stands for a range. What
+follows from it is computed with every typed number moved to both ends of its range, one at a time:
+the moves add up to the range in which an honest continuation may lie.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Kind
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.grading.rounding import reach_of
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import Evaluation, evaluate, to_si
+from gripcourse.submission.model import Answer, Reading
+from gripcourse.text.units import factor
+
+# What is taken from a series or a table, and a verdict, has no digits that were not typed.
+_EXACT = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
+
+
+@dataclass(frozen=True, slots=True)
+class Own:
+    """What follows from a student's own numbers, in SI.
+
+    Attributes:
+        known: what everything else is computed from: issued values, answers that are carried on,
+            and what stands in.
+        evaluation: every quantity at the student's numbers where they are carried, else computed
+            from what is upstream.
+        moved: the same with the typed numbers moved, arrays of shape (1 + 2n,): as typed first,
+            then for each of n typed numbers its lower and its upper end.
+        not_carried: ids of answers that were read and are not carried on, because they fail their
+            guard or are physically unthinkable.
+        bridged: ids that could not be computed from the student's numbers; the reference stands in
+            for them downstream.
+    """
+
+    known: Mapping[str, float]
+    evaluation: Evaluation
+    moved: Evaluation
+    not_carried: frozenset[str]
+    bridged: frozenset[str]
+
+
+def follow(
+    plan: Plan,
+    given: Mapping[str, float],
+    answers: Mapping[str, Answer],
+    reference: Mapping[str, float],
+    policy: Policy,
+) -> Own:
+    """Evaluate a plan at a student's own numbers.
+
+    Args:
+        plan: what is computed.
+        given: the issued values, in declared units.
+        answers: what the student wrote.
+        reference: the reference values in SI, to stand in where the student's numbers lead nowhere.
+        policy: how far a number may be from the typed one.
+
+    Returns:
+        The evaluation; a blank or unreadable answer is computed from what is upstream.
+    """
+    inputs = to_si(plan, given)
+    carried = to_si(
+        plan,
+        {
+            name: answer.value
+            for name, answer in answers.items()
+            if answer.value is not None and _is_thinkable(plan, answer)
+        },
+    )
+    first = evaluate(plan, inputs | carried)
+    refused = {name for name in carried if not _guard_holds(plan, name, first)}
+    kept = {name: value for name, value in carried.items() if name not in refused}
+    evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
+    read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
+    reaches = {
+        name: (
+            below * factor(plan.quantities[name].unit),
+            above * factor(plan.quantities[name].unit),
+        )
+        for name in kept
+        for below, above in [reach_of(answers[name], policy)]
+        if plan.quantities[name].kind not in _EXACT and not plan.quantities[name].integer
+    }
+    known = inputs | kept | stand_in
+    return Own(
+        known=known,
+        evaluation=evaluation,
+        moved=_moved(plan, evaluation, known, reaches),
+        not_carried=frozenset(read - set(kept)),
+        bridged=frozenset(stand_in),
+    )
+
+
+def range_of(moved: NDArray[np.float64]) -> tuple[float, float]:
+    """Return the lowest and the highest value that the moved numbers lead to.
+
+    Args:
+        moved: of shape (1 + 2n,) as in `Own.moved`, or () where no typed number matters.
+
+    Returns:
+        The ends of the range, which holds the value as typed; NaN where that is NaN. An end of a
+        typed number's range that leads outside a formula's domain does not count.
+    """
+    if moved.ndim == 0:
+        return float(moved), float(moved)
+    base = float(moved[0])
+    moves = np.nan_to_num(moved[1:] - base).reshape(-1, 2)
+    down = np.minimum(moves.min(axis=1), 0.0).sum()
+    up = np.maximum(moves.max(axis=1), 0.0).sum()
+    return base + float(down), base + float(up)
+
+
+def _moved(
+    plan: Plan,
+    evaluation: Evaluation,
+    known: Mapping[str, float],
+    reaches: Mapping[str, tuple[float, float]],
+) -> Evaluation:
+    """Evaluate the plan with each typed number at both ends of its range, one at a time."""
+    moving = [name for name, reach in reaches.items() if max(reach) > 0]
+    worlds: dict[str, float | NDArray[np.float64]] = dict(known)
+    # A size that nobody wrote down is not moved to the next entry of the series by a last digit.
+    worlds |= {
+        name: float(evaluation.values[name])
+        for name, quantity in plan.quantities.items()
+        if quantity.kind in _EXACT and name not in known
+    }
+    for number, name in enumerate(moving):
+        values = np.full(1 + 2 * len(moving), known[name])
+        values[1 + 2 * number] -= reaches[name][0]
+        values[2 + 2 * number] += reaches[name][1]
+        worlds[name] = values
+    return evaluate(plan, worlds)
+
+
+def _is_thinkable(plan: Plan, answer: Answer) -> bool:
+    low, high = plan.quantities[answer.quantity].bounds
+    readable = answer.reading is Reading.READ and answer.unit_fits
+    return readable and answer.value is not None and low <= answer.value <= high
+
+
+def _guard_holds(plan: Plan, name: str, evaluation: Evaluation) -> bool:
+    guard = plan.quantities[name].valid
+    if guard is None:
+        return True
+    return bool(evaluate_formula(guard, "", evaluation.values, plan.columns) == 1.0)
+
+
+def _bridge(
+    plan: Plan,
+    known: Mapping[str, float],
+    reference: Mapping[str, float],
+    evaluation: Evaluation | None,
+) -> tuple[Evaluation, dict[str, float]]:
+    """Let the reference stand in for what the student's numbers leave without a value.
+
+    A bore that no catalogue holds has no rod; what follows must not be lost for that. `evaluation`
+    is that of the known values, where there is one already.
+    """
+    stand_in: dict[str, float] = {}
+    while True:
+        evaluation = evaluation or evaluate(plan, {**known, **stand_in})
+        lost = [
+            name
+            for name, value in evaluation.values.items()
+            if np.isnan(value) and name not in stand_in and np.isfinite(reference.get(name, np.nan))
+        ]
+        if not lost:
+            return evaluation, stand_in
+        # Only the first is at the root: what follows it may be computed once it has a value.
+        stand_in[lost[0]] = reference[lost[0]]
+        evaluation = None

@@ -1,0 +1,98 @@
+"""Numbers that were written down wrongly, and calculated with rightly.
+
+Who writes 3.9 where 3900 is asked has made a slip of writing: the number in the calculator may have
+been the right one. So later answers may follow from the number that was meant as well as from the
+one that was written; the better counts.
+"""
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from typing import Final
+
+from gripcourse.grading.model import Outcome
+from gripcourse.grading.submission_case import Case, Judged, explain, judge_answer, with_answers
+from gripcourse.policy.slips import OF_WRITING
+from gripcourse.solver.plan import Plan
+from gripcourse.submission.model import Answer
+
+# Conclusions that the student's earlier numbers have a part in.
+_DEPENDING: Final = frozenset({Outcome.WRONG, Outcome.SLIP, Outcome.CARRIED})
+
+
+def as_meant(case: Case, judged: Sequence[Judged]) -> list[Judged]:
+    """Judge again what does not follow from the numbers as written.
+
+    Args:
+        case: the submission.
+        judged: every answer, explained.
+
+    Returns:
+        The same in the same order, each with the better of both conclusions.
+    """
+    found, seen, known = list(judged), list(judged), dict[str, Answer]()
+    while any(_may_be_better(one) for one in found if one.quantity.id not in known):
+        new = {
+            one.quantity.id: answer
+            for one in seen
+            if one.quantity.id not in known and (answer := _meant(case, one)) is not None
+        }
+        if not new:
+            break
+        # What only seems written wrongly, beside an earlier one, may follow from what was meant.
+        known |= {name: new[name] for name in _earliest(case.plan, new.keys())}
+        seen = _again(with_answers(case, known), seen, known.keys())
+        found = [
+            later if _worth(later) > _worth(one) else one
+            for one, later in zip(found, seen, strict=True)
+        ]
+    return found
+
+
+def _meant(case: Case, judged: Judged) -> Answer | None:
+    """Return what was meant where the slip was one of writing."""
+    view, slip = judged.view, judged.judgement.slip
+    if view is None or judged.judgement.outcome is not Outcome.SLIP:
+        return None
+    for candidate in case.candidates_of(judged.quantity.id):
+        if candidate.id == slip and candidate.kind in OF_WRITING:
+            written = view.at_own(candidate.formula).value
+            ratio = view.expected / written if written else math.nan
+            if not math.isfinite(ratio) or ratio == 0:
+                return None
+            half_unit = view.answer.half_unit * abs(ratio)
+            return replace(view.answer, value=view.value * ratio, half_unit=half_unit)
+    return None
+
+
+def _earliest(plan: Plan, names: Collection[str]) -> list[str]:
+    """Return those of the quantities that depend on none of the others."""
+    depending: set[str] = set()
+    found = []
+    for name in plan.quantities:
+        if not depending.isdisjoint(plan.inputs[name]):
+            depending.add(name)
+        elif name in names:
+            found.append(name)
+            depending.add(name)
+    return found
+
+
+def _again(case: Case, judged: Sequence[Judged], known: Collection[str]) -> list[Judged]:
+    return explain(
+        case,
+        [
+            judge_answer(case, one.quantity, one.answer)
+            if one.quantity.id not in known and one.judgement.outcome in _DEPENDING
+            else one
+            for one in judged
+        ],
+    )
+
+
+def _may_be_better(judged: Judged) -> bool:
+    return judged.view is not None and judged.judgement.outcome in {Outcome.WRONG, Outcome.SLIP}
+
+
+def _worth(judged: Judged) -> tuple[float, bool]:
+    return judged.judgement.credit, judged.judgement.outcome is not Outcome.WRONG

@@ -1,0 +1,153 @@
+"""One submission on the judge's table: what its answers are compared with, one answer at a time."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.grading.comparison import Judgement, View
+from gripcourse.grading.diagnose import CandidatesOf, diagnose
+from gripcourse.grading.follow_through import Own, follow
+from gripcourse.grading.judge_choice import judge_choice_answer
+from gripcourse.grading.judge_value import judge_value
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import evaluate, to_si
+from gripcourse.submission.model import Answer, Reading, Submission
+from gripcourse.text.words import Message, message
+from gripcourse.variants.model import Issued
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What the answers of a submission are compared with.
+
+    Attributes:
+        given: the issued values, in declared units.
+        answers: what is followed; none of a workbook that is another student's.
+        reference: the reference values, SI.
+        own: the calculation at the student's own numbers.
+        points: of every answer.
+        candidates_of: the wrong methods of each quantity.
+        is_own: whether the workbook is the student's own, as far as it says.
+    """
+
+    plan: Plan
+    policy: Policy
+    given: Mapping[str, float]
+    answers: Mapping[str, Answer]
+    reference: Mapping[str, float]
+    own: Own
+    points: Mapping[str, float]
+    candidates_of: CandidatesOf
+    is_own: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """One quantity with what was concluded; `view` is None where there is no value to look at."""
+
+    quantity: Quantity
+    answer: Answer | None
+    view: View | None
+    judgement: Judgement
+
+
+def make_case(
+    submission: Submission,
+    issued: Issued,
+    plan: Plan,
+    policy: Policy,
+    candidates_of: CandidatesOf,
+) -> Case:
+    """Lay a submission on the table; see `judge` for the arguments."""
+    given = issued.variant.given
+    reference = {
+        name: float(value) for name, value in evaluate(plan, to_si(plan, given)).values.items()
+    }
+    # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
+    is_own = submission.identity.student in {"", issued.student.id}
+    answers = submission.answers if is_own else {}
+    own = follow(plan, given, answers, reference, policy)
+    return Case(
+        plan=plan,
+        policy=policy,
+        given=given,
+        answers=answers,
+        reference=reference,
+        own=own,
+        points=points_of(plan, policy),
+        candidates_of=candidates_of,
+        is_own=is_own,
+    )
+
+
+def with_answers(case: Case, answers: Mapping[str, Answer]) -> Case:
+    """Return the case where these answers are followed instead of those of the same ids."""
+    followed = {**case.answers, **answers}
+    own = follow(case.plan, case.given, followed, case.reference, case.policy)
+    return replace(case, answers=followed, own=own)
+
+
+def judge_answer(case: Case, quantity: Quantity, answer: Answer | None) -> Judged:
+    """Judge one answer by its value; a wrong one is not explained yet."""
+    if quantity.kind is Kind.MANUAL:
+        judgement = _without_value(Outcome.MANUAL, message("Marked by hand."))
+    elif answer is None or answer.reading is Reading.BLANK:
+        judgement = _without_value(Outcome.BLANK, message("No answer."))
+    elif answer.reading is Reading.UNREADABLE or answer.value is None:
+        judgement = _without_value(Outcome.UNREADABLE, message("The answer could not be read."))
+    else:
+        return _viewed(case, quantity, answer, answer.value)
+    return Judged(quantity, answer, None, judgement)
+
+
+def explain(case: Case, judged: Sequence[Judged]) -> list[Judged]:
+    """Name the slips behind wrong answers; a unit that does not fit explains itself."""
+    views = {one.quantity.id: one.view for one in judged if one.view is not None}
+    return [
+        replace(one, judgement=_diagnosed(case, one.view, one.judgement, views))
+        if one.view is not None and is_unexplained(case, one)
+        else one
+        for one in judged
+    ]
+
+
+def is_unexplained(case: Case, judged: Judged) -> bool:
+    """Tell whether an answer is wrong and nothing says why yet."""
+    wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
+    return wrong and judged.view is not None and judged.view.answer.unit_fits
+
+
+def _diagnosed(
+    case: Case, view: View, judgement: Judgement, views: Mapping[str, View]
+) -> Judgement:
+    name = view.quantity.id
+    later = [
+        other
+        for user, other in views.items()
+        if name in case.plan.inputs[user] and other.quantity.kind is Kind.FORMULA
+    ]
+    return diagnose(view, judgement, case.candidates_of, later)
+
+
+def _viewed(case: Case, quantity: Quantity, answer: Answer, value: float) -> Judged:
+    view = View(
+        plan=case.plan,
+        policy=case.policy,
+        quantity=quantity,
+        answer=answer,
+        value=value,
+        reference_values=case.reference,
+        own=case.own,
+    )
+    if not view.has_reference:
+        said = message("There is no reference value for this variant; a person decides.")
+        return Judged(quantity, answer, view, _without_value(Outcome.NOT_JUDGED, said))
+    judgement = judge_choice_answer(view) if quantity.kind is Kind.CHOICE else judge_value(view)
+    return Judged(quantity, answer, view, judgement)
+
+
+def _without_value(outcome: Outcome, said: Message) -> Judgement:
+    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", (), (), said, ())

@@ -1,0 +1,188 @@
+"""Who gets which variant: decided once, and never changed by what comes later."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import date
+
+from gripcourse.errors import Problem, TableError
+from gripcourse.issuing.register import Register
+from gripcourse.issuing.signature import sign
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
+from gripcourse.variants.model import Issued, Student, Variant
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """What counts for everybody who is new.
+
+    Attributes:
+        key: of the signatures.
+        today: day of the issue.
+        deadline: last day for handing in, None for none.
+    """
+
+    key: bytes
+    today: date
+    deadline: date | None
+
+
+@dataclass(frozen=True, slots=True)
+class Extended:
+    """A register with its new entries, and what the instructor should know.
+
+    Attributes:
+        register: old entries first, in their order; new ones in the order of the roster.
+        notes: what was kept although the roster or the table says otherwise now.
+    """
+
+    register: Register
+    notes: tuple[Message, ...]
+
+
+def extend(
+    register: Register, students: Sequence[Student], variants: Sequence[Variant], terms: Terms
+) -> Extended:
+    """Issue variants to those students who have none.
+
+    A student who is in the register keeps variant, numbers, date and deadline; only the person's
+    data follow the roster. A new student gets the variant that the roster fixes, or the next free
+    one in the order of the table, after all fixed ones are set aside.
+
+    Args:
+        register: what was issued before.
+        students: the roster.
+        variants: the table.
+        terms: for the new ones.
+
+    Returns:
+        The new register and notes.
+
+    Raises:
+        TableError: a fixed variant is unknown or taken, or there are not enough variants; all
+            problems at once.
+    """
+    known = register.by_student()
+    roster = {student.id: student for student in students}
+    kept = tuple(_updated(entry, roster) for entry in register.entries)
+    new = [student for student in students if student.id not in known]
+    chosen = _allot(new, variants, {entry.variant.id: entry for entry in register.entries})
+    issued = tuple(
+        Issued(
+            student,
+            chosen[student.id],
+            terms.today,
+            terms.deadline,
+            sign(terms.key, register.course_id, student.id, chosen[student.id]),
+        )
+        for student in new
+    )
+    notes = _notes(register, roster, variants, terms.deadline)
+    return Extended(Register(register.course_id, (*kept, *issued)), notes)
+
+
+def _updated(entry: Issued, roster: Mapping[str, Student]) -> Issued:
+    """Take name, group, mail address and language from the roster; the fixed variant stays."""
+    student = roster.get(entry.student.id)
+    if student is None:
+        return entry
+    return replace(entry, student=replace(student, variant=entry.student.variant))
+
+
+def _allot(
+    new: Sequence[Student], variants: Sequence[Variant], taken: Mapping[str, Issued]
+) -> dict[str, Variant]:
+    """Return the variant of each new student: fixed ones first, then the free ones in order."""
+    problems: list[Problem] = []
+    chosen: dict[str, Variant] = {}
+    holders = {id_: entry.student.id for id_, entry in taken.items()}
+    for student in (one for one in new if one.variant):
+        variant = find_variant(variants, student.variant)
+        if variant is None or variant.id in holders:
+            problems.append(_refusal(student, variant, variants, holders))
+            continue
+        chosen[student.id] = variant
+        holders[variant.id] = student.id
+    free = [variant for variant in variants if variant.id not in holders]
+    waiting = [student for student in new if not student.variant]
+    if len(waiting) > len(free):
+        problems.append(
+            Problem(
+                "",
+                "",
+                message(
+                    "{students} students need a variant and {free} variants are free:"
+                    " {missing} are missing.",
+                    students=len(waiting),
+                    free=len(free),
+                    missing=len(waiting) - len(free),
+                ),
+                message("Draw or import more variants; those that are issued stay as they are."),
+            )
+        )
+    if problems:
+        raise TableError(problems)
+    return chosen | {student.id: variant for student, variant in zip(waiting, free, strict=False)}
+
+
+def find_variant(variants: Sequence[Variant], written: str) -> Variant | None:
+    """Find a variant by its name; `7` finds `007` where it is the only one it can mean.
+
+    A spreadsheet that saves the roster cuts zeros off.
+    """
+    exact = [variant for variant in variants if variant.id == written]
+    loose = [variant for variant in variants if variant.id.lstrip("0") == written.lstrip("0")]
+    found = exact or loose
+    return found[0] if len(found) == 1 else None
+
+
+def _refusal(
+    student: Student,
+    variant: Variant | None,
+    variants: Sequence[Variant],
+    holders: Mapping[str, str],
+) -> Problem:
+    key = message("student {student}", student=student.id)
+    if variant is None:
+        what = message("The fixed variant '{variant}' is not in the table.",
+                       variant=student.variant)  # fmt: skip
+        return Problem("", key, what, did_you_mean(student.variant, (one.id for one in variants)))
+    what = message("The fixed variant '{variant}' is issued to {holder} already.",
+                   variant=variant.id, holder=holders[variant.id])  # fmt: skip
+    remedy = message("Fix another one, or leave the cell blank for the next free one.")
+    return Problem("", key, what, remedy)
+
+
+def _notes(
+    register: Register,
+    roster: Mapping[str, Student],
+    variants: Sequence[Variant],
+    deadline: date | None,
+) -> tuple[Message, ...]:
+    """Say what was kept although the roster, the table or the deadline says otherwise now."""
+    table = {variant.id: variant for variant in variants}
+    notes: list[Message] = []
+    for entry in register.entries:
+        name, id_ = entry.student.id, entry.variant.id
+        student = roster.get(name)
+        if student is None:
+            notes.append(message("{student} is no longer in the roster and keeps variant"
+                                 " {variant}.", student=name, variant=id_))  # fmt: skip
+            continue
+        now = table.get(id_)
+        if now is None:
+            notes.append(message("{student} keeps variant {variant}, which is no longer in the"
+                                 " table.", student=name, variant=id_))  # fmt: skip
+        elif now != entry.variant:
+            notes.append(message("{student} keeps variant {variant} with the numbers that were"
+                                 " issued; the table has others now.", student=name,
+                                 variant=id_))  # fmt: skip
+        if student.variant and student.variant.lstrip("0") != id_.lstrip("0"):
+            notes.append(message("{student} keeps variant {variant}, although the roster says"
+                                 " {fixed} now.", student=name, variant=id_,
+                                 fixed=student.variant))  # fmt: skip
+        if deadline is not None and entry.deadline != deadline:
+            before = entry.deadline.isoformat() if entry.deadline else "—"
+            notes.append(message("{student} keeps the deadline {deadline}.", student=name,
+                                 deadline=before))  # fmt: skip
+    return tuple(notes)

@@ -1,0 +1,110 @@
+"""The signature over what was issued: it shows whether anybody changed the numbers.
+
+The key is 32 random bytes in the course's private folder. Whoever has it can sign; losing it makes
+old signatures unverifiable, so it belongs into a backup and never into a repository.
+"""
+
+import hashlib
+import hmac
+import json
+import re
+from pathlib import Path
+
+from gripcourse.errors import Problem, RegisterError
+from gripcourse.machine.files import write_text
+from gripcourse.text.words import Message, message
+from gripcourse.variants.model import Variant
+
+KEY_BYTES = 32
+
+_KEY = re.compile(rf"[0-9a-f]{{{2 * KEY_BYTES}}}")
+
+
+def key_path(root: Path) -> Path:
+    """Return where a course keeps its key."""
+    return root / "private" / "key"
+
+
+def make_key(path: Path, random_bytes: bytes) -> bytes:
+    """Write a new key that only its owner can read.
+
+    Args:
+        path: of the file; nothing may be there yet.
+        random_bytes: 32 bytes from a source fit for secrets.
+
+    Returns:
+        The key.
+
+    Raises:
+        RegisterError: there is a key already; a new one would void every signature.
+        ValueError: not 32 bytes.
+    """
+    if len(random_bytes) != KEY_BYTES:
+        raise ValueError(f"a key has {KEY_BYTES} bytes, not {len(random_bytes)}")
+    if path.exists():
+        raise _failure(
+            path,
+            message("There is a key already; a new one would void all signatures."),
+            message("Keep it. To start a new course, move it away together with the register."),
+        )
+    write_text(path, random_bytes.hex() + "\n", private=True)
+    return random_bytes
+
+
+def read_key(path: Path) -> bytes:
+    """Read the key.
+
+    Raises:
+        RegisterError: the key is missing or damaged.
+    """
+    try:
+        text = path.read_text(encoding="ascii").strip()
+    except FileNotFoundError:
+        raise _failure(
+            path,
+            message("The key of the signatures is missing."),
+            message("Restore it from a backup; a new course gets one with its first issue."),
+        ) from None
+    except UnicodeDecodeError:
+        text = ""
+    if not _KEY.fullmatch(text):
+        raise _failure(
+            path,
+            message("The key of the signatures is damaged: it must be {digits} digits 0-9 a-f.",
+                    digits=2 * KEY_BYTES),
+            message("Restore it from a backup."),
+        )  # fmt: skip
+    return bytes.fromhex(text)
+
+
+def sign(key: bytes, course_id: str, student_id: str, variant: Variant) -> str:
+    """Return the HMAC-SHA256 over the course, the student and the variant, in hexadecimal.
+
+    A student's name or language may be corrected later, so they are not part of it.
+    """
+    return hmac.new(key, _canonical(course_id, student_id, variant), hashlib.sha256).hexdigest()
+
+
+def verify(key: bytes, course_id: str, student_id: str, variant: Variant, signature: str) -> bool:
+    """Tell whether a signature belongs to these numbers, in time that says nothing about it."""
+    expected = sign(key, course_id, student_id, variant)
+    return hmac.compare_digest(expected.encode(), signature.encode())
+
+
+def _canonical(course_id: str, student_id: str, variant: Variant) -> bytes:
+    """Write what is signed in the one form that equal values have."""
+    signed = {
+        "course": course_id,
+        "student": student_id,
+        "variant": variant.id,
+        "scheme": variant.scheme,
+        "options": dict(variant.options),
+        "given": {id_: float(value) for id_, value in variant.given.items()},
+    }
+    return json.dumps(
+        signed, sort_keys=True, ensure_ascii=True, allow_nan=False, separators=(",", ":")
+    ).encode()
+
+
+def _failure(path: Path, what: Message, remedy: Message) -> RegisterError:
+    return RegisterError([Problem(str(path), "", what, remedy)])

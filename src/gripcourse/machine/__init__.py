@@ -1,0 +1,1 @@
+"""The machine below: files, fonts, where courses are, what is missing."""

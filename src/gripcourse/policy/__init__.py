@@ -1,0 +1,1 @@
+"""What a head of course decides: points, tolerances, credits, rubrics."""

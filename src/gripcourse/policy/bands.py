@@ -1,0 +1,65 @@
+"""Bands: how far an answer may be from the value that it is judged against."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.model import Kind, Quantity, Tolerance
+from gripcourse.policy.model import Policy
+from gripcourse.text.units import factor
+
+Array = NDArray[np.float64]
+
+# Values that are read from a table or a series differ only by how floating point writes them.
+_EXACT = 1e-6
+# An answer exactly on the edge of the band passes, whatever the last bit says.
+SLACK = 1 + 1e-9
+
+
+def band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round an expected value, in the declared unit.
+
+    The wider of a relative and an absolute part counts: near zero a relative band is empty. A
+    quantity's own tolerance in the policy goes before its declaration, that before the default.
+    """
+    return _half_width(expected, _tolerance_of_kind(quantity, policy))
+
+
+def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round a computed value, in the declared unit.
+
+    For a decision it is that of the value which the decision must not be below.
+    """
+    return _half_width(expected, tolerance_of(quantity, policy))
+
+
+def _half_width(expected: float, tolerance: Tolerance) -> float:
+    return max(abs(expected) * tolerance.relative, tolerance.absolute)
+
+
+def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
+    """Return the half widths round many expected values, SI, in their shape."""
+    tolerance = _tolerance_of_kind(quantity, policy)
+    return np.maximum(
+        np.abs(expected) * tolerance.relative, tolerance.absolute * factor(quantity.unit)
+    )
+
+
+def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:
+    """Return the tolerance that applies to a quantity."""
+    own = policy.tolerances.get(quantity.id) or quantity.tolerance or policy.tolerance
+    return Tolerance(own.relative, own.absolute or policy.floors.get(quantity.unit, 0.0))
+
+
+def _tolerance_of_kind(quantity: Quantity, policy: Policy) -> Tolerance:
+    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
+        return Tolerance(_EXACT, 0.0)
+    return tolerance_of(quantity, policy)
+
+
+def within(value: float, expected: float, half_width: float) -> bool:
+    """Tell whether a value lies in the band; a value that cannot be computed matches nothing."""
+    if not (math.isfinite(value) and math.isfinite(expected)):
+        return False
+    return abs(value - expected) <= half_width * SLACK

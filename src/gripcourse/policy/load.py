@@ -1,0 +1,216 @@
+"""Loading the policy of a head of course: `grader/policy.toml` and the rubrics beside it."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+from gripcourse.course.declare import tolerance
+from gripcourse.course.model import Course, Kind, Tolerance
+from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.errors import CourseError, Problem
+from gripcourse.policy.model import Policy, Reveal
+from gripcourse.policy.rubric_load import read_rubrics
+from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
+from gripcourse.policy.slips_load import read_slip_policy
+from gripcourse.policy.variant_rules import read_variant_rules
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import factor
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import message
+
+_TABLES = {
+    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
+    "variants", "figures", "likeness",
+}  # fmt: skip
+_MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
+
+
+def load_policy(course: Course) -> Policy:
+    """Load and check the policy of a course.
+
+    Raises:
+        CourseError: with all problems of the policy.
+    """
+    policy, problems = read_policy(course)
+    if policy is None or problems:
+        raise CourseError(problems)
+    return policy
+
+
+def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
+    """Read the policy with all its problems."""
+    problems: list[Problem] = []
+    rubrics = read_rubrics(course.root, problems)
+    table = read_toml(policy_path(course.root), course.root, problems)
+    slips = read_slip_policy(course.root, problems)
+    if table is None or slips is None:
+        return None, problems
+    table.known_keys(_TABLES)
+    points = table.required_table("points")
+    weight = table.required_table("weight")
+    bands = table.required_table("tolerance")
+    credit = table.required_table("credit")
+    rounding = table.required_table("rounding")
+    total = points.number("total")
+    policy = Policy(
+        total=total,
+        section_points=_section_points(points, total, course),
+        weights=_weights(weight, "quantity", _quantity_ids(course)),
+        kind_weights=_weights(weight, "kind", set(_MARKED)),
+        tolerance=_default_tolerance(bands),
+        floors=_floors(bands),
+        tolerances=_tolerances(table, course),
+        carried_credit=credit.share("carried"),
+        printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
+        wrong_unit_credit=credit.share("wrong_unit"),
+        last_digit=rounding.at_least("last_digit", 0.0),
+        figures=int(rounding.at_least("figures", 1.0)),
+        habits=_habits(rounding, course),
+        widest=rounding.at_least("widest", 0.0),
+        reveal=_reveal(table.required_table("report")),
+        slips=slips,
+        variants=read_variant_rules(table.required_table("variants")),
+        figure_rule=read_figure_rule(table.table("figures")),
+        likeness=read_likeness_rule(table.table("likeness")),
+        rubrics=rubrics,
+    )
+    credit.known_keys({"carried", "printed", "wrong_unit"})
+    rounding.known_keys({"last_digit", "figures", "habits", "widest"})
+    return policy, problems
+
+
+def policy_path(root: Path) -> Path:
+    """Where a course keeps its policy."""
+    return root / "grader" / "policy.toml"
+
+
+def _section_points(points: Table, total: float, course: Course) -> Mapping[str, float]:
+    points.known_keys({"total", "section"})
+    sections = points.numbers("section")
+    ids = {section.id for section in course.sections}
+    for name in sorted(ids - set(sections)):
+        points.add(
+            f"section.{name}",
+            message("The section '{name}' has no points.", name=name),
+            message("Write its points, 0 where it is not marked."),
+        )
+    for name in sorted(set(sections) - ids):
+        points.add(
+            f"section.{name}",
+            message("The course has no section '{name}'.", name=name),
+            did_you_mean(name, ids),
+        )
+    known = not math.isnan(total + sum(sections.values()))
+    if known and not math.isclose(sum(sections.values()), total, rel_tol=1e-9):
+        points.add(
+            "section",
+            message(
+                "The points of the sections add up to {sum}, the total is {total}.",
+                sum=float(sum(sections.values())),
+                total=total,
+            ),
+            message("Change a section or the total."),
+        )
+    for name, value in sections.items():
+        if value < 0:
+            points.add(
+                f"section.{name}",
+                message("The points are negative."),
+                message("Write 0 or a positive number."),
+            )
+    return sections
+
+
+def _weights(weight: Table, name: str, known: set[str]) -> Mapping[str, float]:
+    weight.known_keys({"kind", "quantity"})
+    weights = weight.numbers(name, {})
+    for key, value in weights.items():
+        if key not in known:
+            weight.add(
+                f"{name}.{key}",
+                message("There is no '{name}' in the course.", name=key),
+                did_you_mean(key, known),
+            )
+        if value < 0:
+            weight.add(
+                f"{name}.{key}",
+                message("The weight {value} is negative.", value=value),
+                message("Write 0 or a positive number."),
+            )
+    if name == "kind":
+        for kind in sorted(known - set(weights)):
+            weight.add(
+                f"kind.{kind}",
+                message("This key is missing."),
+                message("Write the weight of a quantity of this kind."),
+            )
+    return weights
+
+
+def _quantity_ids(course: Course) -> set[str]:
+    ids = {name for part in course.parts.values() for name in part.quantities}
+    return ids | {name for scheme in course.schemes.values() for name in scheme.quantities}
+
+
+def _floors(bands: Table) -> Mapping[str, float]:
+    floors = bands.numbers("floor", {})
+    for unit, value in floors.items():
+        if not known_unit(unit):
+            bands.add(
+                f"floor.{unit}",
+                message("The unit '{unit}' is not known.", unit=unit),
+                message("Write it as in units.csv of the package, for example 'N*m'."),
+            )
+        if value < 0:
+            bands.add(
+                f"floor.{unit}",
+                message("The tolerance {value} is negative.", value=value),
+                message("Write 0 or a positive number."),
+            )
+    return floors
+
+
+def _default_tolerance(bands: Table) -> Tolerance:
+    bands.known_keys({"relative", "absolute", "floor"})
+    return tolerance(bands)
+
+
+def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
+    known = _quantity_ids(course)
+    named = table.named_tables("quantity_tolerance")
+    for name in named:
+        if name not in known:
+            table.add(
+                f"quantity_tolerance.{name}",
+                message("There is no '{name}' in the course.", name=name),
+                did_you_mean(name, known),
+            )
+    for inner in named.values():
+        inner.known_keys({"relative", "absolute"})
+    return {name: tolerance(inner) for name, inner in named.items()}
+
+
+def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
+    """Read shortened constants, written in the unit that the constant is declared in."""
+    table = rounding.table("habits")
+    if table is None:
+        return {}
+    units = {name: one.unit for name, one in course.constants.items()} | {"pi": ""}
+    table.known_keys(units)
+    return {
+        name: tuple(value * factor(units[name]) for value in table.number_list(name))
+        for name in table.values.keys() & units.keys()
+    }
+
+
+def _reveal(table: Table) -> Reveal:
+    table.known_keys({"reveal"})
+    written = table.text("reveal")
+    if written in list(Reveal):
+        return Reveal(written)
+    table.add(
+        "reveal",
+        message("There is no level '{level}'.", level=written),
+        did_you_mean(written, list(Reveal)),
+    )
+    return Reveal.NOTHING

@@ -1,0 +1,125 @@
+"""The policy of a head of course: points, bands, credits and what a report reveals.
+
+It lives beside the course, below grading, because the assignment sheet prints points and bands too.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.course.model import Tolerance
+from gripcourse.policy.rubric import Rubric
+from gripcourse.policy.slips import SlipPolicy
+
+
+class Reveal(StrEnum):
+    """What a student's report shows of the reference solution."""
+
+    NOTHING = "nothing"
+    REFERENCE = "reference"
+
+
+@dataclass(frozen=True, slots=True)
+class VariantRules:
+    """When variants may be handed out side by side.
+
+    Attributes:
+        shared_points: most that one student may get with another's answers, as a share of the
+            points of the computed quantities.
+        shared_section_points: the same inside one section, as a share of that section's.
+        slip_bands: how many bands a slip's result must lie from the right one.
+        keep_apart: kinds of slips that a variant is refused for; others are only counted.
+        step_margin: by which share of itself a computed answer may move before a size that is taken
+            for it from a series changes.
+        steps_ratio: how many times as many quantities as the shortest assignment the longest may
+            ask for.
+        weak_item: a computed quantity that is equal in a larger share of the pairs of variants
+            of a scheme is named as weak.
+    """
+
+    shared_points: float
+    shared_section_points: float
+    slip_bands: float
+    keep_apart: tuple[str, ...]
+    step_margin: float
+    steps_ratio: float
+    weak_item: float
+
+
+@dataclass(frozen=True, slots=True)
+class FigureRule:
+    """How many significant figures a computed answer should have; judged apart from its value.
+
+    Attributes:
+        least, most: figures; 0 for no bound.
+        credit: share of the points that an answer outside the bounds keeps.
+    """
+
+    least: int
+    most: int
+    credit: float
+
+
+@dataclass(frozen=True, slots=True)
+class LikenessRule:
+    """When it is told that a submission holds another student's numbers; never a verdict.
+
+    Attributes:
+        odds: of copying against chance, all comparisons counted, from which on; 0 for never.
+        answers: telling numbers that it must rest on, at least.
+        same_creator: students who share an author's name, at most; of more, nothing is told.
+    """
+
+    odds: float
+    answers: int
+    same_creator: int
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """How answers become points.
+
+    Attributes:
+        total: points of the whole assignment.
+        section_points: points of each section; they add up to `total`.
+        weights: weight of a quantity inside its section, where it is not the kind's default.
+        kind_weights: default weight by kind.
+        tolerance: default band.
+        floors: absolute part of the default band by unit, in that unit.
+        tolerances: bands of single quantities that override their declarations.
+        carried_credit: share of the points for what follows from the student's own numbers.
+        printed_credit: share for an answer as a source prints it; None refuses it.
+        wrong_unit_credit: share for the right number with a unit that does not fit it.
+        last_digit: how much further from zero than typed a number in a calculator may be, in units
+            of the last typed digit: 0.5 where people round, 1 where they cut off as well.
+        figures: significant figures that a typed number counts as written with, at least.
+        habits: values in SI that people shorten constants to, by the constant's id, or `pi`.
+        widest: how far what follows from rounded numbers may spread to either side, in bands.
+        reveal: what a report shows.
+        slips: how slips are named.
+        variants: when variants may be handed out side by side.
+        figure_rule: how many figures answers should be typed with.
+        likeness: when copying is suspected.
+        rubrics: by which a person marks manual items, by id.
+    """
+
+    total: float
+    section_points: Mapping[str, float]
+    weights: Mapping[str, float]
+    kind_weights: Mapping[str, float]
+    tolerance: Tolerance
+    floors: Mapping[str, float]
+    tolerances: Mapping[str, Tolerance]
+    carried_credit: float
+    printed_credit: float | None
+    wrong_unit_credit: float
+    last_digit: float
+    figures: int
+    habits: Mapping[str, tuple[float, ...]]
+    widest: float
+    reveal: Reveal
+    slips: SlipPolicy
+    variants: VariantRules
+    figure_rule: FigureRule
+    likeness: LikenessRule
+    rubrics: Mapping[str, Rubric]

@@ -1,1 +1,0 @@
-"""The formula reference: pages that are generated from the declarations of a course alone."""

@@ -1,1 +1,0 @@
-"""What people read: student reports, cohort reports and grade tables."""

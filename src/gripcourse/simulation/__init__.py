@@ -1,0 +1,1 @@
+"""Virtual students: works whose every answer is known to be right, wrong, and why."""

@@ -1,0 +1,187 @@
+"""What was done against what was said: the confusion table, rates and every miss."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.simulation.model import Conduct, Deed, Done, Mix, Required, Work
+from gripcourse.simulation.rates import Rate
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """What a student did, and what the grader says; the trace of a failure of ours, or nothing."""
+
+    work: Work
+    report: Report
+    incident: str = ""
+
+
+class Said(StrEnum):
+    """What the grader says of one answer."""
+
+    CORRECT = "correct"
+    CARRIED = "carried"
+    NAMED = "named"  # a slip, the one that was made
+    TIED = "tied"  # two slips, one of them the one that was made
+    MISNAMED = "misnamed"  # a slip that was not made
+    WRONG = "wrong"
+    BLANK = "blank"
+    UNREADABLE = "unreadable"
+    NOT_JUDGED = "not_judged"
+
+
+ACCEPTED = frozenset({Said.CORRECT, Said.CARRIED})
+NAMES = frozenset({Said.NAMED, Said.TIED})
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One answer: what was done and what was said."""
+
+    work: Work
+    deed: Deed
+    finding: Finding
+    said: Said
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """How well the grader says what was done.
+
+    Attributes:
+        students: how many.
+        table: answers by what was done and what was said.
+        rates: what was measured; those that the policy holds the grader to come first.
+        by_kind: share of the slips of each kind that were named.
+        misses: answers that the grader says something wrong about, and the reason.
+        tried, hidden: places that were tried for slips, and those whose effect nobody could see.
+        incidents: traces of what failed on our side.
+    """
+
+    students: int
+    table: Mapping[tuple[Done, Said], int]
+    rates: Mapping[str, Rate]
+    by_kind: Mapping[str, Rate]
+    misses: tuple[Verdict, ...]
+    tried: int
+    hidden: int
+    incidents: tuple[str, ...]
+
+    @property
+    def missed(self) -> tuple[str, ...]:
+        """Names of the required rates that are not reached."""
+        return tuple(name for name, rate in self.rates.items() if not rate.reached)
+
+
+def evaluate(judged: Sequence[Judged], mix: Mix) -> Evaluation:
+    """Set what was done against what was said.
+
+    Args:
+        judged: every student's work and report.
+        mix: what the grader is held to, and which flags mean copying.
+    """
+    verdicts = [one for each in judged for one in _verdicts(each)]
+    slips = [one for one in verdicts if one.deed.done is Done.SLIP]
+    return Evaluation(
+        students=len(judged),
+        table=Counter((one.deed.done, one.said) for one in verdicts),
+        rates=dict(_rates(judged, verdicts, mix)),
+        by_kind={
+            kind: _share([s for s in slips if s.deed.kind == kind], NAMES)
+            for kind in sorted({one.deed.kind for one in slips})
+        },
+        misses=tuple(one for one in verdicts if is_missed(one)),
+        tried=sum(one.work.tried for one in judged),
+        hidden=sum(one.work.hidden for one in judged),
+        incidents=tuple(one.incident for one in judged if one.incident),
+    )
+
+
+def is_missed(one: Verdict) -> bool:
+    """Tell whether the grader says something wrong about an answer."""
+    match one.deed.done:
+        case Done.RIGHT | Done.FOLLOWS:
+            return one.said not in ACCEPTED
+        case Done.SLIP:
+            return one.said not in NAMES
+        case Done.BARE_UNIT | Done.WRONG_UNIT | Done.ROUNDED_DOWN:
+            return one.said in ACCEPTED
+        case _:
+            return False
+
+
+def _verdicts(judged: Judged) -> Iterator[Verdict]:
+    """Yield a verdict per answer; another's workbook is judged as a whole."""
+    findings = {one.quantity: one for one in judged.report.findings}
+    for deed in judged.work.deeds:
+        if judged.work.owner == judged.work.student and deed.quantity in findings:
+            finding = findings[deed.quantity]
+            yield Verdict(judged.work, deed, finding, _said(deed, finding))
+
+
+def _said(deed: Deed, finding: Finding) -> Said:
+    if finding.outcome is not Outcome.SLIP:
+        return Said(str(finding.outcome))
+    names = {deed.slip, *deed.twins} - {""}
+    if finding.slip in names:
+        return Said.NAMED
+    return Said.TIED if names.intersection(finding.tied) else Said.MISNAMED
+
+
+def _rates(
+    judged: Sequence[Judged], verdicts: Sequence[Verdict], mix: Mix
+) -> Iterator[tuple[str, Rate]]:
+    required: Required = mix.required
+    yield "incidents", Rate(sum(bool(one.incident) for one in judged), len(judged), at_most=0.0)
+    slips = [one for one in verdicts if one.deed.done is Done.SLIP]
+    right = [one for one in verdicts if one.deed.done is Done.RIGHT]
+    honest = [one for one in right if one.work.behaviour.conduct is Conduct.HONEST]
+    others = [one for one in right if one.work.behaviour.conduct is not Conduct.HONEST]
+    follows = [one for one in verdicts if one.deed.done is Done.FOLLOWS]
+    refused = frozenset(Said) - ACCEPTED
+    yield "honest_refused", _share(honest, refused, at_most=required.honest_refused)
+    yield "slip_accepted", _share(slips, ACCEPTED, at_most=required.slip_accepted)
+    yield "slip_named", _share(slips, NAMES, at_least=required.slip_named)
+    yield "slip_misnamed", _share(slips, {Said.MISNAMED}, at_most=required.slip_misnamed)
+    yield from _flag_rates(judged, mix)
+    yield "slip_tied", _share(slips, {Said.TIED})
+    yield "other_refused", _share(others, refused)
+    yield "follows_refused", _share(follows, refused)
+    for done in (Done.BARE_UNIT, Done.WRONG_UNIT, Done.ROUNDED_DOWN, Done.COPIED):
+        yield f"{done}_accepted", _share([v for v in verdicts if v.deed.done is done], ACCEPTED)
+
+
+def _flag_rates(judged: Sequence[Judged], mix: Mix) -> Iterator[tuple[str, Rate]]:
+    """Yield how many copied works are flagged, and how many others.
+
+    Whose work somebody else copied may be asked about it too: that is neither a hit nor a miss.
+    """
+    copied = [one for one in judged if one.work.behaviour.conduct.copies]
+    sources = {one.work.behaviour.neighbour for one in copied}
+    alone = [one for one in judged if one not in copied and one.work.student not in sources]
+    required = mix.required
+    flagged = [one for one in copied if _copies(one.report, mix)]
+    yield "copy_flagged", Rate(len(flagged), len(copied), at_least=required.copy_flagged)
+    honest = [one for one in alone if one.report.flags]
+    yield "honest_flagged", Rate(len(honest), len(alone), at_most=required.honest_flagged)
+    asked = [one for one in judged if one.work.student in sources and _copies(one.report, mix)]
+    yield "source_flagged", Rate(len(asked), len(sources))
+
+
+def _copies(report: Report, mix: Mix) -> bool:
+    return any(flag.code in mix.copying_flags for flag in report.flags)
+
+
+def _share(
+    verdicts: Sequence[Verdict],
+    wanted: Iterable[Said],
+    *,
+    at_most: float | None = None,
+    at_least: float | None = None,
+) -> Rate:
+    counted = set(wanted)
+    hits = sum(one.said in counted for one in verdicts)
+    return Rate(hits, len(verdicts), at_most=at_most, at_least=at_least)

@@ -1,0 +1,104 @@
+"""Judging a virtual cohort without files: from the cells on, everything is the real thing."""
+
+import hashlib
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from multiprocessing import get_context
+
+from gripcourse.batch.copies import mark_likeness
+from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.one_file import judge_read
+from gripcourse.grading.unjudged import incident_report
+from gripcourse.jobs.packed import pack, unpack
+from gripcourse.simulation.confusion import Judged
+from gripcourse.simulation.model import Deed, Work
+from gripcourse.simulation.student import Classroom, work_of
+from gripcourse.submission.model import Identity
+from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.variants.model import Issued
+from gripcourse.workbook.names import AUTHOR
+
+_AT_A_TIME = 8  # students that a worker is handed
+
+
+def judge_in_memory(
+    room: Classroom, workers: int, on_done: Callable[[], None] = lambda: None
+) -> tuple[Judged, ...]:
+    """Let a cohort work and judge it, without writing or reading a file.
+
+    Args:
+        room: the cohort.
+        workers: how many processes; with one everything happens in this one.
+        on_done: called after each student.
+    """
+    judged = []
+    for one in _each(room, tuple(room.behaviours), workers):
+        judged.append(one)
+        on_done()
+    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.desk)
+    incidents = [one.incident for one in judged]
+    incidents[:1] = [one + trace for one in incidents[:1]]
+    return tuple(
+        Judged(one.work, report, incident)
+        for one, report, incident in zip(judged, reports, incidents, strict=True)
+    )
+
+
+def judge_one(student: str, room: Classroom) -> Judged:
+    """Let one student work and judge the work."""
+    issued = room.desk.register[student]
+    work = work_of(student, room)
+    raw = read_of(work, room.desk.register[work.owner])
+    try:
+        return Judged(work, judge_read(raw, issued, room.desk))
+    except Exception:  # noqa: BLE001 (ours, as in a real batch: counted, and the others go on)
+        return Judged(work, incident_report(raw.file, "", issued), traceback.format_exc())
+
+
+def read_of(work: Work, owner: Issued) -> RawWorkbook:
+    """Return what would be read of the workbook that a student hands in.
+
+    Args:
+        work: what was done.
+        owner: whose workbook it is.
+    """
+    return RawWorkbook(
+        file=f"{work.student}.xlsx",
+        # Equal bytes come from equal workbooks, and only a copied one is handed in twice.
+        digest=hashlib.sha256(owner.student.id.encode()).hexdigest(),
+        identity=Identity(
+            student=owner.student.id,
+            variant=owner.variant.id,
+            scheme=owner.variant.scheme,
+            options=owner.variant.options,
+            signature=owner.signature,
+        ),
+        creator=AUTHOR,
+        givens={name: _cell(name, value) for name, value in owner.variant.given.items()},
+        answers=_cells(work.deeds),
+        remarks=(),
+    )
+
+
+def _cells(deeds: Sequence[Deed]) -> Mapping[str, RawCell]:
+    return {deed.quantity: _cell(deed.quantity, deed.typed) for deed in deeds}
+
+
+def _cell(name: str, value: float | str | None) -> RawCell:
+    return RawCell(value=value, number_format="General", error=False, formula="", cell=name)
+
+
+def _each(room: Classroom, students: Sequence[str], workers: int) -> Iterator[Judged]:
+    if workers == 1:
+        yield from (judge_one(student, room) for student in students)
+        return
+    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        job = partial(_judge_packed, packed=pack(room))
+        yield from pool.map(job, students, chunksize=_AT_A_TIME)
+
+
+def _judge_packed(student: str, packed: bytes) -> Judged:
+    room: Classroom = unpack(packed)
+    return judge_one(student, room)

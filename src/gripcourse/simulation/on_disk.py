@@ -1,0 +1,117 @@
+"""A virtual cohort as a folder: real workbooks to hand in, a register, and the truth beside them.
+
+The grader is given the register and the workbooks, as of any real cohort; the truth is read after
+it is done.
+"""
+
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from multiprocessing import get_context
+from pathlib import Path
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.batch.run import grade_files
+from gripcourse.course.model import Course
+from gripcourse.issuing.register import Register, read_register, write_register
+from gripcourse.jobs.packed import pack, unpack
+from gripcourse.policy.model import Policy
+from gripcourse.simulation.confusion import Judged
+from gripcourse.simulation.model import Conduct, Work
+from gripcourse.simulation.record import read_truth, write_truth
+from gripcourse.simulation.student import Classroom, work_of
+from gripcourse.simulation.write import write_work
+
+_AT_A_TIME = 4  # students that a worker is handed
+
+
+def truth_path(out: Path) -> Path:
+    """Return where it stands what the students did."""
+    return out / "truth.jsonl"
+
+
+def register_of(out: Path) -> Path:
+    """Return where it stands what was issued."""
+    return out / "register.json"
+
+
+def submission_path(out: Path, student: str) -> Path:
+    """Return the workbook that a student hands in."""
+    return out / "submissions" / f"{student}.xlsx"
+
+
+def write_cohort(
+    room: Classroom, out: Path, workers: int, on_done: Callable[[], None] = lambda: None
+) -> tuple[Work, ...]:
+    """Let a cohort work and write what it hands in.
+
+    Args:
+        room: the cohort.
+        out: folder to write to.
+        workers: how many processes; with one everything happens in this one.
+        on_done: called after each student.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    register = Register(room.desk.course.id, tuple(room.desk.register.values()))
+    write_register(register_of(out), register)
+    works = []
+    for work in _each(room, out, workers):
+        works.append(work)
+        on_done()
+    for work in works:
+        if work.owner != work.student:
+            target = submission_path(out, work.student)
+            shutil.copyfile(submission_path(out, work.owner), target)
+    write_truth(truth_path(out), works)
+    return tuple(works)
+
+
+def grade_cohort(
+    out: Path, course: Course, policy: Policy, workers: int, on_done: Callable[[], None]
+) -> tuple[Judged, ...]:
+    """Grade a cohort's workbooks as any others, and put what was done beside what was said.
+
+    Args:
+        out: folder that `write_cohort` wrote.
+        course: that the cohort was issued.
+        policy: that is measured.
+        workers: how many processes.
+        on_done: called after each workbook.
+
+    Raises:
+        GripcourseError: the folder holds no cohort of this course.
+    """
+    register = read_register(register_of(out), course.id).by_student()
+    works = read_truth(truth_path(out))
+    files = [submission_path(out, work.student) for work in works]
+    graded = grade_files(files, Desk(course, policy, register), workers, lambda _: on_done())
+    return tuple(
+        Judged(work, one.report, one.incident) for work, one in zip(works, graded, strict=True)
+    )
+
+
+def _each(room: Classroom, out: Path, workers: int) -> Iterator[Work]:
+    students: Sequence[str] = tuple(room.behaviours)
+    if workers == 1:
+        yield from (_write_one(student, room, out) for student in students)
+        return
+    # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
+    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        job = partial(_write_packed, packed=pack(room), out=out)
+        yield from pool.map(job, students, chunksize=_AT_A_TIME)
+
+
+def _write_packed(student: str, packed: bytes, out: Path) -> Work:
+    room: Classroom = unpack(packed)
+    return _write_one(student, room, out)
+
+
+def _write_one(student: str, room: Classroom, out: Path) -> Work:
+    """Write a student's workbook; one that is only copied is copied when all are there."""
+    work = work_of(student, room)
+    if work.behaviour.conduct is not Conduct.COPIED_WORKBOOK:
+        write_work(work, room, submission_path(out, student))
+    return work

@@ -1,0 +1,80 @@
+"""What virtual students did, as a file that the grader never sees."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import write_text
+from gripcourse.simulation.arithmetic import Rounding
+from gripcourse.simulation.model import Behaviour, Carrying, Conduct, Deed, Done, Style, Work
+from gripcourse.text.words import Message, message
+
+_FORMAT = 1
+
+
+def write_truth(path: Path, works: Sequence[Work]) -> None:
+    """Write what was done, a line for each student."""
+    lines = (
+        json.dumps({"format": _FORMAT, **asdict(work)}, ensure_ascii=False, allow_nan=False)
+        for work in works
+    )
+    write_text(path, "".join(f"{line}\n" for line in lines))
+
+
+def read_truth(path: Path) -> tuple[Work, ...]:
+    """Read what was done.
+
+    Raises:
+        UsageError: there is no such file, or it is none of these.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except FileNotFoundError:
+        raise _failure(path, message("There is no such file or folder.")) from None
+    try:
+        return tuple(_work(json.loads(line)) for line in lines)
+    except (json.JSONDecodeError, KeyError, TypeError, ValueError) as fault:
+        what = message("The file is damaged: {fault}.", fault=repr(fault))
+        raise _failure(path, what) from fault
+
+
+def _work(written: Mapping[str, object]) -> Work:
+    if written["format"] != _FORMAT:
+        raise ValueError(written["format"])
+    fields = {name: value for name, value in written.items() if name != "format"}
+    deeds = fields["deeds"]
+    if not isinstance(deeds, list):
+        raise TypeError(deeds)
+    read = {
+        **fields,
+        "behaviour": _behaviour(fields["behaviour"]),
+        "deeds": tuple(_deed(one) for one in deeds),
+    }
+    return Work(**read)  # type: ignore[arg-type]  # a field that is missing raises
+
+
+def _behaviour(written: object) -> Behaviour:
+    if not isinstance(written, dict):
+        raise TypeError(written)
+    return Behaviour(
+        **{
+            **written,
+            "conduct": Conduct(written["conduct"]),
+            "rounding": Rounding(written["rounding"]),
+            "carrying": Carrying(written["carrying"]),
+            "style": Style(written["style"]),
+        }
+    )
+
+
+def _deed(written: object) -> Deed:
+    if not isinstance(written, dict):
+        raise TypeError(written)
+    return Deed(**{**written, "done": Done(written["done"]), "twins": tuple(written["twins"])})
+
+
+def _failure(path: Path, what: Message) -> UsageError:
+    remedy = message("Make the cohort again: gripcourse simulate.")
+    return UsageError([Problem(str(path), "", what, remedy)])

@@ -1,0 +1,261 @@
+"""One virtual student: from a behaviour and an issued variant to a filled workbook and the truth.
+
+Everything is a pure function of the behaviour, so that who copies from somebody can be computed
+without that somebody's workbook.
+"""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.policy.slips import SlipKind
+from gripcourse.simulation.arithmetic import Array
+from gripcourse.simulation.behaviour import hand_of
+from gripcourse.simulation.calculation import Calculation, Deviation, Step, calculate
+from gripcourse.simulation.cells import cell_of, unfit_unit, with_unit
+from gripcourse.simulation.model import Behaviour, Conduct, Deed, Done, Mix, Style, Work
+from gripcourse.simulation.places import (
+    Effect,
+    Ground,
+    draw_slip,
+    effect,
+    make_ground,
+    slip_kinds,
+    twins_of,
+)
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.variants.model import Issued
+
+_TAINTING = frozenset({Done.SLIP, Done.ROUNDED_DOWN, Done.COPIED})
+"""What makes the student's later numbers others than they should be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Classroom:
+    """Whom and what a virtual cohort consists of.
+
+    Attributes:
+        desk: course, policy and what was issued.
+        mix: how students work.
+        behaviours: what each does, by student id.
+    """
+
+    desk: Desk
+    mix: Mix
+    behaviours: Mapping[str, Behaviour]
+
+
+@dataclass(frozen=True, slots=True)
+class _Student:
+    """One student with everything that the work needs."""
+
+    room: Classroom
+    issued: Issued
+    plan: Plan
+    behaviour: Behaviour
+    ground: Ground
+
+    @property
+    def language(self) -> str:
+        return self.issued.student.language or self.room.desk.course.language
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        return units_of(self.room.desk)
+
+    def calculated(self, deviations: Mapping[str, Deviation]) -> Calculation:
+        return calculate(self.plan, self.issued.variant.given, self.ground.hand, deviations)
+
+
+@dataclass(frozen=True, slots=True)
+class _Drawn:
+    """What a student does otherwise, with the calculation that it leads to."""
+
+    deviations: Mapping[str, Deviation]
+    done: Calculation
+    tried: int
+    hidden: int
+
+
+def units_of(desk: Desk) -> tuple[str, ...]:
+    """Return the units that people take for each other."""
+    slip = desk.policy.slips.kinds.get(SlipKind.UNIT)
+    return slip.units if slip is not None else ()
+
+
+def work_of(student: str, room: Classroom) -> Work:
+    """Let one student work.
+
+    Args:
+        student: id.
+        room: the cohort that the student belongs to.
+    """
+    behaviour = room.behaviours[student]
+    if behaviour.conduct is Conduct.COPIED_WORKBOOK:
+        deeds = work_of(behaviour.neighbour, room).deeds
+        return Work(student, behaviour.neighbour, behaviour, deeds, 0, 0)
+    one = _seated(student, room)
+    rng = np.random.default_rng(behaviour.seed)
+    drawn = _draw_deviations(one, rng)
+    deeds = _deeds(one, drawn, rng)
+    return Work(student, student, behaviour, deeds, drawn.tried, drawn.hidden)
+
+
+def _seated(student: str, room: Classroom) -> _Student:
+    issued = room.desk.register[student]
+    plan = make_plan(room.desk.course, issued.variant.scheme, issued.variant.options)
+    behaviour = room.behaviours[student]
+    hand = hand_of(behaviour)
+    ground = make_ground(plan, room.desk.policy, hand, issued.variant.given, room.mix.apart)
+    return _Student(room, issued, plan, behaviour, ground)
+
+
+def _draw_deviations(one: _Student, rng: np.random.Generator) -> _Drawn:
+    """Try places until what is done there can be seen; a student without such a place is honest."""
+    if one.behaviour.conduct is Conduct.COPIED_ANSWERS:
+        copied = _copied(one, rng)
+        return _Drawn(copied, one.calculated(copied), 0, 0)
+    tried = hidden = 0
+    while tried < one.room.mix.tries:
+        proposed = _proposed(one, rng)
+        if not proposed:
+            break
+        tried += 1
+        done = one.calculated(proposed)
+        effects = {
+            effect(one.ground, name, done)
+            for name, deviation in proposed.items()
+            if deviation.done is not Done.WRONG_UNIT
+        }
+        if effects <= {Effect.APART}:
+            return _Drawn(proposed, done, tried, hidden)
+        hidden += Effect.HIDDEN in effects
+    return _Drawn({}, one.calculated({}), tried, hidden)
+
+
+def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation]:
+    """Draw what a student may do, whatever it comes to; nothing for who does everything right."""
+    plan, policy = one.plan, one.room.desk.policy
+    match one.behaviour.conduct:
+        case Conduct.SLIP:
+            return _slips(one, 1, rng)
+        case Conduct.TWO_SLIPS:
+            return _slips(one, 2, rng)
+        case Conduct.BARE_UNIT:
+            unit = {str(SlipKind.UNIT): 1.0}
+            slip = draw_slip(plan, policy, unit if SlipKind.UNIT in policy.slips.kinds else {}, rng)
+            return {} if slip is None else {slip[0]: Deviation(Done.BARE_UNIT, slip[1])}
+        case Conduct.WRONG_UNIT:
+            computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
+            return {str(rng.choice(computed)): Deviation(Done.WRONG_UNIT)} if computed else {}
+        case Conduct.ROUNDED_DOWN:
+            sizes = [one.id for one in plan.answered if one.kind is Kind.CHOICE]
+            return {str(rng.choice(sizes)): Deviation(Done.ROUNDED_DOWN)} if sizes else {}
+        case _:
+            return {}
+
+
+def _slips(one: _Student, count: int, rng: np.random.Generator) -> Mapping[str, Deviation]:
+    policy = one.room.desk.policy
+    drawn = [draw_slip(one.plan, policy, slip_kinds(policy), rng) for _ in range(count)]
+    return {slip[0]: Deviation(Done.SLIP, slip[1]) for slip in drawn if slip is not None}
+
+
+def _copied(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation]:
+    """Take over most of what a neighbour typed, where the two have the same quantities."""
+    neighbour = work_of(one.behaviour.neighbour, one.room)
+    asked = {quantity.id for quantity in one.plan.answered}
+    return {
+        deed.quantity: Deviation(Done.COPIED, copied=deed.value, cell=deed.typed)
+        for deed in neighbour.deeds
+        if deed.quantity in asked and deed.value is not None and rng.random() < one.room.mix.copied
+    }
+
+
+def _deeds(one: _Student, drawn: _Drawn, rng: np.random.Generator) -> tuple[Deed, ...]:
+    tainted = _tainted(one.plan, drawn.deviations)
+    leaves_blanks = one.behaviour.conduct is Conduct.BLANKS
+    blank = {
+        quantity.id
+        for quantity in one.plan.answered
+        if np.isnan(drawn.done.steps[quantity.id].typed)
+        or (leaves_blanks and rng.random() < one.room.mix.blank)
+    }
+    return tuple(
+        _blank(quantity, drawn.done)
+        if quantity.id in blank
+        else _deed(one, quantity, drawn, tainted, rng)
+        for quantity in one.plan.answered
+    )
+
+
+def _deed(
+    one: _Student,
+    quantity: Quantity,
+    drawn: _Drawn,
+    tainted: Collection[str],
+    rng: np.random.Generator,
+) -> Deed:
+    step = drawn.done.steps[quantity.id]
+    deviation = drawn.deviations.get(quantity.id)
+    if deviation is None:
+        done = Done.FOLLOWS if quantity.id in tainted else Done.RIGHT
+        return _told(quantity, done, step, _cell(one, quantity, float(step.typed)))
+    candidate = deviation.candidate
+    twins: tuple[str, ...] = ()
+    if candidate is not None:
+        twins = twins_of(one.ground, quantity.id, candidate, drawn.done)
+    return replace(
+        _told(quantity, deviation.done, step, _deviating_cell(one, quantity, drawn, rng)),
+        slip=candidate.id if candidate is not None else "",
+        kind=candidate.kind if candidate is not None else "",
+        twins=twins,
+    )
+
+
+def _told(quantity: Quantity, done: Done, step: Step, cell: float | str | None) -> Deed:
+    return Deed(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
+
+
+def _blank(quantity: Quantity, done: Calculation) -> Deed:
+    right = _tidy(done.steps[quantity.id].right)
+    return Deed(quantity.id, Done.BLANK, "", "", (), None, right, None)
+
+
+def _tidy(value: Array) -> float | None:
+    """Remove what floating point adds, 63 not 63.00000000000001; None where there is no value."""
+    return float(f"{float(value):.14g}") if np.isfinite(value) else None
+
+
+def _cell(one: _Student, quantity: Quantity, value: float) -> float | str | None:
+    return cell_of(quantity, value, one.behaviour, one.language, one.units)
+
+
+def _deviating_cell(
+    one: _Student, quantity: Quantity, drawn: _Drawn, rng: np.random.Generator
+) -> float | str | None:
+    deviation = drawn.deviations[quantity.id]
+    typed = float(drawn.done.steps[quantity.id].typed)
+    match deviation.done:
+        case Done.COPIED:
+            return deviation.cell
+        case Done.WRONG_UNIT:
+            unit = unfit_unit(quantity, one.units, rng)
+            return with_unit(quantity, typed, unit or "", one.behaviour, one.language)
+        case Done.BARE_UNIT if one.behaviour.style is not Style.NUMBER:
+            bare = replace(one.behaviour, style=Style.TEXT)
+            return cell_of(quantity, typed, bare, one.language, one.units)
+        case _:
+            return _cell(one, quantity, typed)
+
+
+def _tainted(plan: Plan, deviations: Mapping[str, Deviation]) -> frozenset[str]:
+    """Return what is computed from something wrong, directly or not."""
+    wrong = {name for name, deviation in deviations.items() if deviation.done in _TAINTING}
+    for name in plan.quantities:
+        if wrong.intersection(plan.inputs[name]):
+            wrong.add(name)
+    return frozenset(wrong)

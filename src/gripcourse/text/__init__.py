@@ -1,0 +1,1 @@
+"""Words, numbers, units and amounts, as people read and write them."""

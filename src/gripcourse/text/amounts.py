@@ -1,0 +1,35 @@
+"""Points, shares, days and amounts as a reader of a document sees them."""
+
+from datetime import date
+
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words
+
+NO_BREAK_SPACE = "\u00a0"
+_DAY_PATTERN = "d MMMM y"
+
+
+def points_text(value: float, words: Words) -> str:
+    """Write points with at most two decimals."""
+    # Rounded first: four significant figures of 100.25 would lose the quarter of a point.
+    return words.number(round(value, 2), 7)
+
+
+def percent_text(share: float, words: Words) -> str:
+    """Write a share of one as a percentage: `12.5%`, `12,5 %`."""
+    space = "" if words.language == "en" else NO_BREAK_SPACE
+    return f"{words.number(round(100 * share, 1), 5)}{space}%"
+
+
+def day_text(day: date, words: Words) -> str:
+    """Write a date out, the month in words."""
+    from babel.dates import format_date  # noqa: PLC0415 (only who prints a day pays for it)
+
+    return str(format_date(day, _DAY_PATTERN, locale=words.language))
+
+
+def amount_text(value: float, unit: str, words: Words, figures: int = 5) -> str:
+    """Write a number with its unit, never broken across lines: `60,08 мм`, `36,87°`."""
+    number, written = words.number(value, figures), unit_text(unit, words.language)
+    joint = "" if not written or written.startswith("°") else NO_BREAK_SPACE
+    return f"{number}{joint}{written}"

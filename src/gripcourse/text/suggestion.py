@@ -1,0 +1,15 @@
+"""Names that may have been meant."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+from gripcourse.text.words import Message, message
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> Message:
+    """Suggest the nearest known name, or list what is known where nothing is near."""
+    choices = sorted(known)
+    near = get_close_matches(name, choices, n=1)
+    if near:
+        return message("Did you mean '{near}'?", near=near[0])
+    return message("Known here: {names}.", names=", ".join(choices[:12]) or "—")

@@ -1,0 +1,55 @@
+"""A student's self-check of one workbook."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
+from gripcourse.grading.self_check import Check, self_check
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.submission.interpret import interpret
+from gripcourse.submission.model import Rejected
+from gripcourse.submission.read import read_workbook
+from gripcourse.text.words import Message, message
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What is said about a workbook before the deadline."""
+
+    plan: Plan
+    checks: tuple[Check, ...]
+    remarks: tuple[Message, ...]
+
+
+def check_file(file: Path, course: Course, policy: Policy) -> Checked:
+    """Check a workbook against itself.
+
+    Raises:
+        UsageError: the file is no workbook that we can read, or not one that was issued.
+    """
+    if not file.is_file():
+        raise _refusal(file, message("There is no such file."), message("Name a workbook."))
+    raw = read_workbook(file)
+    if isinstance(raw, Rejected):
+        raise _refusal(
+            file, raw.reason, message("Hand in the answer workbook that you were given.")
+        )
+    if not raw.identity.scheme:
+        raise _refusal(
+            file,
+            message("The workbook does not say which variant it belongs to."),
+            message("Use the answer workbook that you were given."),
+        )
+    try:
+        plan = make_plan(course, raw.identity.scheme, raw.identity.options)
+    except UsageError as error:
+        named = [replace(problem, file=str(file)) for problem in error.problems]
+        raise UsageError(named) from error
+    submission = interpret(raw, plan.quantities.values())
+    return Checked(plan, self_check(submission, plan, policy), submission.remarks)
+
+
+def _refusal(file: Path, what: Message, remedy: Message) -> UsageError:
+    return UsageError([Problem(str(file), "", what, remedy)])

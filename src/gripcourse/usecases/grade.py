@@ -1,0 +1,222 @@
+"""Grading a batch: files in; reports, grades and what a person must look at out."""
+
+import json
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import date
+from pathlib import Path
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.batch.run import Graded, grade_files, incident_number
+from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.grades import grades_csv
+from gripcourse.grading.model import Decision, Flag, Report
+from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.student_reports import (
+    LayOut,
+    Printing,
+    cohort_pdf,
+    student_pdf,
+    write_reports,
+)
+
+# What people hand in as a workbook; a drawing or a note beside it is not ours to judge.
+WORKBOOKS = {".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"}
+GRADES_JSON = "grades.json"
+GRADES_CSV = "grades.csv"
+COHORT_PDF = "cohort.pdf"
+INCIDENTS = "incidents.log"
+REPORTS = "reports"
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a batch came to.
+
+    Attributes:
+        reports: one per file, in order.
+        written: the student reports, by file.
+        cohort: the cohort report, None where it could not be laid out.
+        needs_person: whether something waits for a person.
+    """
+
+    reports: tuple[Report, ...]
+    written: Mapping[str, Path]
+    cohort: Path | None
+    needs_person: bool
+
+
+def find_files(paths: Iterable[Path]) -> list[Path]:
+    """Return the workbooks under the given files and folders, sorted inside a folder.
+
+    Raises:
+        UsageError: for a path that does not exist, or a batch without any workbook.
+    """
+    files: list[Path] = []
+    problems: list[Problem] = []
+    for path in paths:
+        if path.is_dir():
+            files += [one for one in sorted(path.rglob("*")) if _is_workbook(one)]
+        elif path.is_file():
+            files.append(path)
+        else:
+            problems.append(_problem(path, message("There is no such file or folder.")))
+    if not files and not problems:
+        problems = [_problem(path, message("There is no workbook in it.")) for path in paths]
+    if problems:
+        raise UsageError(problems)
+    return list(dict.fromkeys(files))
+
+
+def grade(
+    files: Sequence[Path], desk: Desk, workers: int, on_done: Callable[[Path], None]
+) -> tuple[Graded, ...]:
+    """Grade files; see `cohort.run.grade_files`."""
+    return grade_files(files, desk, min(workers, len(files)), on_done)
+
+
+def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
+    graded: Sequence[Graded],
+    desk: Desk,
+    out: Path,
+    graded_on: date,
+    workers: int,
+    on_done: Callable[[Path], None],
+    *,
+    lay_out: LayOut = student_pdf,
+) -> Outcome:
+    """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
+
+    A report that cannot be laid out is an incident of that student; the others are written. So it
+    is with the cohort report: grades are never lost for it.
+    """
+    printing = Printing(desk.course, desk.policy, graded_on)
+    plain = [one.report for one in graded]
+    outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
+    reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
+    written = {
+        report.file: path
+        for report, path in zip(reports, outcomes, strict=True)
+        if isinstance(path, Path)
+    }
+    incidents = [one.incident for one in graded if one.incident]
+    incidents += [
+        _told(one, f"report of {report.file}")
+        for report, one in zip(reports, outcomes, strict=True)
+        if isinstance(one, Lost)
+    ]
+    failed = write_grades(reports, desk, out, graded_on)
+    if failed is not None:
+        incidents.append(_told(failed, COHORT_PDF))
+    if incidents:
+        write_text(out / INCIDENTS, "\n".join(incidents))
+    else:
+        # Those of an earlier run into the same folder have been mended.
+        (out / INCIDENTS).unlink(missing_ok=True)
+    cohort = None if failed is not None else out / COHORT_PDF
+    needs_person = cohort is None or any(one.flags for one in reports)
+    return Outcome(tuple(reports), written, cohort, needs_person)
+
+
+def write_grades(reports: Sequence[Report], desk: Desk, out: Path, graded_on: date) -> Lost | None:
+    """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
+
+    Returns:
+        Why the cohort report could not be laid out, None where it was.
+    """
+    groups = {name: issued.student.group for name, issued in desk.register.items()}
+    grades_csv(reports, out / GRADES_CSV, groups)
+    write_text(out / GRADES_JSON, json_text(reports, Words(desk.course.language)))
+    printing = Printing(desk.course, desk.policy, graded_on)
+    ((_, pdf),) = run_each(
+        cohort_pdf, [tuple(reports)], printing, workers=1, seconds=printing.seconds
+    )
+    if isinstance(pdf, Lost):
+        # An earlier one would say something else than the grades.
+        (out / COHORT_PDF).unlink(missing_ok=True)
+        return pdf
+    write_bytes(out / COHORT_PDF, pdf)
+    return None
+
+
+def json_text(reports: Sequence[Report], words: Words) -> str:
+    """Return the reports as JSON, one object per file."""
+    return json.dumps([report_json(one, words) for one in reports], ensure_ascii=False, indent=1)
+
+
+def report_json(report: Report, words: Words) -> dict[str, object]:
+    """Return one report as plain values; values are in declared units, None where there is none."""
+    return {
+        "file": report.file,
+        "student": report.student,
+        "variant": report.variant,
+        "scheme": report.scheme,
+        "judged": report.judged,
+        "score": report.score if report.judged else None,
+        "max_score": report.max_score if report.judged else None,
+        "open_points": report.open_points,
+        "flags": [flag.code for flag in report.flags],
+        "flag_messages": [words.say(flag.message) for flag in report.flags],
+        "remarks": [words.say(remark) for remark in report.remarks],
+        "findings": [
+            {
+                "quantity": finding.quantity,
+                "section": finding.section,
+                "outcome": finding.outcome.value,
+                "against": finding.against.value,
+                "given": finding.given,
+                "typed": finding.typed,
+                "cell": finding.cell,
+                "reference": finding.reference,
+                "expected": finding.expected,
+                "band": finding.band,
+                "points": finding.points,
+                "max_points": finding.max_points,
+                "slip": finding.slip,
+                "message": words.say(finding.message),
+                "remarks": [words.say(remark) for remark in finding.remarks],
+                "decision": _decision_json(finding.decision),
+            }
+            for finding in report.findings
+        ],
+    }
+
+
+def _decision_json(decision: Decision | None) -> dict[str, object] | None:
+    if decision is None:
+        return None
+    return {
+        "automatic": decision.automatic.value,
+        "credit": decision.credit,
+        "lines": dict(decision.lines),
+        "marker": decision.marker,
+        "decided_at": decision.decided_at.isoformat(),
+        "comment": decision.comment,
+        "outdated": decision.outdated,
+    }
+
+
+def _told(lost: Lost, of: str) -> str:
+    return f"incident {incident_number(lost.trace)}: {of}\n{lost.trace}"
+
+
+def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
+    if not isinstance(outcome, Lost):
+        return report
+    said = message(
+        "The report could not be laid out (incident {number}): {reason}",
+        number=incident_number(outcome.trace),
+        reason=outcome.reason,
+    )
+    return replace(report, flags=(*report.flags, Flag("report_incident", said)))
+
+
+def _is_workbook(path: Path) -> bool:
+    hidden = path.name.startswith((".", "~$"))
+    return path.is_file() and not hidden and path.suffix.lower() in WORKBOOKS
+
+
+def _problem(path: Path, what: Message) -> Problem:
+    return Problem(str(path), "", what, message("Name a workbook or a folder with workbooks."))

@@ -1,0 +1,158 @@
+"""Writing what students get: a folder each, with the assignment sheet and the answer workbook."""
+
+import logging
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeAlias
+
+from gripcourse.course.model import Course
+from gripcourse.documents.assignment_sheet import assignment_sheet
+from gripcourse.errors import GripcourseError, Problem
+from gripcourse.machine.files import replacing, write_bytes
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan
+from gripcourse.text.words import Message, Words, message
+from gripcourse.variants.explain import why_infeasible
+from gripcourse.variants.model import Issued
+from gripcourse.workbook.write import write_answer_workbook
+
+PlanFactory: TypeAlias = Callable[[str, Mapping[str, str]], Plan]
+"""Makes the plan of a scheme with its options; it may remember what it made."""
+
+Progress: TypeAlias = Callable[["Handout"], None]
+"""Called after each student."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Handout:
+    """What became of one student's folder.
+
+    Attributes:
+        student: id of the student.
+        files: what was written.
+        faults: documents that could not be written, each with a sentence.
+    """
+
+    student: str
+    files: tuple[Path, ...]
+    faults: tuple[Message, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Desk:
+    """What all students' documents are made from.
+
+    Attributes:
+        course, policy: printed in the documents.
+        plan: of a scheme with its options.
+        out: the folder with one folder per student.
+    """
+
+    course: Course
+    policy: Policy
+    plan: PlanFactory
+    out: Path
+
+
+def sheet_path(out: Path, student: str) -> Path:
+    """Return where a student's assignment sheet is written."""
+    return out / student / f"assignment_{student}.pdf"
+
+
+def workbook_path(out: Path, student: str) -> Path:
+    """Return where a student's answer workbook is written.
+
+    It is called like the student, so that a returned file tells whose it is.
+    """
+    return out / student / f"{student}.xlsx"
+
+
+def issue(
+    desk: Desk, entries: Sequence[Issued], progress: Progress = lambda _: None
+) -> tuple[Handout, ...]:
+    """Write the documents of students, one after the other.
+
+    Each file appears whole or not at all. A document that fails is named and the others go on.
+
+    Args:
+        desk: what the documents are made from.
+        entries: of the register, with the values that were issued.
+        progress: called after each student.
+
+    Returns:
+        A handout per entry, in the same order.
+    """
+    handouts = []
+    for entry in entries:
+        handouts.append(issue_one(desk, entry))
+        progress(handouts[-1])
+    return tuple(handouts)
+
+
+def issue_one(desk: Desk, entry: Issued) -> Handout:
+    """Write the documents of one student; what fails is said in the handout."""
+    student = entry.student.id
+    words = Words(entry.student.language or desk.course.language)
+    try:
+        plan = desk.plan(entry.variant.scheme, entry.variant.options)
+        reasons = why_infeasible(plan, entry.variant.given)
+    except Exception as fault:  # noqa: BLE001 - one student's fault must not stop the others
+        return Handout(student, (), (_fault(student, desk.out / student, fault),))
+    if reasons:
+        return Handout(student, (), reasons)
+    sheet, workbook = sheet_path(desk.out, student), workbook_path(desk.out, student)
+
+    def write_sheet() -> None:
+        write_bytes(sheet, assignment_sheet(entry, plan, desk.policy, desk.course, words))
+
+    def write_workbook() -> None:
+        with replacing(workbook) as temporary:
+            write_answer_workbook(temporary, plan, entry, desk.course, words)
+
+    files: list[Path] = []
+    faults: list[Message] = []
+    for path, write in ((sheet, write_sheet), (workbook, write_workbook)):
+        try:
+            write()
+        except Exception as fault:  # noqa: BLE001 - as above
+            faults.append(_fault(student, path, fault))
+        else:
+            files.append(path)
+    return Handout(student, tuple(files), tuple(faults))
+
+
+def _fault(student: str, path: Path, fault: Exception) -> Message:
+    """Say that a document failed; what nobody foresaw goes into the log with its traceback."""
+    if isinstance(fault, GripcourseError):
+        return _say(student, path, fault.problems)
+    _log.error("%s of student %s", path.name, student, exc_info=fault)
+    return message(
+        "{file} of {student} was not written: {fault}.",
+        file=path.name,
+        student=student,
+        fault=f"{type(fault).__name__}: {fault}",
+    )
+
+
+def _say(student: str, path: Path, problems: Sequence[Problem]) -> Message:
+    first = problems[0]
+    if first.file and first.key:
+        return message(
+            "{file} of {student} was not written: {place}: {key}: {what} {remedy}",
+            file=path.name,
+            student=student,
+            place=first.file,
+            key=first.key,
+            what=first.what,
+            remedy=first.remedy,
+        )
+    return message(
+        "{file} of {student} was not written: {what} {remedy}",
+        file=path.name,
+        student=student,
+        what=first.what,
+        remedy=first.remedy,
+    )

@@ -1,0 +1,131 @@
+"""Issuing assignments: from a roster and a variant table to a folder per student."""
+
+import logging
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import date
+from functools import partial
+from pathlib import Path
+from typing import TypeAlias
+
+from gripcourse.course.model import Course
+from gripcourse.issuing.allotment import Terms, extend
+from gripcourse.issuing.register import read_register, register_path, write_register
+from gripcourse.issuing.roster import read_roster
+from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.files import discard_unfinished
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import make_plan
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.handout import Desk, Handout, issue_one, sheet_path, workbook_path
+from gripcourse.variants.model import Issued
+from gripcourse.variants.table import read_table
+
+# A student's documents take about a second; a hundred times as much are no documents any more.
+SECONDS_PER_STUDENT = 120.0
+
+IssueOne: TypeAlias = Callable[[Desk, Issued], Handout]
+"""Writes one student's documents; it must be found by its name in another process."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be issued.
+
+    Attributes:
+        roster, table: files.
+        out: folder to write the students' folders to.
+        today: day of the issue.
+        deadline: last day for handing in, None for none.
+    """
+
+    roster: Path
+    table: Path
+    out: Path
+    today: date
+    deadline: date | None
+
+
+@dataclass(frozen=True, slots=True)
+class Issuing:
+    """What was issued: a handout per student, and notes for the instructor."""
+
+    handouts: tuple[Handout, ...]
+    notes: tuple[Message, ...]
+
+
+def issue_order(
+    course: Course,
+    policy: Policy,
+    order: Order,
+    workers: int,
+    on_done: Callable[[str], None],
+    *,
+    issue_one: IssueOne = issue_one,
+) -> Issuing:
+    """Issue variants to everybody on the roster and write their documents.
+
+    The register is written before any document: nothing is handed out that it does not know.
+    Documents that cannot be made are named in the handout of their student; the others are made.
+
+    Args:
+        course: its folder holds the key and the register.
+        policy: printed in the documents.
+        order: what to issue.
+        workers: how many processes lay out documents.
+        on_done: called with each student's id.
+        issue_one: writes one student's documents.
+
+    Raises:
+        GripcourseError: the roster, the table, the register or the key cannot be used; nothing
+            was written.
+    """
+    students = read_roster(order.roster)
+    variants = read_table(order.table, course)
+    key = read_key(key_path(course.root))
+    before = read_register(register_path(course.root), course.id)
+    extended = extend(before, students, variants, Terms(key, order.today, order.deadline))
+    write_register(register_path(course.root), extended.register)
+    by_student = extended.register.by_student()
+    entries = [by_student[student.id] for student in students]
+    desk = Desk(course, policy, partial(make_plan, course), order.out)
+    return Issuing(_write(desk, entries, workers, on_done, issue_one), extended.notes)
+
+
+def _write(
+    desk: Desk,
+    entries: Sequence[Issued],
+    workers: int,
+    on_done: Callable[[str], None],
+    issue_one: IssueOne,
+) -> tuple[Handout, ...]:
+    done: dict[int, Handout] = {}
+    shared = (issue_one, desk)
+    jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
+    for number, handout in jobs:
+        entry = entries[number]
+        done[number] = _lost(desk, entry, handout) if isinstance(handout, Lost) else handout
+        on_done(entry.student.id)
+    return tuple(done[number] for number in range(len(entries)))
+
+
+def _issue(entry: Issued, shared: tuple[IssueOne, Desk]) -> Handout:
+    issue_one, desk = shared
+    return issue_one(desk, entry)
+
+
+def _lost(desk: Desk, entry: Issued, lost: Lost) -> Handout:
+    """Name what failed on our side; what was finished before stays, nothing half-written does."""
+    student = entry.student.id
+    for path in (sheet_path(desk.out, student), workbook_path(desk.out, student)):
+        discard_unfinished(path)
+    _log.error("documents of student %s: %s", student, lost.trace)
+    said = message(
+        "The documents of {student} could not be made: {reason}",
+        student=student,
+        reason=lost.reason,
+    )
+    return Handout(student, (), (said,))

@@ -1,0 +1,197 @@
+"""Marks of persons: entering one, a whole table, and showing what waits."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from functools import cache
+from pathlib import Path
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.errors import GradebookError, Problem, UsageError
+from gripcourse.gradebook.enter import Draft, Fault, Standing, mark_of
+from gripcourse.gradebook.model import Attempt, Entry, Mark, latest_judged, latest_marks
+from gripcourse.gradebook.opening import exists
+from gripcourse.gradebook.store import Gradebook, open_gradebook
+from gripcourse.gradebook.table import read_marks
+from gripcourse.gradebook.waiting import Waiting, waiting
+from gripcourse.policy.rubric import Rubric
+from gripcourse.solver.plan import make_plan
+from gripcourse.text.words import message
+from gripcourse.variants.cells import exact_number
+from gripcourse.variants.sheet import cell_place
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A kept mark and the points of its item: what it came to."""
+
+    mark: Mark
+    max_points: float
+
+    @property
+    def points(self) -> float | None:
+        """Points that the mark gives; None where it withdraws those before it."""
+        return None if self.mark.credit is None else self.mark.credit * self.max_points
+
+
+@dataclass(frozen=True, slots=True)
+class Marking:
+    """What was entered.
+
+    Attributes:
+        items: the marks that are new.
+        unchanged: how many were just so already.
+        empty: how many rows of a table gave nothing.
+    """
+
+    items: tuple[Item, ...]
+    unchanged: int
+    empty: int
+
+
+def existing_gradebook(place: str) -> Gradebook:
+    """Open a gradebook that must be there already.
+
+    Raises:
+        GradebookError: there is none, or it cannot be used.
+    """
+    if not exists(place):
+        what = message("There is no gradebook here yet.")
+        remedy = message("Grade first: gripcourse grade; or name it with --gradebook.")
+        raise GradebookError([Problem(place, "", what, remedy)])
+    return open_gradebook(place)
+
+
+def what_waits(place: str) -> tuple[Waiting, ...]:
+    """Return what waits for a person.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+    """
+    book = existing_gradebook(place)
+    return waiting(book.attempts(), book.entries())
+
+
+def read_lines(written: Iterable[str]) -> dict[str, float]:
+    """Read `id=share` texts of the command line.
+
+    Raises:
+        UsageError: with all that cannot be read.
+    """
+    lines: dict[str, float] = {}
+    problems: list[Problem] = []
+    for one in written:
+        typed, _, share = one.partition("=")
+        name, value = typed.strip(), exact_number(share.strip(), decimal_comma=True)
+        if value is None or not name or name in lines:
+            what = message("'{text}' is no line with its share.", text=one)
+            remedy = message("Write each line once, for example --line sizes=0.5.")
+            problems.append(Problem("", "--line", what, remedy))
+            continue
+        lines[name] = value
+    if problems:
+        raise UsageError(problems)
+    return lines
+
+
+def enter_mark(draft: Draft, desk: Desk, place: str, marker: str, now: datetime) -> Marking:
+    """Enter one mark.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+        UsageError: with all that is wrong with the draft.
+    """
+    book = existing_gradebook(place)
+    marks, faults = _marks([draft], desk, book, marker, now)
+    if faults:
+        raise UsageError(
+            Problem("", _option(fault.field), fault.what, fault.remedy) for _, fault in faults
+        )
+    return _kept(marks, book)
+
+
+def enter_table(path: Path, desk: Desk, place: str, marker: str, now: datetime) -> Marking:
+    """Enter a table of marks, whole or not at all.
+
+    Raises:
+        TableError: the file is no table of marks.
+        GradebookError: the gradebook cannot be used.
+        UsageError: with all that is wrong, by row and column.
+    """
+    book = existing_gradebook(place)
+    lines = {line for rubric in desk.policy.rubrics.values() for line in rubric.by_id}
+    table = read_marks(path, lines)
+    marks, faults = _marks([one.draft for one in table.rows], desk, book, marker, now)
+    if faults:
+        raise UsageError(
+            Problem(
+                table.file,
+                cell_place(table.rows[number].row, fault.field.removeprefix("line:")),
+                fault.what,
+                fault.remedy,
+            )
+            for number, fault in faults
+        )
+    return _kept(marks, book, table.empty)
+
+
+def _marks(
+    drafts: Sequence[Draft], desk: Desk, book: Gradebook, marker: str, now: datetime
+) -> tuple[list[Mark], list[tuple[int, Fault]]]:
+    """Make the marks of drafts, and what is wrong with them by number of the draft."""
+    standing = _standings({one.student for one in drafts}, desk, book)
+    marks: list[Mark] = []
+    faults: list[tuple[int, Fault]] = []
+    for number, draft in enumerate(drafts):
+        mark, found = mark_of(draft, standing(draft.student), marker, now)
+        faults += [(number, fault) for fault in found]
+        if mark is not None:
+            marks.append(mark)
+    return marks, faults
+
+
+def _standings(students: set[str], desk: Desk, book: Gradebook) -> Callable[[str], Standing]:
+    attempts = latest_judged(book.attempts(students))
+    entries: dict[str, list[Entry]] = {}
+    for entry in book.entries(students):
+        entries.setdefault(entry.mark.student, []).append(entry)
+    known = frozenset({*desk.register, *attempts})
+
+    @cache
+    def standing(student: str) -> Standing:
+        attempt = attempts.get(student)
+        return Standing(
+            known=known,
+            attempt=attempt,
+            marked=latest_marks(entries.get(student, ())),
+            rubrics=_rubrics(student, attempt, desk),
+        )
+
+    return standing
+
+
+def _rubrics(student: str, attempt: Attempt | None, desk: Desk) -> Mapping[str, Rubric]:
+    issued = desk.register.get(student)
+    if attempt is None or issued is None:
+        return {}
+    plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
+    return {one.id: desk.policy.rubrics[one.rubric] for one in plan.manual}
+
+
+def _kept(marks: Sequence[Mark], book: Gradebook, empty: int = 0) -> Marking:
+    fresh = book.add_marks(marks)
+    attempts = {
+        (one.student, one.number): one for one in book.attempts({mark.student for mark in fresh})
+    }
+    items = tuple(
+        Item(mark, attempts[mark.student, mark.attempt].by_quantity[mark.quantity].max_points)
+        for mark in fresh
+    )
+    return Marking(items, unchanged=len(marks) - len(fresh), empty=empty)
+
+
+def _option(field: str) -> str:
+    """Name what the command line calls a field of a draft."""
+    if field in {"student", "quantity"}:
+        return field.upper()
+    return f"--{field.partition(':')[0]}"

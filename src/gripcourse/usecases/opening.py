@@ -1,0 +1,20 @@
+"""What grading and marking need of a course, loaded and checked."""
+
+from pathlib import Path
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.course.load import load_course
+from gripcourse.issuing.register import read_register, register_path
+from gripcourse.policy.load import load_policy
+
+
+def open_desk(root: Path) -> Desk:
+    """Load a course, its policy and its register.
+
+    Raises:
+        CourseError: with all problems of course or policy.
+        RegisterError: the register cannot be used.
+    """
+    course = load_course(root)
+    register = read_register(register_path(course.root), course.id).by_student()
+    return Desk(course, load_policy(course), register)

@@ -1,0 +1,239 @@
+"""Solving one variant: from a table, or from a scheme with values set by hand."""
+
+import json
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import replacing, write_bytes
+from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.number_reading import Unreadable, read_number
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.variants.explain import listed, with_unit
+from gripcourse.variants.model import Variant
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """A solved variant.
+
+    Attributes:
+        plan: of its scheme and options.
+        variant: all its givens, and the constants that it changes, in declared units.
+        values: of every quantity but the manual ones, in declared units.
+        assumed: ids of computed quantities whose values were set by hand.
+    """
+
+    plan: Plan
+    variant: Variant
+    values: Mapping[str, float]
+    assumed: tuple[str, ...] = ()
+
+
+def solve_from_table(
+    course: Course, variants: Iterable[Variant], identifier: str, convention: Convention | None
+) -> Solved:
+    """Solve a variant of a table.
+
+    Raises:
+        UsageError: the table has no such variant.
+    """
+    by_id = {variant.id: variant for variant in variants}
+    if identifier not in by_id:
+        what = message("The table has no variant '{variant}'.", variant=identifier)
+        raise UsageError([Problem("", "", what, did_you_mean(identifier, by_id))])
+    variant = by_id[identifier]
+    plan = make_plan(course, variant.scheme, variant.options, convention)
+    return _solved(plan, variant, variant.given)
+
+
+def solve_scheme(
+    course: Course,
+    scheme_id: str,
+    settings: Iterable[str],
+    options: Iterable[str],
+    convention: Convention | None,
+) -> Solved:
+    """Solve a scheme with values set by hand; a given that is not set takes the worked example's.
+
+    Args:
+        course: where the scheme is.
+        scheme_id: its id.
+        settings: `name=value` in declared units; a given, a constant, or a value to assume instead
+            of computing it.
+        options: `name=choice`.
+        convention: None for the course's.
+
+    Raises:
+        UsageError: for an unknown scheme, option or name, or a value that cannot be used.
+    """
+    chosen = dict(_split(one) for one in options)
+    scheme = course.schemes.get(scheme_id)
+    defaults = default_options(scheme) if scheme is not None else {}
+    plan = make_plan(course, scheme_id, {**defaults, **chosen}, convention)
+    known = _example_values(plan) | _settings(plan, settings)
+    kinds = {Kind.GIVEN, Kind.CONSTANT}
+    given = {name: value for name, value in known.items() if plan.quantities[name].kind in kinds}
+    missing = [one.id for one in plan.givens if one.id not in known]
+    if missing:
+        what = message("These values are not set: {names}.", names=", ".join(missing))
+        raise UsageError([Problem("", "--set", what, message("Set them with --set name=value."))])
+    solved = _solved(plan, Variant("", plan.scheme.id, plan.options, given), known)
+    return replace(solved, assumed=tuple(name for name in known if name not in given))
+
+
+def solution_json(solved: Solved) -> str:
+    """Return the solution as JSON: scheme, convention, and every value with what it is."""
+    plan = solved.plan
+    values = {
+        name: {
+            "value": _finite(solved.values[name]),
+            "unit": quantity.unit,
+            "symbol": quantity.symbol.of(plan.course.language),
+            "kind": quantity.kind.value,
+            "section": quantity.section,
+            "source": _source(quantity),
+        }
+        for name, quantity in plan.quantities.items()
+        if quantity.kind is not Kind.MANUAL
+    }
+    content = {"scheme": plan.scheme.id, "convention": plan.convention.value, "values": values}
+    return json.dumps(content, ensure_ascii=False, indent=1)
+
+
+def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
+    """Write the worked solution as a PDF file and return where it is."""
+    from gripcourse.documents.report.solution import solution_pdf  # noqa: PLC0415 (WeasyPrint, 450 ms)
+
+    path = out or Path(f"solution_{_name(solved)}.pdf")
+    course = solved.plan.course
+    write_bytes(path, solution_pdf(solved.plan, solved.variant, solved.values, course, words))
+    return path
+
+
+def write_key(solved: Solved, out: Path | None, words: Words) -> Path:
+    """Write the instructor's key workbook and return where it is.
+
+    Raises:
+        UsageError: something that the key computes was set by hand.
+    """
+    if solved.assumed:
+        what = message("The key computes {names} itself.", names=", ".join(solved.assumed))
+        remedy = message("Set only given values and constants.")
+        raise UsageError([Problem("", "--set", what, remedy)])
+    from gripcourse.workbook.key import write_key_workbook  # noqa: PLC0415 (only for this)
+
+    path = out or Path(f"key_{_name(solved)}.xlsx")
+    with replacing(path) as temporary:
+        write_key_workbook(temporary, solved.plan, solved.variant, words)
+    return path
+
+
+def _name(solved: Solved) -> str:
+    return solved.variant.id or solved.plan.scheme.id
+
+
+def _solved(plan: Plan, variant: Variant, known: Mapping[str, float]) -> Solved:
+    problems = [*_out_of_bounds(plan, known)]
+    values = solve_variant(plan, known)
+    problems = problems or [*_without_value(plan, values)]
+    if problems:
+        raise UsageError(problems)
+    return Solved(plan, variant, values)
+
+
+def _out_of_bounds(plan: Plan, known: Mapping[str, float]) -> Iterable[Problem]:
+    for name, value in known.items():
+        quantity = plan.quantities[name]
+        low, high = quantity.bounds
+        inside = low <= value <= high
+        if inside and not (quantity.integer and value != int(value)):
+            continue
+        what = message(
+            "{title} = {value} is not possible.",
+            title=quantity.title,
+            value=with_unit(value, quantity),
+        )
+        remedy = message("It lies from {low} to {high}.", low=low, high=high)
+        yield Problem("", name, what, message("Write a whole number.") if inside else remedy)
+
+
+def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]:
+    """Name the first quantities without a value; what needs them follows from them."""
+    for name, quantity in plan.quantities.items():
+        inputs = plan.inputs[name]
+        lost = quantity.kind is not Kind.MANUAL and math.isnan(values[name])
+        if lost and not any(math.isnan(values[one]) for one in inputs):
+            used = listed(
+                message(
+                    "{name} = {value}", name=one, value=with_unit(values[one], plan.quantities[one])
+                )
+                for one in inputs
+            )
+            yield Problem(
+                "",
+                name,
+                message("{title} has no value for {used}.", title=quantity.title, used=used),
+                message("The numbers lie outside the domain of its formula or of its catalogue."),
+            )
+
+
+def _example_values(plan: Plan) -> dict[str, float]:
+    example = plan.scheme.example
+    if example is None:
+        return {}
+    givens = {one.id for one in plan.givens}
+    return {name: value for name, value in example.given.items() if name in givens}
+
+
+def _settings(plan: Plan, settings: Iterable[str]) -> dict[str, float]:
+    values: dict[str, float] = {}
+    problems: list[Problem] = []
+    settable = {n: q for n, q in plan.quantities.items() if q.kind is not Kind.MANUAL}
+    for setting in settings:
+        name, text = _split(setting)
+        read = read_number(text)
+        if name not in settable:
+            what = message("The scheme has no quantity '{name}'.", name=name)
+            problems.append(_setting_problem(setting, what, did_you_mean(name, settable)))
+        elif isinstance(read, Unreadable) or read.unit:
+            what = message("'{text}' is not a number.", text=text)
+            remedy = message("Write a plain number in {unit}.", unit=_unit(settable[name]))
+            problems.append(_setting_problem(setting, what, remedy))
+        else:
+            values[name] = read.value
+    if problems:
+        raise UsageError(problems)
+    return values
+
+
+def _split(setting: str) -> tuple[str, str]:
+    name, equals, text = setting.partition("=")
+    if not equals:
+        what = message("'{setting}' has no equals sign.", setting=setting)
+        raise UsageError([_setting_problem(setting, what, message("Write name=value."))])
+    return name.strip(), text.strip()
+
+
+def _unit(quantity: Quantity) -> Texts:
+    return Texts({one: unit_text(quantity.unit, one) or "—" for one in LANGUAGES})
+
+
+def _setting_problem(setting: str, what: Message, remedy: Message) -> Problem:
+    return Problem("", setting, what, remedy)
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _source(quantity: Quantity) -> dict[str, str]:
+    source = quantity.source
+    note = "" if source.note is None else source.note.of(LANGUAGES[0])
+    return {"work": source.work, "equation": source.equation, "note": note}

@@ -1,0 +1,131 @@
+"""Reports of a batch: each laid out in a worker that may die, each written as it comes."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+from typing import TypeAlias
+
+from gripcourse.course.model import Course
+from gripcourse.grading.model import Report
+from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.files import write_bytes
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import make_plan
+from gripcourse.text.words import Words
+
+# A report takes about a second, a hundred times as much is no report any more.
+SECONDS_PER_REPORT = 120.0
+
+
+@dataclass(frozen=True, slots=True)
+class Printing:
+    """What all reports of a batch are laid out with.
+
+    Attributes:
+        course, policy: printed in the reports.
+        graded_on: the day that is printed.
+        seconds: that one report may take.
+    """
+
+    course: Course
+    policy: Policy
+    graded_on: date
+    seconds: float = SECONDS_PER_REPORT
+
+
+LayOut: TypeAlias = Callable[[Report, Printing], bytes]
+"""Lays out one student's report; it must be found by its name in another process."""
+
+
+def student_pdf(report: Report, printing: Printing) -> bytes:
+    """Lay out one student's report, in the student's language."""
+    from gripcourse.documents.report.student import student_report  # noqa: PLC0415 (WeasyPrint, 450 ms)
+
+    course = printing.course
+    words = Words(report.language or course.language)
+    plan = make_plan(course, report.scheme, report.options)
+    return student_report(report, plan, printing.policy, course, words, printing.graded_on)
+
+
+def cohort_pdf(reports: Sequence[Report], printing: Printing) -> bytes:
+    """Lay out the report on a whole batch, in the language of the course."""
+    from gripcourse.documents.report.cohort import cohort_report  # noqa: PLC0415 (matplotlib, 400 ms)
+
+    course = printing.course
+    words = Words(course.language)
+    return cohort_report(reports, printing.policy, course, words, printing.graded_on)
+
+
+def write_reports(
+    reports: Sequence[Report],
+    printing: Printing,
+    folder: Path,
+    workers: int,
+    on_done: Callable[[Path], None],
+    lay_out: LayOut = student_pdf,
+) -> list[Path | Lost | None]:
+    """Write the report of every file whose student is known.
+
+    Each file appears whole or not at all. Where a report cannot be laid out, what an earlier run
+    wrote for the same student is taken away: it would say something else than the grades.
+
+    Args:
+        reports: of the batch.
+        printing: what they are laid out with.
+        folder: to write to.
+        workers: how many processes.
+        on_done: called with each graded file.
+        lay_out: lays out one report.
+
+    Returns:
+        For each report the file that was written, what failed on our side, or None where there is
+        nobody to write to.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    paths = _paths(reports, folder)
+    to_do = [number for number, path in enumerate(paths) if path is not None]
+    outcomes: list[Path | Lost | None] = [None] * len(reports)
+    for report, path in zip(reports, paths, strict=True):
+        if path is None:
+            on_done(Path(report.file))
+    shared, items = (lay_out, printing), [reports[number] for number in to_do]
+    jobs = run_each(_lay_out, items, shared, workers=workers, seconds=printing.seconds)
+    for place, pdf in jobs:
+        number = to_do[place]
+        outcomes[number] = _keep(pdf, paths[number])
+        on_done(Path(reports[number].file))
+    return outcomes
+
+
+def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:
+    lay_out, printing = shared
+    return lay_out(report, printing)
+
+
+def _keep(pdf: bytes | Lost, path: Path | None) -> Path | Lost | None:
+    if path is None:
+        return None
+    if isinstance(pdf, Lost):
+        path.unlink(missing_ok=True)
+        return pdf
+    write_bytes(path, pdf)
+    return path
+
+
+def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
+    """Name each report after its student; a second file of a student gets a number."""
+    paths: list[Path | None] = []
+    for report in reports:
+        if not report.scheme:
+            paths.append(None)
+            continue
+        numbered = (folder / f"{report.student}{suffix}.pdf" for suffix in _suffixes(len(reports)))
+        paths.append(next(path for path in numbered if path not in paths))
+    return paths
+
+
+def _suffixes(most: int) -> list[str]:
+    return ["", *(f"-{number}" for number in range(2, most + 1))]

@@ -1,0 +1,72 @@
+"""Style sheets of a course judged on this machine: they are there, and so are their fonts."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+from gripcourse.documents.assignment_sheet import STYLES as SHEET_STYLES
+from gripcourse.documents.report import atlas, certificate, cohort, solution, student
+from gripcourse.errors import Problem
+from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font
+from gripcourse.text.words import message
+
+_GENERIC: Final = frozenset(
+    {"serif", "sans-serif", "monospace", "cursive", "fantasy", "system-ui", "math", "inherit"}
+)
+_COMMENT: Final = re.compile(r"/\*.*?\*/", re.DOTALL)
+_DECLARED: Final = re.compile(r"\bfont(-family)?\s*:\s*([^;{}]+)")
+_BROUGHT: Final = re.compile(r"@font-face\s*\{[^}]*\}")
+# The shorthand has the size, and perhaps the height of a line, before the families.
+_SIZE: Final = re.compile(r"^.*?[\d.]+(?:pt|px|mm|cm|in|em|rem|%)(?:/[\d.]+\w*)?\s+")
+
+
+def style_problems(templates: Path) -> list[Problem]:
+    """Return the style sheets of printed documents that are missing, or whose fonts are.
+
+    Only the first family of each list is asked for: who lists others says what may stand in where
+    the first has no letter, not what the documents are meant to look like.
+    """
+    problems: list[Problem] = []
+    for name in _printed():
+        path, shown = templates / "style" / name, f"{templates.name}/style/{name}"
+        if not path.is_file():
+            what = message("The style sheet is missing.")
+            problems.append(Problem(shown, "", what, message("Copy it from the reference course.")))
+            continue
+        problems += _missing_fonts(path.read_text(encoding="utf-8"), shown)
+    return problems
+
+
+def first_families(style: str) -> dict[str, int]:
+    """Return the first font family of each declaration of a style sheet, with its first line."""
+    # Lines stay where they are.
+    plain = _COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), style)
+    brought = {name for rule in _BROUGHT.findall(plain) for name, _ in _families(rule)}
+    first: dict[str, int] = {}
+    for name, line in _families(plain):
+        if name not in brought and name.lower() not in _GENERIC:
+            first.setdefault(name, line)
+    return first
+
+
+def _families(style: str) -> Iterator[tuple[str, int]]:
+    for found in _DECLARED.finditer(style):
+        listed = found[2] if found[1] else _SIZE.sub("", found[2])
+        name = listed.split(",")[0].strip().strip("\"'")
+        if name and not name.startswith("var("):
+            yield name, style.count("\n", 0, found.start()) + 1
+
+
+def _missing_fonts(style: str, shown: str) -> Iterator[Problem]:
+    wanted = first_families(style)
+    for family, used in fonts_used(wanted).items():
+        if used != family:
+            what = message("{fault}.", fault=missing_font(family, used))
+            yield Problem(shown, f"line {wanted[family]}", what, font_remedy(family))
+
+
+def _printed() -> list[str]:
+    # Not the style sheet of the reference: a browser has fonts of its own.
+    reports = (student, cohort, solution, certificate, atlas)
+    return sorted({*SHEET_STYLES, *(name for one in reports for name in one.STYLES)})

@@ -1,0 +1,242 @@
+"""Templates of a course judged before anybody gets a document: read, compared, and filled once."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.documents.pdf import Document, render_html, template_environment, template_problem
+from gripcourse.errors import GripcourseError, Problem
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.samples import Sample, printed_documents, reference_documents
+
+# Jinja2 costs 40 ms to import: only who prints or judges a template pays.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from jinja2 import Environment, nodes
+
+SUFFIX = ".j2"
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A template that could be read.
+
+    Attributes:
+        name: in its folder.
+        used: all templates that it names.
+        continued: those of them that see the same values: extended and included ones.
+        assigned: names that it makes itself, for example in a loop.
+        asked: names that it takes from outside, each with its first line.
+    """
+
+    name: str
+    used: frozenset[str]
+    continued: frozenset[str]
+    assigned: frozenset[str]
+    asked: Mapping[str, int]
+
+
+def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
+    """Read every template of a folder, whether a document uses it or not.
+
+    Returns:
+        The templates that could be read by their names, and what is wrong with the others.
+    """
+    from jinja2 import TemplateSyntaxError
+
+    environment = template_environment(templates, "en")
+    read: dict[str, Read] = {}
+    problems: list[Problem] = []
+    files = sorted(path for path in templates.rglob(f"*{SUFFIX}") if path.is_file())
+    known = {path.relative_to(templates).as_posix() for path in files}
+    for path in files:
+        name = path.relative_to(templates).as_posix()
+        try:
+            tree = environment.parse(path.read_text(encoding="utf-8"), name, str(path))
+        except TemplateSyntaxError as error:
+            problems.append(template_problem(error, name, templates))
+        except UnicodeDecodeError:
+            what = message("The file is not text in UTF-8.")
+            problems.append(Problem(f"templates/{name}", "", what, message("Save it as UTF-8.")))
+        else:
+            unknown = [*_unknown_filters(tree, name, environment)]
+            problems += [*unknown, *_unknown_parts(tree, name, known)]
+            if not unknown:
+                read[name] = _read(tree, name)
+    return read, problems
+
+
+def sample_documents(sample: Sample) -> tuple[list[Document], list[Problem]]:
+    """Return a document of every kind, and what keeps the others from being made."""
+    makers: Mapping[str, Callable[[], Document | Mapping[str, Document]]] = {
+        **printed_documents(sample),
+        "reference": lambda: reference_documents(sample),
+    }
+    documents: list[Document] = []
+    problems: list[Problem] = []
+    for make in makers.values():
+        try:
+            made = make()
+        except GripcourseError as error:
+            problems += error.problems
+        else:
+            documents += made.values() if isinstance(made, Mapping) else (made,)
+    return documents, problems
+
+
+def filling_problems(
+    documents: Iterable[Document], templates: Path, words: Words, read: Mapping[str, Read]
+) -> list[Problem]:
+    """Return what is wrong with templates when documents are made with them.
+
+    What can be read is compared with what its documents give it, and every document is filled, so
+    that names inside of values are tried too.
+
+    Args:
+        documents: of every kind.
+        templates: the folder.
+        words: the language of the documents.
+        read: its templates.
+    """
+    everywhere = frozenset(template_environment(templates, words.language).globals)
+    problems: list[Problem] = []
+    for document in documents:
+        found = [*_unknown(document, everywhere, read)]
+        if not found and _whole(document.template, read):
+            found = _failures(document, templates, words)
+        problems += found
+    # A part belongs to several documents; what is wrong with it is said once.
+    return list({(one.file, str(one.key), str(one.what)): one for one in problems}.values())
+
+
+def _failures(document: Document, templates: Path, words: Words) -> list[Problem]:
+    try:
+        render_html(document, templates, words)
+    except GripcourseError as error:
+        return list(error.problems)
+    except Exception as error:  # noqa: BLE001 (whatever an expression of a template comes to)
+        return [template_problem(error, document.template, templates)]
+    return []
+
+
+def _read(tree: "nodes.Template", name: str) -> Read:
+    from jinja2 import meta, nodes
+
+    undeclared = meta.find_undeclared_variables(tree) - _own(tree)
+    asked: dict[str, int] = {}
+    for one in tree.find_all(nodes.Name):
+        if one.ctx == "load" and one.name in undeclared:
+            asked.setdefault(one.name, one.lineno)
+    for test in tree.find_all(nodes.Test):
+        if test.name in {"defined", "undefined"} and isinstance(test.node, nodes.Name):
+            asked.pop(test.node.name, None)
+    continued = (nodes.Extends, nodes.Include)
+    return Read(
+        name=name,
+        used=frozenset(target for target, _ in _named(tree, _links())),
+        continued=frozenset(target for target, _ in _named(tree, continued)),
+        assigned=frozenset(one.name for one in tree.find_all(nodes.Name) if one.ctx == "store"),
+        asked=asked,
+    )
+
+
+def _own(tree: "nodes.Template") -> set[str]:
+    """Return what a template brings itself and its blocks see too: macros, imports, settings."""
+    from jinja2 import nodes
+
+    own = {macro.name for macro in tree.find_all(nodes.Macro)}
+    own |= {one.target for one in tree.find_all(nodes.Import)}
+    for line in tree.find_all(nodes.FromImport):
+        own |= {one if isinstance(one, str) else one[1] for one in line.names}
+    for one in tree.body:
+        if isinstance(one, nodes.Assign):
+            own |= {name.name for name in one.target.find_all(nodes.Name)}
+            own |= {one.target.name} if isinstance(one.target, nodes.Name) else set()
+    return own
+
+
+def _named(
+    tree: "nodes.Template", kinds: tuple[type["nodes.Node"], ...]
+) -> Iterator[tuple[str, int]]:
+    """Yield the templates that are named and the lines; a computed name is none."""
+    from jinja2 import nodes
+
+    for link in tree.find_all(kinds):
+        named = getattr(link, "template", None)
+        if isinstance(named, nodes.Const) and isinstance(named.value, str):
+            yield named.value, link.lineno
+
+
+def _links() -> tuple[type["nodes.Node"], ...]:
+    from jinja2 import nodes
+
+    return (nodes.Extends, nodes.Include, nodes.Import, nodes.FromImport)
+
+
+def _unknown_filters(
+    tree: "nodes.Template", name: str, environment: "Environment"
+) -> Iterator[Problem]:
+    from jinja2 import nodes
+
+    for one in tree.find_all(nodes.Filter):
+        if one.name not in environment.filters:
+            what = message("There is no filter '{name}'.", name=one.name)
+            yield _problem(name, one.lineno, what, one.name, environment.filters)
+    for test in tree.find_all(nodes.Test):
+        if test.name not in environment.tests:
+            what = message("There is no test '{name}'.", name=test.name)
+            yield _problem(name, test.lineno, what, test.name, environment.tests)
+
+
+def _unknown_parts(tree: "nodes.Template", name: str, known: Iterable[str]) -> Iterator[Problem]:
+    for target, line in _named(tree, _links()):
+        if target not in known:
+            what = message("There is no template {name}.", name=target)
+            yield _problem(name, line, what, target, known)
+
+
+def _whole(start: str, read: Mapping[str, Read]) -> bool:
+    """Whether a template and everything that it uses could be read."""
+    waiting, seen = [start], set[str]()
+    while waiting:
+        name = waiting.pop()
+        if name not in read:
+            return False
+        if name not in seen:
+            seen.add(name)
+            waiting += read[name].used
+    return True
+
+
+def _unknown(
+    document: Document, everywhere: frozenset[str], read: Mapping[str, Read]
+) -> Iterator[Problem]:
+    """Name what a document's templates ask for and nobody gives.
+
+    An included part sees the names of what includes it; an imported one only those that are
+    everywhere.
+    """
+    from jinja2.defaults import DEFAULT_NAMESPACE
+
+    waiting = [(document.template, everywhere | set(document.values))]
+    seen: set[str] = set()
+    while waiting:
+        name, given = waiting.pop()
+        if name in seen or name not in read:
+            continue
+        seen.add(name)
+        template = read[name]
+        for asked, line in template.asked.items():
+            if asked not in given:
+                what = message("The template does not get '{name}'.", name=asked)
+                yield _problem(name, line, what, asked, given - set(DEFAULT_NAMESPACE))
+        for used in sorted(template.used):
+            inside = used in template.continued
+            waiting.append((used, given | template.assigned if inside else everywhere))
+
+
+def _problem(name: str, line: int, what: Message, wrong: str, known: Iterable[str]) -> Problem:
+    return Problem(f"templates/{name}", f"line {line}", what, did_you_mean(wrong, known))

@@ -1,0 +1,58 @@
+"""Making variant tables: drawn from the course's spaces, or an instructor's own."""
+
+from pathlib import Path
+
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
+from gripcourse.policy.load import load_policy
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import message
+from gripcourse.variants.draw import Drawn, draw
+from gripcourse.variants.screening import sifter
+from gripcourse.variants.space import load_spaces
+from gripcourse.variants.table import read_table, write_table
+
+
+def draw_table(
+    course: Course,
+    count: int,
+    seed: int,
+    scheme: str | None,
+    out: Path,
+    *,
+    freely: bool = False,
+) -> Drawn:
+    """Draw variants and write the table.
+
+    Args:
+        course: whose variants are drawn.
+        count: how many.
+        seed: the same seed gives the same table.
+        scheme: only this one; None for all.
+        out: file to write.
+        freely: whether to leave the policy's rules for variants aside: what is drawn can be solved,
+            but nothing keeps it apart.
+
+    Raises:
+        GripcourseError: there is no such scheme, or its space gives too few variants.
+    """
+    spaces = [one for one in load_spaces(course) if scheme in {None, one.scheme}]
+    if not spaces:
+        what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
+        known = [one.scheme for one in load_spaces(course)]
+        raise UsageError([Problem("", "--scheme", what, did_you_mean(scheme or "", known))])
+    rules = None if freely else sifter(load_policy(course), len(course.sections))
+    drawn = draw(course, spaces, count, seed, rules)
+    write_table(out, drawn.variants, course)
+    return drawn
+
+
+def import_table(course: Course, source: Path, out: Path) -> int:
+    """Check an instructor's table and write it as CSV; return the number of its variants.
+
+    Raises:
+        TableError: with every bad row, named by row and column.
+    """
+    variants = read_table(source, course)
+    write_table(out, variants, course)
+    return len(variants)

@@ -1,0 +1,116 @@
+"""Measuring the grader with students whose doings are known."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
+from gripcourse.issuing.register import read_register
+from gripcourse.machine.files import write_text
+from gripcourse.policy.model import Policy
+from gripcourse.simulation.cohort import make_classroom
+from gripcourse.simulation.confusion import Evaluation, evaluate
+from gripcourse.simulation.in_memory import judge_in_memory
+from gripcourse.simulation.misses import misses_csv
+from gripcourse.simulation.mix import load_mix
+from gripcourse.simulation.on_disk import grade_cohort, register_of, write_cohort
+from gripcourse.text.words import message
+from gripcourse.variants.model import Issued
+
+MISSES = "misses.csv"
+
+
+@dataclass(frozen=True, slots=True)
+class Cohort:
+    """Which virtual students are asked for: how many, from which seed, of which scheme."""
+
+    count: int
+    seed: int
+    scheme: str | None
+
+
+def simulate(
+    course: Course,
+    policy: Policy,
+    cohort: Cohort,
+    out: Path,
+    workers: int,
+    on_done: Callable[[], None],
+) -> int:
+    """Make up a cohort and write its workbooks and what it did.
+
+    Args:
+        course: whose schemes are drawn.
+        policy: by which slips are made where they can be seen.
+        cohort: how many students, of what.
+        out: new or empty folder.
+        workers: how many processes.
+        on_done: called after each student.
+
+    Returns:
+        How many workbooks were written.
+
+    Raises:
+        GripcourseError: the folder is in use, or the cohort cannot be made.
+    """
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        what = message("This folder is not empty.")
+        remedy = message("Name a new or empty folder: nothing is ever overwritten.")
+        raise UsageError([Problem(str(out), "--out", what, remedy)])
+    room = make_classroom(
+        course, policy, load_mix(course), cohort.count, cohort.seed, cohort.scheme
+    )
+    return len(write_cohort(room, out, workers, on_done))
+
+
+def evaluate_folder(
+    course: Course, policy: Policy, folder: Path, workers: int, on_done: Callable[[], None]
+) -> Evaluation:
+    """Grade a cohort's workbooks, measure, and write every miss beside them.
+
+    Args:
+        course: that the cohort was issued.
+        policy: that is measured.
+        folder: that `simulate` wrote.
+        workers: how many processes.
+        on_done: called after each workbook.
+
+    Raises:
+        GripcourseError: the folder holds no cohort of this course.
+    """
+    found = evaluate(grade_cohort(folder, course, policy, workers, on_done), load_mix(course))
+    register = read_register(register_of(folder), course.id).by_student()
+    _write_misses(folder / MISSES, found, register)
+    return found
+
+
+def evaluate_in_memory(
+    course: Course,
+    policy: Policy,
+    cohort: Cohort,
+    misses: Path | None,
+    workers: int,
+    on_done: Callable[[], None],
+) -> Evaluation:
+    """Make up a cohort, judge it without files, and measure.
+
+    Args:
+        course: whose schemes are drawn.
+        policy: that is measured.
+        cohort: how many students, of what.
+        misses: file to write every miss to; None for none.
+        workers: how many processes.
+        on_done: called after each student.
+    """
+    mix = load_mix(course)
+    room = make_classroom(course, policy, mix, cohort.count, cohort.seed, cohort.scheme)
+    found = evaluate(judge_in_memory(room, workers, on_done), mix)
+    if misses is not None:
+        _write_misses(misses, found, room.desk.register)
+    return found
+
+
+def _write_misses(path: Path, found: Evaluation, register: Mapping[str, Issued]) -> None:
+    schemes = {name: issued.variant.scheme for name, issued in register.items()}
+    write_text(path, misses_csv(found.misses, schemes))

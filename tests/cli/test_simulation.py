@@ -1,0 +1,53 @@
+"""The commands that measure the grader, from the command line."""
+
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from gripcourse.cli.main import app
+from gripcourse.errors import UsageError
+
+COURSE = str(Path(__file__).parents[2])
+FEW = ("--count", "2", "--scheme", "wedge_slide", "--seed", "3", "--workers", "1")
+
+
+def call(*arguments: str) -> tuple[int, str]:
+    result = CliRunner().invoke(app, [*arguments, "--course", COURSE, "--language", "en"])
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout
+
+
+def test_a_cohort_is_simulated_and_evaluated(tmp_path: Path) -> None:
+    out = tmp_path / "cohort"
+    code, said = call("simulate", *FEW, "--out", str(out))
+    assert code == 0
+    assert "2 workbooks of virtual students" in said
+    assert len(list((out / "submissions").iterdir())) == 2
+    code, said = call("evaluate", str(out), "--workers", "1")
+    assert code == 0
+    assert "answers of honest students refused" in said
+    assert (out / "misses.csv").is_file()
+
+
+def test_a_cohort_is_evaluated_in_memory(tmp_path: Path) -> None:
+    code, said = call("evaluate", "--in-memory", *FEW, "--misses", str(tmp_path / "misses.csv"))
+    assert code == 0
+    assert "2 virtual students" in said
+    assert (tmp_path / "misses.csv").is_file()
+
+
+@pytest.mark.parametrize("arguments", [("evaluate",), ("evaluate", "somewhere", "--in-memory")])
+def test_either_a_folder_or_memory_is_named(arguments: tuple[str, ...]) -> None:
+    with pytest.raises(UsageError, match="--in-memory"):
+        call(*arguments)
+
+
+def test_tolerances_are_audited(tmp_path: Path) -> None:
+    code, said = call(
+        "tolerance", "audit", "--count", "0", "--workers", "1", "--out", str(tmp_path / "audit.csv")
+    )
+    assert code in {0, 1}  # 1 while the policy refuses honest answers
+    assert "Near zero an absolute floor counts instead" in said
+    assert (tmp_path / "audit.csv").is_file()

@@ -1,0 +1,78 @@
+"""The pages of the reference course, made once."""
+
+import html
+from collections.abc import Mapping
+from html.parser import HTMLParser
+
+import pytest
+
+from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.model import Course, Quantity
+from gripcourse.documents.reference.pages import pages
+from gripcourse.text.words import Words
+
+_WITHOUT_END = frozenset({"meta", "br", "wbr", "mspace"})
+
+
+class Page(HTMLParser):
+    """What is on a page: its text, anchors and links; every element must be closed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.source = text
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.rows: list[list[str]] = []
+        self.text = ""
+        self._open: list[str] = []
+        self.feed(text)
+        self.close()
+        assert self._open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in _WITHOUT_END:
+            self._open.append(tag)
+        for name, value in attrs:
+            if name == "id":
+                self.ids.append(value or "")
+            if name == "href":
+                self.links.append(value or "")
+        if tag == "tr":
+            self.rows.append([])
+        if tag in {"td", "th"}:
+            self.rows[-1].append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag not in _WITHOUT_END:
+            assert self._open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+        if "td" in self._open or "th" in self._open:
+            self.rows[-1][-1] += data
+
+    def says(self, text: str) -> bool:
+        """Tell whether a text of the course is on the page."""
+        return html.escape(text, quote=True) in self.source or text in self.text
+
+
+@pytest.fixture(scope="session")
+def english(course: Course) -> Mapping[str, str]:
+    return pages(course, Words("en"))
+
+
+@pytest.fixture(scope="session")
+def read(english: Mapping[str, str]) -> Mapping[str, Page]:
+    """Every page by the name of its file."""
+    return {name: Page(text) for name, text in english.items()}
+
+
+@pytest.fixture(scope="session")
+def declared(course: Course) -> Mapping[str, list[Quantity]]:
+    """Every declaration that some variant of a scheme has, each once, by scheme."""
+    found: dict[str, dict[tuple[str, str], Quantity]] = {}
+    for scheme in course.schemes.values():
+        own = found.setdefault(scheme.id, {})
+        for options in option_sets(scheme):
+            own |= {(one.id, one.file): one for one in compose(course, scheme, options).values()}
+    return {scheme: list(own.values()) for scheme, own in found.items()}

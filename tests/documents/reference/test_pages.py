@@ -1,0 +1,162 @@
+"""The committed reference is what the declarations give, whole and without a dead link."""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.course.model import Course, Quantity
+from gripcourse.documents.reference.pages import pages
+from gripcourse.text.words import Words
+from gripcourse.usecases.reference import write_reference
+
+if TYPE_CHECKING:
+    from .conftest import Page
+
+COMMITTED = Path(__file__).parents[3] / "docs" / "reference"
+RACK = "rack_parallelogram.html"
+LARGEST_PAGE = 600_000
+
+
+def test_the_committed_pages_are_those_of_the_declarations(course: Course, tmp_path: Path) -> None:
+    written = {
+        path.name: path.read_bytes() for path in write_reference(course, tmp_path, Words("en"))
+    }
+    committed = {path.name: path.read_bytes() for path in COMMITTED.iterdir()}
+    differing = sorted(
+        name
+        for name in written.keys() | committed.keys()
+        if written.get(name) != committed.get(name)
+    )
+    assert not differing, f"run `gripcourse reference --out docs/reference`: {differing}"
+
+
+def test_every_declaration_of_every_scheme_is_on_its_page(
+    declared: Mapping[str, list[Quantity]], read: "Mapping[str, Page]"
+) -> None:
+    missing = []
+    for scheme, quantities in declared.items():
+        page = read[f"{scheme}.html"]
+        ids = [one.partition(".")[0] for one in page.ids]
+        for one in quantities:
+            texts = [*one.title.by_language.values()]
+            texts += [slip.hint.of("en") for slip in one.slips]
+            texts += [printed.note.of("en") for printed in one.as_printed]
+            if one.explain is not None:
+                texts.append(one.explain.of("en"))
+            if one.id not in ids or not all(map(page.says, texts)):
+                missing.append((scheme, one.id))
+    assert missing == []
+
+
+def test_a_page_has_as_many_entries_as_its_scheme_has_declarations(
+    declared: Mapping[str, list[Quantity]], read: "Mapping[str, Page]"
+) -> None:
+    for scheme, quantities in declared.items():
+        ids = {one.id for one in quantities}
+        entries = [one for one in read[f"{scheme}.html"].ids if one.partition(".")[0] in ids]
+        assert len(entries) == len(quantities)
+
+
+def test_every_link_leads_somewhere(read: "Mapping[str, Page]") -> None:
+    dead = []
+    for name, page in read.items():
+        assert len(page.ids) == len(set(page.ids))
+        for link in page.links:
+            file, _, anchor = link.partition("#")
+            target = read.get(file or name)
+            if target is None or (anchor and anchor not in target.ids):
+                dead.append((name, link))
+    assert dead == []
+
+
+def test_formulas_are_well_formed(english: Mapping[str, str]) -> None:
+    count = 0
+    for text in english.values():
+        for formula in re.findall("<math.*?</math>", text, re.DOTALL):
+            assert ET.fromstring(formula).tag == "math"  # noqa: S314 - made here
+            count += 1
+    assert count > 100
+
+
+def test_a_page_needs_nothing_but_itself(english: Mapping[str, str]) -> None:
+    for text in english.values():
+        assert not re.search(r"https?:|//\w|<script|<link|<img|@import|url\(|\bsrc=", text)
+
+
+def test_pages_stay_of_a_size_that_opens_at_once(english: Mapping[str, str]) -> None:
+    assert {name for name, text in english.items() if len(text.encode()) > LARGEST_PAGE} == set()
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        # The guide, section 5, recomputed exactly; and as it prints it.
+        [
+            "mreq",
+            "required module of the teeth by bending",
+            "mm",
+            "5.1057",
+            "5.1057",
+            "6.0535",
+            "6.05",
+        ],
+        ["dp", "accepted diameter of the pin", "mm", "12", "12", "10", "10"],
+        ["lp", "working length of the pin", "mm", "40", "", "50*", ""],
+    ],
+)
+def test_the_worked_example_stands_in_both_conventions(
+    read: "Mapping[str, Page]", row: list[str]
+) -> None:
+    assert row in read[RACK].rows
+
+
+def test_a_formula_stands_beside_its_plain_text(english: Mapping[str, str]) -> None:
+    entry = english[RACK].split('<article id="velocity_ratio">')[1].split("</article>")[0]
+    assert "<mfrac><mi>i</mi><mn>2</mn></mfrac>" in entry
+    assert '<p class="plain">u = i/2</p>' in entry
+
+
+def test_an_erratum_shows_both_versions(english: Mapping[str, str]) -> None:
+    entry = english[RACK].split('<article id="module_required">')[1].split("</article>")[0]
+    versions = entry.split('<table class="versions">')[1]
+    assert 'href="errata.html#E10"' in versions
+    plain = re.findall('<p class="plain">(.*?)</p>', versions)
+    assert [("(z·ψ_bd)²" in one, "z²·ψ_bd" in one) for one in plain] == [
+        (True, False),
+        (False, True),
+    ]
+
+
+def test_every_erratum_is_computed_somewhere_or_says_why_not(
+    course: Course, declared: Mapping[str, list[Quantity]], read: "Mapping[str, Page]"
+) -> None:
+    page = read["errata.html"]
+    rows = [row for row in page.rows if len(row) == 4][1:]
+    assert len(rows) == len(course.errata)
+    for erratum, (_, printed, right, versions) in zip(course.errata.values(), rows, strict=True):
+        assert (printed, right) == (erratum.printed.of("en"), erratum.right.of("en"))
+        declaring = [
+            scheme
+            for scheme, quantities in declared.items()
+            if any(
+                version.erratum == erratum.id for one in quantities for version in one.as_printed
+            )
+        ]
+        assert all(scheme in versions for scheme in declaring)
+        assert declaring or erratum.no_version is not None
+        if not declaring and erratum.no_version is not None:
+            assert versions == erratum.no_version.of("en")
+
+
+@pytest.mark.parametrize("language", ["ru", "uk"])
+def test_the_pages_are_made_in_other_languages_too(course: Course, language: str) -> None:
+    scheme = course.schemes["rack_parallelogram"]
+    written = pages(replace(course, schemes={scheme.id: scheme}), Words(language))
+    assert f'<html lang="{language}">' in written[RACK]
+    assert scheme.task.of(language) in written[RACK]
+    assert f'<span lang="en">{scheme.title.of("en")}</span>' in written[RACK]

@@ -1,0 +1,121 @@
+"""The certificate says what was demanded, what was found, and which file it was."""
+
+import csv
+import io
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.documents.report.certificate import Source, certificate, certificate_values
+from gripcourse.exports.audit_tables import audit_tables
+from gripcourse.policy.model import Policy
+from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.variants.audit import Audit, audit
+from gripcourse.variants.draw import draw
+from gripcourse.variants.space import load_spaces
+
+SOURCE = Source("autumn.csv", "ab" * 32)
+DAY = date(2026, 9, 1)
+
+
+@pytest.fixture(scope="module")
+def audited(course: Course, policy: Policy) -> Audit:
+    """Variants as they were drawn, and two of them alike."""
+    spaces = [one for one in load_spaces(course) if one.scheme in {"screw", "wedge_roller"}]
+    variants = draw(course, spaces, 8, 3).variants
+    return audit(course, policy, (*variants, replace(variants[0], id="=twin")), spaces)
+
+
+@pytest.fixture(scope="module")
+def values(audited: Audit, course: Course, policy: Policy) -> dict[str, object]:
+    return certificate_values(audited, SOURCE, course, policy, Words("en"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_certificate_names_the_table_and_the_day(
+    audited: Audit,
+    course: Course,
+    policy: Policy,
+    text_of: Callable[[bytes], str],
+    language: str,
+) -> None:
+    words = Words(language)
+    printed = certificate(audited, SOURCE, course, policy, words, DAY)
+    written = text_of(printed)
+    assert "autumn.csv" in written
+    assert SOURCE.digest in written.replace(" ", "")
+    assert "2026" in written
+    assert course.title.of(language) in written
+    assert printed == certificate(audited, SOURCE, course, policy, words, DAY)
+
+
+def test_each_rule_has_its_limit_and_what_was_found(values: dict[str, object]) -> None:
+    checks = values["checks"]
+    assert isinstance(checks, list)
+    assert next(kept for *_, kept in checks) is True
+    limits = [limit for _, limit, _, _ in checks]
+    assert limits == ["0", "0", "0", "2.5", "10%", "50%"]
+    assert checks[4][2] == "100%"
+    assert not values["passed"]
+
+
+def test_what_is_to_be_looked_at_is_said_variant_by_variant(values: dict[str, object]) -> None:
+    flagged = values["flagged"]
+    assert isinstance(flagged, list)
+    said = {id_: sentences for id_, _, sentences in flagged}
+    assert "too near to another variant; the nearest is 001" in said["=twin"]
+
+
+def test_the_worst_pair_comes_first(values: dict[str, object]) -> None:
+    pairs = values["pairs"]
+    assert isinstance(pairs, list)
+    own, other, shares, same = pairs[0]
+    assert {own, other} == {"001", "=twin"}
+    assert shares[0] in {"100%", "100.0%"}  # with as many decimals as those below it
+    assert "grip force" in same
+    assert values["beyond"]
+
+
+def test_a_sound_table_gets_a_clean_certificate(
+    audited: Audit, course: Course, policy: Policy, text_of: Callable[[bytes], str]
+) -> None:
+    sound = replace(audited, variants=tuple(
+        replace(one, broken=(), slips=(), edges=(), above=False) for one in audited.variants
+    ))  # fmt: skip
+    written = text_of(certificate(sound, SOURCE, course, policy, Words("en"), DAY))
+    assert "The table keeps all rules." in written
+    assert "Variants to look at" not in written
+
+
+def rows(audited: Audit, course: Course, name: str) -> list[dict[str, str]]:
+    sections = [section.id for section in course.sections]
+    text = audit_tables(audited, sections, Words("en"))[name]
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_every_variant_has_its_row(audited: Audit, course: Course) -> None:
+    found = rows(audited, course, "variants.csv")
+    assert len(found) == len(audited.variants)
+    twin = found[-1]
+    assert twin["variant"] == "'=twin"  # no spreadsheet runs it
+    assert (twin["nearest"], twin["share"], twin["above_a_limit"]) == ("001", "1", "yes")
+    assert {row["passed"] for row in found} <= {"yes", "no"}
+
+
+def test_the_tables_hold_what_the_audit_found(audited: Audit, course: Course) -> None:
+    pairs = rows(audited, course, "pairs.csv")
+    assert len(pairs) == len(audited.pairs)
+    assert "grip_force" in pairs[0]["equal"].split("; ")
+    slips = rows(audited, course, "slips.csv")
+    assert len(slips) == len(audited.slips)
+    # Two sizes of a series are far apart or the same: no variant is refused for those.
+    refusing = {(one.quantity, one.slip) for one in audited.slips if not one.is_size}
+    for row in slips:
+        refuses = row["kind"] == "declared" and (row["quantity"], row["slip"]) in refusing
+        assert row["refuses"] == ("yes" if refuses else "no")
+    quantities = rows(audited, course, "quantities.csv")
+    weak = {(row["scheme"], row["quantity"]) for row in quantities if row["weak"] == "yes"}
+    assert weak == {(one.scheme, one.quantity) for one in audited.weak_items}

@@ -1,0 +1,59 @@
+"""Plots are the same bytes for the same numbers, and their text stays text."""
+
+import re
+
+import pytest
+
+from gripcourse.documents.report.charts import Bar, Box, box_plot, facility_plot, score_plot
+from gripcourse.text.words import Words
+
+ENGLISH = Words("en")
+
+
+def texts(svg: str) -> list[str]:
+    return re.findall(r"<text[^>]*>([^<]*)</text>", svg)
+
+
+def test_the_same_numbers_give_the_same_drawing() -> None:
+    assert score_plot([0.2, 0.9], ENGLISH) == score_plot([0.2, 0.9], ENGLISH)
+
+
+def test_a_drawing_says_nothing_about_the_time() -> None:
+    assert not re.search(r"<dc:date>|\d{4}-\d\d-\d\d", score_plot([0.5], ENGLISH))
+
+
+def test_axes_are_named() -> None:
+    assert {"score, %", "students"} <= set(texts(score_plot([0.5], ENGLISH)))
+    assert "mean share of the points, %" in texts(facility_plot([Bar("bore", 0.5, 0.4)], ENGLISH))
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.6, 0.7, 1.0])
+def test_a_score_on_a_boundary_is_counted_once(share: float) -> None:
+    ticks = [text for text in texts(score_plot([share], ENGLISH)) if text.isdecimal()]
+    assert ticks.count("1") == 1  # the axis of students reaches one and no more
+
+
+def test_students_are_whole() -> None:
+    assert not any("." in text for text in texts(score_plot([0.5], ENGLISH)))
+
+
+def test_a_title_is_text_and_never_a_formula() -> None:
+    assert "цена, $x$ и $y$" in texts(facility_plot([Bar("цена, $x$ и $y$", 0.5, 0.4)], ENGLISH))
+
+
+def test_a_long_title_is_cut() -> None:
+    (label,) = [
+        text for text in texts(facility_plot([Bar("д" * 90, 0.5, 0.4)], ENGLISH)) if "д" in text
+    ]
+    assert label.endswith("…")
+    assert len(label) < 50
+
+
+def test_both_parts_of_a_facility_bar_are_named_beside_the_plot() -> None:
+    written = texts(facility_plot([Bar("bore", 0.9, 0.4)], ENGLISH))
+    assert {"by the reference", "carried forward"} <= set(written)
+
+
+def test_sections_stand_beside_their_boxes() -> None:
+    written = texts(box_plot([Box("Drive, $x$ and $y$", (0.2, 0.8)), Box("Grip", (1.0,))], ENGLISH))
+    assert {"Drive, $x$ and $y$", "Grip", "score, %"} <= set(written)

@@ -1,0 +1,239 @@
+"""The assignment sheet: who, what is given, what is asked, how it is judged."""
+
+import html
+import io
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
+
+import pytest
+from pypdf import PdfReader
+
+from gripcourse.course.model import Convention, Course, Tolerance, WorkedExample
+from gripcourse.documents.assignment_sheet import TEMPLATE, assignment_sheet, sheet_values
+from gripcourse.documents.pdf import Document, render_html
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.text.words import Words
+from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.table import read_table
+
+LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
+UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
+ENGLISH = Words("en")
+
+
+@pytest.fixture(scope="module")
+def issued(plan: Plan, example: WorkedExample) -> Issued:
+    given = {quantity.id: example.given[quantity.id] for quantity in plan.givens}
+    return Issued(
+        student=Student("s017", "Иванова Ольга", "РТ-41", "", "ru", ""),
+        variant=Variant("17", plan.scheme.id, dict(plan.options), given | {"mass": 61.2345}),
+        issued_on=date(2025, 2, 10),
+        deadline=date(2025, 5, 19),
+        signature="3fa912bc77aa" + "0" * 52,
+    )
+
+
+def pages(pdf: bytes) -> list[str]:
+    reader = PdfReader(io.BytesIO(pdf))
+    return [" ".join(page.extract_text().split()) for page in reader.pages]
+
+
+def read(issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words) -> str:
+    """Return the text that the template puts out, every run of spaces as one space."""
+    values = sheet_values(issued, plan, policy, course, words)
+    page = render_html(Document(TEMPLATE, (), values), course.root / "templates", words)
+    return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", page)).split())
+
+
+@pytest.fixture
+def text(issued: Issued, plan: Plan, policy: Policy, course: Course) -> Callable[..., str]:
+    def make(words: Words = ENGLISH, **changes: object) -> str:
+        used = replace(policy, **changes)  # type: ignore[arg-type]
+        return read(issued, plan, used, course, words)
+
+    return make
+
+
+def test_it_says_whose_it_is_and_until_when(text: Callable[..., str]) -> None:
+    written = text()
+    for part in ("Иванова Ольга", "РТ-41", "10 February 2025", "19 May 2025"):
+        assert part in written
+
+
+def test_given_values_are_printed_as_they_were_issued(
+    text: Callable[..., str], issued: Issued, plan: Plan
+) -> None:
+    written = text(Words("ru"))
+    assert "61,2345" in written
+    for quantity in plan.givens:
+        assert quantity.title.of("ru") in written
+        assert (
+            Words("ru").number(issued.variant.given[quantity.id], 7).replace("\u202f", " ")
+            in written
+        )
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_every_section_and_every_asked_quantity_is_named(
+    text: Callable[..., str], plan: Plan, course: Course, language: str
+) -> None:
+    written = text(Words(language))
+    assert plan.scheme.task.of(language) in written
+    for section in course.sections:
+        assert section.title.of(language) in written
+    for quantity in (*plan.answered, *plan.manual):
+        assert quantity.title.of(language) in written
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_it_is_one_sheet_of_paper_and_the_same_bytes_each_time(
+    issued: Issued, plan: Plan, policy: Policy, course: Course, language: str
+) -> None:
+    words = Words(language)
+    named = replace(issued, student=replace(issued.student, name=LONG_NAME))
+    first = assignment_sheet(named, plan, policy, course, words)
+    assert first == assignment_sheet(named, plan, policy, course, words)
+    assert len(pages(first)) <= 2
+    assert LONG_NAME in pages(first)[0]
+    assert all("3fa912bc77aa" in page for page in pages(first))
+    assert not any("3fa912bc77aa0" in page for page in pages(first))
+
+
+def test_it_says_at_which_jaw_the_grip_force_is(text: Callable[..., str]) -> None:
+    assert "Grip force is the force at ONE jaw" in text()
+
+
+def test_it_names_the_band_and_every_unusual_one(text: Callable[..., str]) -> None:
+    written = text(tolerance=Tolerance(0.01, 0.0), tolerances={"grip_force": Tolerance(0.02, 0.0)})
+    assert "by no more than 1%" in written
+    assert "± 2%" in written
+
+
+def test_it_says_what_a_mistake_costs_further_on(text: Callable[..., str]) -> None:
+    assert "A mistake costs its points once" in text(carried_credit=1.0)
+    assert "earns 75% of its points" in text(carried_credit=0.75)
+    assert "A mistake" not in text(carried_credit=0.0)
+
+
+def test_it_says_whether_misprints_of_the_guide_are_accepted(text: Callable[..., str]) -> None:
+    assert "counts in full, with a remark" in text(printed_credit=1.0)
+    assert "earns 50% of its points" in text(printed_credit=0.5)
+    assert "only the corrected formulas count" in text(printed_credit=None)
+
+
+def test_it_says_when_the_guide_counts_as_it_is_printed(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    printed = replace(plan, convention=Convention.GUIDE)
+    written = read(issued, printed, policy, course, ENGLISH)
+    assert "follows the formulas of the guide as they are printed" in written
+
+
+def test_without_a_deadline_there_is_no_line_for_it(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    open_ended = replace(issued, deadline=None)
+    written = read(open_ended, plan, policy, course, ENGLISH)
+    assert "Deadline" not in written
+
+
+def test_a_name_is_text_and_never_markup(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    named = replace(issued, student=replace(issued.student, name='<b>&"Иван'))
+    assert '<b>&"Иван' in pages(assignment_sheet(named, plan, policy, course, ENGLISH))[0]
+
+
+def test_it_shows_the_diagram_with_a_text_for_who_does_not_see_it(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    values = sheet_values(issued, plan, policy, course, ENGLISH)
+    page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
+    assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Kinematic')[2]
+    assert "Compute sizes, do not measure them" in page
+
+
+def test_a_scheme_without_a_diagram_has_a_sheet_without_one(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    bare = replace(plan, scheme=replace(plan.scheme, diagram=None))
+    assert "The diagram is drawn" not in read(issued, bare, policy, course, ENGLISH)
+
+
+def test_every_sheet_carries_the_code_of_its_student(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    other = replace(issued, student=replace(issued.student, id="s018"))
+    seals = [sheet_values(one, plan, policy, course, ENGLISH)["seal"] for one in (issued, other)]
+    assert seals[0] != seals[1]
+
+
+def test_every_scheme_fits_one_sheet_of_paper(policy: Policy, course: Course) -> None:
+    """The longest assignment of each scheme in the course's table, in its longest language."""
+    longest: dict[str, tuple[int, Variant, Plan]] = {}
+    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+        plan = make_plan(course, variant.scheme, variant.options)
+        size = len(plan.quantities)
+        if size > longest.get(variant.scheme, (0,))[0]:
+            longest[variant.scheme] = size, variant, plan
+    assert longest.keys() == course.schemes.keys()
+    for scheme, (_, variant, plan) in longest.items():
+        student = Student("s017", LONG_NAME, "РТ-41", "", "ru", "")
+        entry = Issued(student, variant, date(2025, 2, 10), date(2025, 5, 19), "0" * 64)
+        sheet = assignment_sheet(entry, plan, policy, course, Words("ru"))
+        assert len(pages(sheet)) <= 2, scheme
+
+
+LONGEST = {
+    "grip_model": "contact_exact",
+    "object_position": "pairs_between",
+    "jaw_shape": "prism",
+    "mounting": "flange",
+}
+
+
+@pytest.mark.parametrize("scheme", ["rack_parallelogram", "wedge_slide", "pinion_racks", "screw"])
+def test_the_longest_assignments_are_one_sheet_of_paper_too(
+    issued: Issued,
+    policy: Policy,
+    course: Course,
+    scheme: str,
+    beyond_the_edge: Callable[[bytes], list[str]],
+) -> None:
+    example = course.schemes[scheme].example
+    assert example is not None
+    long = make_plan(course, scheme, {**example.options, **LONGEST})
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    variant = Variant("17", scheme, dict(long.options), given)
+    student = replace(issued.student, name=UNBROKEN_NAME, group="РТК-41-" * 8)
+    sheet = assignment_sheet(
+        replace(issued, student=student, variant=variant), long, policy, course, Words("uk")
+    )
+    assert len(pages(sheet)) == 2
+    assert not beyond_the_edge(sheet)
+
+
+def test_a_long_assignment_is_printed_smaller_and_a_short_one_is_not(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    assert sheet_values(issued, plan, policy, course, ENGLISH)["density"] == ""
+    example = course.schemes["wedge_slide"].example
+    assert example is not None
+    long = make_plan(course, "wedge_slide", {**example.options, **LONGEST})
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    variant = Variant("17", "wedge_slide", dict(long.options), given)
+    values = sheet_values(replace(issued, variant=variant), long, policy, course, ENGLISH)
+    assert values["density"] == "dense"
+
+
+def test_a_unit_stands_in_its_column_and_degrees_with_their_number(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    values = sheet_values(issued, plan, policy, course, ENGLISH)
+    assert isinstance(values["data"], list)
+    units = {datum.unit for datum in values["data"]}
+    assert "mm" in units
+    assert not any(unit.startswith("°") for unit in units)

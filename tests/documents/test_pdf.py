@@ -1,0 +1,191 @@
+"""Documents are tagged, self-contained, and the same bytes for the same content."""
+
+import gc
+import io
+import logging
+import re
+from collections.abc import Callable
+from datetime import date
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from gripcourse.course.model import Course
+from gripcourse.documents.pdf import Document, pdf_from_html, render_html, render_pdf
+from gripcourse.errors import CourseError
+from gripcourse.formula.markup import html
+from gripcourse.formula.parse import parse
+from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.text.amounts import amount_text, day_text, percent_text, points_text
+from gripcourse.text.words import Words, message
+
+TEMPLATE = """<html lang="{{ language }}"><title>Отчёт</title>
+<p>{{ name }} {{ _("Variant") }} {{ say(sentence) }} {{ 2.5 | points }} {{ 0.125 | percent }}
+{{ "D_тр" | symbol }}</p>"""
+
+
+@pytest.fixture
+def templates(tmp_path: Path) -> Path:
+    (tmp_path / "style").mkdir()
+    (tmp_path / "style" / "plain.css").write_text("p { font: 10pt 'PT Sans' }", encoding="utf-8")
+    (tmp_path / "plain.html.j2").write_text(TEMPLATE, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def document() -> Document:
+    values = {"name": "Иван", "sentence": message("{n} cells", n=1.5)}
+    return Document("plain.html.j2", ("plain.css",), values)
+
+
+def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
+    first = render_pdf(document, templates, Words("en"))
+    assert first == render_pdf(document, templates, Words("en"))
+
+
+def test_a_document_has_a_title_a_language_and_tags(templates: Path, document: Document) -> None:
+    reader = PdfReader(io.BytesIO(render_pdf(document, templates, Words("ru"))))
+    catalogue = reader.trailer["/Root"]
+    assert reader.metadata is not None
+    assert reader.metadata.title == "Отчёт"
+    assert catalogue["/Lang"] == "ru"
+    assert catalogue["/MarkInfo"]["/Marked"]
+    assert "/StructTreeRoot" in catalogue
+
+
+def test_a_document_says_nothing_about_the_time(templates: Path, document: Document) -> None:
+    reader = PdfReader(io.BytesIO(render_pdf(document, templates, Words("ru"))))
+    assert reader.metadata is not None
+    assert reader.metadata.creation_date is None
+    assert reader.metadata.modification_date is None
+
+
+def test_fonts_are_in_the_file(
+    templates: Path, document: Document, embedded_fonts: Callable[[bytes], dict[str, bool]]
+) -> None:
+    fonts = embedded_fonts(render_pdf(document, templates, Words("ru")))
+    assert fonts
+    assert all(fonts.values())
+    assert any("PT-Sans" in name for name in fonts)
+
+
+def test_values_are_escaped_and_formulas_are_not(templates: Path, document: Document) -> None:
+    named = Document(document.template, (), {**document.values, "name": "<b>&"})
+    html = render_html(named, templates, Words("en"))
+    assert "&lt;b&gt;&amp;" in html
+    assert '<span class="formula">' in html
+
+
+def test_numbers_are_written_for_the_reader(templates: Path, document: Document) -> None:
+    assert "1.5 cells 2.5 12.5%" in render_html(document, templates, Words("en"))
+    assert "2,5 12,5\u00a0%" in render_html(document, templates, Words("ru"))
+
+
+def test_a_missing_value_is_an_error_and_no_empty_place(templates: Path) -> None:
+    with pytest.raises(CourseError, match="'name' is undefined"):
+        render_pdf(Document("plain.html.j2", (), {}), templates, Words("en"))
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "what"),
+    [
+        ("<p>\n{{ name }", "line 2", "unexpected '}'"),
+        ("<p>\n\n{% for x in name %}", "line 3", "'endfor'"),
+        ("{{ name | shout }}", "line 1", "No filter named 'shout'"),
+        ("\n{{ name.first.letter }}", "line 2", "has no attribute 'first'"),
+        ("\n\n{% include 'gone.html.j2' %}", "line 3", "There is no template gone.html.j2"),
+    ],
+)
+def test_a_template_that_fails_is_named_with_the_line(
+    templates: Path, source: str, line: str, what: str
+) -> None:
+    (templates / "broken.html.j2").write_text(source, encoding="utf-8")
+    with pytest.raises(CourseError) as caught:
+        render_html(Document("broken.html.j2", (), {"name": "Иван"}), templates, Words("en"))
+    (problem,) = caught.value.problems
+    assert problem.file == f"{templates.name}/broken.html.j2"
+    assert problem.key == line
+    assert what in str(problem.what)
+    assert str(problem.remedy)
+
+
+def test_a_part_that_fails_is_named_and_not_what_includes_it(templates: Path) -> None:
+    (templates / "part.html.j2").write_text("\n{{ nobody }}", encoding="utf-8")
+    (templates / "whole.html.j2").write_text("{% include 'part.html.j2' %}", encoding="utf-8")
+    with pytest.raises(CourseError, match=r"part\.html\.j2: line 2: .*nobody"):
+        render_html(Document("whole.html.j2", (), {}), templates, Words("en"))
+
+
+def test_a_document_without_its_template_is_told(templates: Path) -> None:
+    with pytest.raises(CourseError, match=r"There is no template gone\.html\.j2"):
+        render_html(Document("gone.html.j2", (), {}), templates, Words("en"))
+
+
+def test_a_changed_style_sheet_is_read_again(templates: Path, document: Document) -> None:
+    before = render_pdf(document, templates, Words("en"))
+    sheet = templates / "style" / "plain.css"
+    sheet.write_text("p { font: 20pt 'PT Serif' }", encoding="utf-8")
+    assert render_pdf(document, templates, Words("en")) != before
+
+
+def test_nothing_is_fetched_from_outside(
+    templates: Path, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(logging.getLogger("weasyprint"), "propagate", True)
+    secret = templates / "secret.svg"
+    secret.write_text("<svg xmlns='http://www.w3.org/2000/svg'/>", encoding="utf-8")
+    html = f'<html lang="en"><title>x</title><img alt="secret" src="{secret.as_uri()}">'
+    pdf_from_html(html, (), templates)
+    assert "disallowed protocol" in caplog.text
+
+
+def test_the_garbage_collector_is_left_as_it_was(templates: Path, document: Document) -> None:
+    before = gc.get_threshold()
+    render_pdf(document, templates, Words("en"))
+    assert gc.get_threshold() == before
+
+
+@pytest.mark.parametrize(
+    ("value", "written"), [(0.0, "0"), (100.25, "100,25"), (2 / 3, "0,67"), (99.999, "100")]
+)
+def test_points_have_at_most_two_decimals(value: float, written: str) -> None:
+    assert points_text(value, Words("ru")) == written
+
+
+def test_a_percentage_is_written_as_the_language_writes_it() -> None:
+    assert percent_text(0.785, Words("en")) == "78.5%"
+    assert percent_text(0.785, Words("uk")) == "78,5\u00a0%"
+
+
+def test_a_number_and_its_unit_stay_together() -> None:
+    assert amount_text(60.08, "mm", Words("ru")) == "60,08\u00a0мм"
+    assert amount_text(36.8699, "deg", Words("ru")) == "36,87°"
+    assert amount_text(0.15, "", Words("ru")) == "0,15"
+
+
+def test_a_day_is_written_with_its_month_in_words() -> None:
+    day = date(2025, 5, 9)
+    written = [day_text(day, Words(language)) for language in ("en", "ru", "uk")]
+    assert written == ["9 May 2025", "9 мая 2025", "9 травня 2025"]
+
+
+def test_what_is_drawn_after_an_unseen_sign_is_seen(course: Course) -> None:
+    """The radical of a root alone in a denominator follows the stroke, which is text unseen."""
+    tree = parse("a / sqrt(b)")
+    fraction = html(typeset(tree, {name: symbol_box(name) for name in ("a", "b")}))
+    page = f'<html lang="en"><title>x</title><p>{fraction}</p></html>'
+    pdf = pdf_from_html(page, ("formula.css",), course.root / "templates")
+    drawing = PdfReader(io.BytesIO(pdf)).pages[0].get_contents()
+    assert drawing is not None
+    opaque, seen = [True], []
+    for line in drawing.get_data().decode("latin-1").splitlines():
+        if line == "q":
+            opaque.append(opaque[-1])
+        elif line == "Q":
+            opaque.pop()
+        elif re.fullmatch(r"/a\S+ gs", line):
+            opaque[-1] = float(line[2:-3]) == 1
+        elif line.endswith(" Do"):
+            seen.append(opaque[-1])
+    assert seen == [True]

@@ -1,0 +1,65 @@
+"""What stands in the title block and the parts list of a sheet, whatever it says."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.drawing.paper.sheet import block_box
+from gripcourse.drawing.paper.strokes import Box, box_of
+from gripcourse.drawing.paper.text import Point, read_text, text_width
+from gripcourse.drawing.paper.title_block import variant_block
+from gripcourse.drawing.view.general_view import general_view
+from gripcourse.text.words import LANGUAGES, Words
+
+if TYPE_CHECKING:
+    from ezdxf.entities.text import Text
+
+    from conftest import Draw
+
+LONG = "Константинопольская-Задунайская Александра Максимилиановна Я."
+GROUP = "Група РТ-41мп, Національний технічний університет «Київський політехнічний інститут»"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_text_of_a_sheet_leaves_its_cell(
+    draw: "Draw", small_variant: str, language: str
+) -> None:
+    drawn = draw(small_variant)
+    view = drawn.plan.scheme.view
+    assert view is not None
+    assert len(LONG) >= 60
+    words = Words(language)
+    block = replace(
+        variant_block(drawn.plan, small_variant, LONG, words), checked=LONG, organisation=GROUP
+    )
+    made = general_view(drawn.plan, view, drawn.values, block, words)
+    sheet = made.arranged.sheet
+    table = block_box(sheet, len(made.rows))
+    space = made.document.modelspace()
+    lines = [
+        box_of([(one.dxf.start.x, one.dxf.start.y), (one.dxf.end.x, one.dxf.end.y)])
+        for one in space.query("LINE")
+    ]
+    grid = [one for one in lines if table.grown(1e-6).joined(one) == table.grown(1e-6)]
+    texts = [one for one in space.query("TEXT") if table.overlaps(box_of([point_of(one)]))]
+    assert len(texts) > 20
+    for one in texts:
+        box = box_of_text(one)
+        assert table.joined(box) == table, read_text(one)
+        assert not [line for line in grid if line.overlaps(box)], read_text(one)
+    assert not [one for one in texts if "…" in one.dxf.text]
+
+
+def point_of(one: "Text") -> Point:
+    at = one.dxf.get("align_point", one.dxf.insert)
+    return at.x, at.y
+
+
+def box_of_text(one: "Text") -> Box:
+    """The box round capital letters of a line that is held half way up."""
+    half = one.dxf.height / 2
+    width = text_width(read_text(one), one.dxf.height) * one.dxf.width
+    x, y = point_of(one)
+    left = {"MIDDLE_LEFT": x, "MIDDLE_CENTER": x - width / 2}[one.get_align_enum().name]
+    return Box(left, y - half, left + width, y + half)

@@ -1,0 +1,259 @@
+"""What holds for the general view of every scheme, looked at in several variants of each."""
+
+import math
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from io import BytesIO
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import pytest
+from ezdxf import recover
+
+from gripcourse.course.model import Course
+from gripcourse.course.view import Face
+from gripcourse.drawing.paper.document import LineKind, dxf_bytes
+from gripcourse.drawing.paper.sheet import FORMATS, block_box, corner_box
+from gripcourse.drawing.paper.strokes import Arc, Box, Line, outside
+from gripcourse.drawing.paper.svg import svg_text
+from gripcourse.drawing.paper.text import Point, read_text
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.view.contents import figure
+from gripcourse.drawing.view.face import FaceLayout, length_text
+from gripcourse.drawing.view.general_view import general_view
+from gripcourse.drawing.view.layout import SCALES
+from gripcourse.drawing.view.leaders import cross
+from gripcourse.solver.plan import make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import LANGUAGES, Words
+
+if TYPE_CHECKING:
+    from conftest import Draw, Drawn
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def parsed(drawn: "Drawn") -> ET.Element:
+    sheet = drawn.view.arranged.sheet
+    svg = svg_text(drawn.view.document, sheet.width, sheet.height, "general view")
+    return ET.fromstring(svg)  # noqa: S314 - our own drawing
+
+
+def written(drawn: "Drawn") -> list[str]:
+    return [one.text or "" for one in parsed(drawn).iter(f"{SVG}text")]
+
+
+def cuts(start: Point, end: Point, box: Box) -> bool:
+    """Tell whether a straight line runs through a box."""
+    return list(outside(Line(start, end), box.corners)) != [Line(start, end)]
+
+
+def boxes_of(face: FaceLayout) -> list[Box]:
+    return [*(one.text_box for one in face.dimensions), *(one.box for one in face.leaders)]
+
+
+def extension_lines(face: FaceLayout) -> Iterator[tuple[int, Point, Point]]:
+    """Each extension line with the number of its dimension."""
+    for number, one in enumerate(face.dimensions):
+        for x, y in (one.wanted.start, one.wanted.end):
+            yield number, (x, y), (one.line, y) if one.wanted.upright else (x, one.line)
+
+
+def test_every_scheme_has_a_general_view(course: Course) -> None:
+    assert {name for name, scheme in course.schemes.items() if scheme.view is None} == set()
+
+
+def test_no_number_stands_on_another_one_or_on_the_outline(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    for name, face in drawn.view.faces.items():
+        boxes = boxes_of(face)
+        assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+        scale = drawn.view.arranged.factor
+        extent = drawn.view.figure.extent(name)
+        bare = Box(*(one * scale for one in (extent.left, extent.bottom, extent.right, extent.top)))
+        assert not [one for one in boxes if one.overlaps(bare)]
+
+
+def test_no_line_of_a_dimension_or_a_leader_runs_through_a_number(
+    draw: "Draw", any_variant: str
+) -> None:
+    for face in draw(any_variant).view.faces.values():
+        numbers = [one.text_box for one in face.dimensions]
+        for own, start, end in extension_lines(face):
+            others = [box for number, box in enumerate(numbers) if number != own]
+            assert not [box for box in others if cuts(start, end, box)]
+        for leader in face.leaders:
+            assert not [box for box in numbers if cuts(leader.note.at, leader.knee, box)]
+            others = [one.box for one in face.leaders if one is not leader]
+            assert not [box for box in others if cuts(leader.note.at, leader.knee, box)]
+        for axis in face.axes:
+            assert not [box for box in boxes_of(face) if cuts(axis.start, axis.end, box)]
+
+
+def test_dimension_lines_do_not_overlap(draw: "Draw", any_variant: str) -> None:
+    for face in draw(any_variant).view.faces.values():
+        lines = [one.box for one in face.dimensions]
+        assert not [pair for pair in combinations(lines, 2) if pair[0].overlaps(pair[1])]
+
+
+def test_leaders_do_not_cross(draw: "Draw", any_variant: str) -> None:
+    for face in draw(any_variant).view.faces.values():
+        assert not [pair for pair in combinations(face.leaders, 2) if cross(*pair)]
+
+
+def test_everything_has_its_own_place_on_the_sheet(draw: "Draw", any_variant: str) -> None:
+    view = draw(any_variant).view
+    sheet = view.arranged.sheet
+    boxes = [face.box.moved(view.arranged.origins[name]) for name, face in view.faces.items()]
+    boxes += [block_box(sheet, len(view.rows)), corner_box(sheet), view.arranged.lines]
+    assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+    assert not [one for one in boxes if sheet.frame.joined(one) != sheet.frame]
+
+
+def test_a_dimension_measures_the_quantity_that_it_names(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    assert drawn.view.figure.measured
+    scale = drawn.view.arranged.factor
+    for face in drawn.view.faces.values():
+        for one in face.dimensions:
+            low, high = one.wanted.span
+            measured = [
+                known.declared.quantity
+                for known in drawn.view.figure.measured
+                if abs(drawn.values[known.declared.quantity] - (high - low) / scale) < 1e-6
+            ]
+            assert measured, f"{one.wanted.text} is no quantity of any_variant {any_variant}"
+
+
+def test_the_numbers_of_the_drawing_are_those_of_the_solution(
+    draw: "Draw", any_variant: str
+) -> None:
+    drawn, words = draw(any_variant), Words("ru")
+    texts = written(drawn)
+    for one in drawn.view.figure.measured:
+        number = length_text(drawn.values[one.declared.quantity], words)
+        assert f"{one.declared.sign}{number}" in texts
+    for position in drawn.view.figure.positions:
+        for name in position.part.sizes:
+            if name in drawn.values and drawn.plan.quantities[name].unit == "mm":
+                number = length_text(drawn.values[name], words)
+                assert any(f"= {number}" in text for text in texts)
+
+
+def test_the_list_of_parts_has_a_row_for_every_position(draw: "Draw", small_variant: str) -> None:
+    view = draw(small_variant).view
+    assert [row.number for row in view.rows] == [str(n + 1) for n in range(len(view.rows))]
+    shown = [one for face in view.faces.values() for one in face.leaders]
+    assert {row.number for row in view.rows} <= {one.note.text for one in shown}
+    assert len({row.title for row in view.rows}) == len(view.rows)
+
+
+def test_positions_stand_in_the_order_of_their_numbers(draw: "Draw", any_variant: str) -> None:
+    leaders = draw(any_variant).view.faces[Face.MAIN].leaders
+    ordered = sorted(leaders, key=lambda one: one.left)
+    numbers = [int(one.note.text) for one in ordered if one.note.text.isdigit()]
+    assert numbers == sorted(numbers)
+    assert numbers
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_drawing_is_sound_in_every_language(
+    draw: "Draw", small_variant: str, language: str
+) -> None:
+    drawn = draw(small_variant, language)
+    document, audit = recover.read(BytesIO(dxf_bytes(drawn.view.document)))
+    assert not audit.errors
+    assert not audit.fixes
+    assert not document.audit().errors
+    assert len(document.modelspace().query("DIMENSION")) == len(drawn.view.figure.measured)
+    words = Words(language)
+    titles = {row.title for row in drawn.view.rows}
+    assert titles <= set(written(drawn))
+    sign = "." if language == "en" else ","
+    other = "," if sign == "." else "."
+    numbers = [text for text in written(drawn) if re.fullmatch(r"Ø?\d+[.,]\d", text)]
+    assert not [text for text in numbers if other in text], words.language
+
+
+def test_a_drawing_fits_into_a_report(draw: "Draw", small_variant: str) -> None:
+    drawn = draw(small_variant)
+    assert len(ET.tostring(parsed(drawn))) < 60_000
+
+
+def test_lines_behind_a_part_are_not_seen(draw: "Draw") -> None:
+    figure = draw("011").view.figure
+    for face in figure.faces:
+        kinds = {one.kind for one in figure.seen[face]}
+        assert LineKind.OUTLINE in kinds
+
+
+def test_a_gripper_is_drawn_at_a_standard_scale_on_a_standard_sheet(
+    draw: "Draw", any_variant: str
+) -> None:
+    arranged = draw(any_variant).view.arranged
+    assert arranged.sheet in FORMATS
+    assert arranged.scale in SCALES
+
+
+@pytest.mark.parametrize("name", ['<b>&"', "%%c", r"\P{x}", "{", "^J", "Їжаченко-Шульга О. О."])
+def test_any_student_can_be_written_into_the_title_block(draw: "Draw", name: str) -> None:
+    drawn = draw("011")
+    view = drawn.plan.scheme.view
+    assert view is not None
+    block = TitleBlock("011 GA", "gripper", "General arrangement", student=name)
+    made = general_view(drawn.plan, view, drawn.values, block, Words("uk"))
+    sheet = made.arranged.sheet
+    svg = svg_text(made.document, sheet.width, sheet.height, name)
+    texts = [one.text for one in ET.fromstring(svg).iter(f"{SVG}text")]  # noqa: S314 - our own drawing
+    assert name in texts
+    document, audit = recover.read(BytesIO(dxf_bytes(made.document)))
+    assert not audit.errors
+    assert name in [read_text(one) for one in document.modelspace().query("TEXT")]
+
+
+def test_a_drawing_is_the_same_each_time(draw: "Draw") -> None:
+    drawn = draw("002")
+    view = drawn.plan.scheme.view
+    assert view is not None
+    block = TitleBlock("002", "gripper", "General arrangement", "Somebody")
+    twice = [
+        dxf_bytes(general_view(drawn.plan, view, drawn.values, block, Words("ru")).document)
+        for _ in range(2)
+    ]
+    assert twice[0] == twice[1]
+
+
+def test_what_the_options_do_not_bring_is_not_drawn(course: Course, draw: "Draw") -> None:
+    drawn = draw("033")
+    view = course.schemes["rack_parallelogram"].view
+    assert view is not None
+    declared = {part.id for part in view.parts}
+    shown = {one.part.id for one in drawn.view.figure.positions}
+    assert drawn.plan.options["mounting"] == "flange"
+    assert "bayonet" in declared - shown
+    assert "flange" in shown
+
+
+@pytest.mark.parametrize(
+    ("mounting", "holes", "outline"), [("flange", 7, 144.0), ("square_flange", 4, 110.0)]
+)
+def test_a_flange_is_drawn_in_the_form_and_with_the_holes_of_its_execution(
+    course: Course, mounting: str, holes: int, outline: float
+) -> None:
+    """GOST 26063-84, table 7: a base diameter of 90 mm, D2 = 144 mm and B = 110 mm."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    assert scheme.view is not None
+    plan = make_plan(course, scheme.id, {**scheme.example.options, "mounting": mounting})
+    shown = figure(plan, scheme.view, solve_variant(plan, scheme.example.given))
+    (label,) = (one for one in shown.labelled if one.declared.face is Face.END)
+    assert label.values == {"count": holes, "hole": pytest.approx(11)}
+    drawn = [one.stroke for one in shown.seen[Face.END] if one.kind is LineKind.OUTLINE]
+    circles = [one for one in drawn if isinstance(one, Arc) and one.radius == pytest.approx(5.5)]
+    assert len({(round(one.centre[0], 6), round(one.centre[1], 6)) for one in circles}) == holes
+    edges = {
+        round(2 * one.radius if isinstance(one, Arc) else math.dist(one.start, one.end), 6)
+        for one in drawn
+    }
+    assert outline in edges

@@ -1,0 +1,77 @@
+from gripcourse.course.view import Face
+from gripcourse.drawing.paper.sheet import A2, A3, A4
+from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
+from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+
+SQUARE = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
+
+
+def around(half: float, scale: float) -> Box:
+    return Box(-half * scale, -half * scale, half * scale, half * scale)
+
+
+def square(half: float, detail: float = 10.0) -> Arranged:
+    """Arrange one square face."""
+    pictured = Pictured(length=2 * half, detail=detail)
+    return arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+
+
+def test_what_is_well_shown_on_a_small_sheet_gets_no_larger_one() -> None:
+    assert square(30).sheet == A4
+    assert square(30).scale == (1, 1)
+
+
+def test_what_would_be_much_reduced_gets_a_larger_sheet() -> None:
+    assert square(180).sheet == A3
+    assert square(180).scale == (1, 2)
+
+
+def test_what_needs_an_even_larger_sheet_gets_one() -> None:
+    assert square(460, detail=3.5).sheet == A2
+
+
+def test_what_has_fine_details_gets_a_larger_sheet() -> None:
+    assert square(90).sheet == A4
+    assert square(90, detail=1.0).sheet == A3
+
+
+def test_details_that_no_sheet_shows_do_not_make_it_larger() -> None:
+    assert square(30, detail=0.01) == square(30)
+
+
+def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> None:
+    def boxes(scale: float) -> dict[Face, Box]:
+        return {face: around(40, scale) for face in Face}
+
+    origins = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0).origins
+    assert origins[Face.END][1] == origins[Face.MAIN][1]
+    assert origins[Face.END][0] > origins[Face.MAIN][0]
+    assert origins[Face.PLAN][0] == origins[Face.MAIN][0]
+    assert origins[Face.PLAN][1] < origins[Face.MAIN][1]
+
+
+def test_what_is_larger_than_any_sheet_is_drawn_at_the_smallest_scale() -> None:
+    assert square(1e6).scale == (1, 100)
+
+
+def test_a_covered_piece_of_a_line_is_not_seen() -> None:
+    line = Line((-5.0, 5.0), (15.0, 5.0))
+    assert list(outside(line, SQUARE)) == [
+        Line((-5.0, 5.0), (0.0, 5.0)),
+        Line((10.0, 5.0), (15.0, 5.0)),
+    ]
+
+
+def test_a_covered_piece_of_a_line_can_be_dashed() -> None:
+    line = Line((-5.0, 5.0), (15.0, 5.0))
+    assert list(covered(line, SQUARE)) == [Line((0.0, 5.0), (10.0, 5.0))]
+
+
+def test_a_line_that_nothing_covers_stays_whole() -> None:
+    line = Line((-5.0, 12.0), (15.0, 12.0))
+    assert list(outside(line, SQUARE)) == [line]
+
+
+def test_of_a_circle_the_uncovered_part_is_left() -> None:
+    pieces = list(outside(Arc((0.0, 0.0), 5.0), SQUARE))
+    assert sum(one.high - one.low for one in pieces if isinstance(one, Arc)) == 270.0

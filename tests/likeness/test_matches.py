@@ -1,0 +1,70 @@
+"""Equal numbers are found by sorting; comparing all with all finds the same."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gripcourse.likeness.matches import Numbers, last_unit, same_as_issued, same_as_typed
+
+ROWS, COLUMNS = 6, 3
+SIZES = st.sampled_from([1.0, 1.01, 1.02, 9.99, 10.0, 12.3, -12.3, 250.0, 251.0, 0.05])
+TABLES = st.lists(
+    st.lists(st.one_of(SIZES, st.just(float("nan"))), min_size=COLUMNS, max_size=COLUMNS),
+    min_size=ROWS,
+    max_size=ROWS,
+)
+
+
+def numbers(table: list[list[float]]) -> Numbers:
+    values = np.array(table)
+    row, column = np.nonzero(np.isfinite(values))
+    value = values[row, column]
+    return Numbers(row, column, value, last_unit(value, np.full(len(value), 0.05)))
+
+
+@given(typed=TABLES, issued=TABLES)
+def test_every_variant_within_one_unit_of_the_last_digit_is_found(
+    typed: list[list[float]], issued: list[list[float]]
+) -> None:
+    asked, values = numbers(typed), np.array(issued)
+    found = same_as_issued(asked, values)
+    expected = {
+        (index, owner)
+        for index, (column, value, unit) in enumerate(
+            zip(asked.column, asked.value, asked.unit, strict=True)
+        )
+        for owner in range(ROWS)
+        if abs(values[owner, column] - value) <= max(unit, 0.002 * abs(value)) * (1 + 1e-9)
+    }
+    assert set(zip(found.number.tolist(), found.owner.tolist(), strict=True)) == expected
+
+
+@given(typed=TABLES)
+def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) -> None:
+    asked = numbers(typed)
+    found = same_as_typed(asked, ROWS, COLUMNS)
+    pairs = set(zip(found.number.tolist(), found.owner.tolist(), strict=True))
+    for index, owner in pairs:
+        assert owner != asked.row[index]
+    for one in range(len(asked.value)):
+        for two in range(len(asked.value)):
+            same = asked.column[one] == asked.column[two] and asked.value[one] == asked.value[two]
+            if same and asked.row[one] != asked.row[two]:
+                assert (one, asked.row[two]) in pairs
+
+
+@pytest.mark.parametrize(
+    ("value", "half", "unit"),
+    [
+        (12.5, 0.05, 0.1),
+        (1843.0, 0.5, 1.0),
+        (5.0, 0.5, 0.01),
+        (60.0, 0.5, 0.1),
+        (-0.37, 0.005, 1e-3),
+    ],
+)
+def test_a_number_counts_as_typed_with_three_figures_at_least(
+    value: float, half: float, unit: float
+) -> None:
+    assert last_unit(np.array([value]), np.array([half]))[0] == pytest.approx(unit)

@@ -1,0 +1,126 @@
+"""Calculations as people do them, on the worked example of the guide."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Kind
+from gripcourse.policy.model import Policy
+from gripcourse.simulation.arithmetic import Hand
+from gripcourse.simulation.calculation import Calculation, Deviation, calculate
+from gripcourse.simulation.model import Done
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import solve_variant
+
+
+def hand(figures: int = 10, *, cuts: bool = False, keeps: bool = False) -> Hand:
+    return Hand(
+        np.asarray(figures), np.asarray(cuts), np.asarray(keeps), np.asarray(np.pi), constants={}
+    )
+
+
+@pytest.fixture
+def given(plan: Plan) -> dict[str, float]:
+    assert plan.scheme.example is not None
+    return {one.id: plan.scheme.example.given[one.id] for one in plan.givens}
+
+
+def typed(done: Calculation) -> dict[str, float]:
+    return {name: float(step.typed) for name, step in done.steps.items()}
+
+
+def test_who_writes_every_figure_gets_the_reference(plan: Plan, given: dict[str, float]) -> None:
+    found = typed(calculate(plan, given, hand(), {}))
+    reference = solve_variant(plan, given)
+    assert found == pytest.approx({name: reference[name] for name in found}, rel=1e-8)
+
+
+def test_the_next_step_is_computed_with_what_was_written(
+    plan: Plan, given: dict[str, float]
+) -> None:
+    found = typed(calculate(plan, given, hand(3), {}))
+    known = {**given, **found}
+    for quantity in plan.answered:
+        if quantity.kind is Kind.FORMULA:
+            alone = {name: value for name, value in known.items() if name != quantity.id}
+            right = solve_variant(plan, alone)[quantity.id]
+            assert found[quantity.id] == float(f"{right:.2e}"), quantity.id
+
+
+def test_a_calculator_loses_nothing_on_the_way(plan: Plan, given: dict[str, float]) -> None:
+    found = typed(calculate(plan, given, hand(3, keeps=True), {}))
+    reference = solve_variant(plan, given)
+    for quantity in plan.answered:
+        if quantity.kind is Kind.FORMULA:
+            assert found[quantity.id] == float(f"{reference[quantity.id]:.2e}"), quantity.id
+
+
+def test_a_size_is_taken_from_the_series_for_the_students_own_number(
+    plan: Plan, given: dict[str, float]
+) -> None:
+    found = calculate(plan, given, hand(3), {})
+    bore, required = found.steps["bore"].typed, found.steps["bore_required"].typed
+    assert bore >= required
+    assert float(bore) == pytest.approx(solve_variant(plan, {**given, "bore": bore})["bore"])
+
+
+def test_constants_and_pi_are_the_students_own(plan: Plan, given: dict[str, float]) -> None:
+    own = replace(hand(), pi=np.asarray(3.14), constants={"gravity": np.asarray(9.8)})
+    shortened, exact = calculate(plan, given, own, {}), calculate(plan, given, hand(), {})
+    ratio = shortened.steps["lifting_load"].typed / exact.steps["lifting_load"].typed
+    assert 9.8 / 9.81 < float(ratio) < 1  # the acceleration of the lift is added to gravity
+    assert float(shortened.values["gravity"]) == 9.8
+
+
+def test_a_slip_changes_its_own_step_and_what_follows(
+    plan: Plan, policy: Policy, given: dict[str, float]
+) -> None:
+    slips = candidates_of(plan, "drive_force", policy.slips)
+    slip = next(one for one in slips if one.kind == "power_of_ten")
+    right = calculate(plan, given, hand(), {})
+    wrong = calculate(plan, given, hand(), {"drive_force": Deviation(Done.SLIP, slip)})
+    changed = {name for name in right.steps if typed(right)[name] != typed(wrong)[name]}
+    assert "drive_force" in changed
+    assert "bore_required" in changed
+    assert "grip_force" not in changed
+    assert float(wrong.steps["drive_force"].right) == float(right.steps["drive_force"].right)
+
+
+def test_who_types_another_unit_goes_on_with_the_right_number(
+    plan: Plan, policy: Policy, given: dict[str, float]
+) -> None:
+    unit = next(
+        one for one in candidates_of(plan, "drive_force", policy.slips) if one.id == "unit:kN"
+    )
+    right = typed(calculate(plan, given, hand(), {}))
+    bare = typed(calculate(plan, given, hand(), {"drive_force": Deviation(Done.BARE_UNIT, unit)}))
+    assert bare.pop("drive_force") == pytest.approx(right.pop("drive_force") / 1000)
+    assert bare == right
+
+
+def test_who_rounds_a_size_down_takes_the_next_smaller_one(
+    plan: Plan, given: dict[str, float]
+) -> None:
+    done = calculate(plan, given, hand(), {"bore": Deviation(Done.ROUNDED_DOWN)})
+    sizes = plan.columns[plan.quantities["bore"].choice.column].sizes  # type: ignore[union-attr]
+    right, taken = float(done.steps["bore"].right), float(done.steps["bore"].typed)
+    below = sizes[sizes < right / 1000 * 0.999]
+    assert taken == pytest.approx(1000 * below.max())
+
+
+def test_nothing_lies_below_the_smallest_size(plan: Plan, given: dict[str, float]) -> None:
+    light = {**given, "mass": 1e-3}
+    done = calculate(plan, light, hand(), {"bore": Deviation(Done.ROUNDED_DOWN)})
+    assert np.isnan(done.steps["bore"].typed)
+
+
+def test_many_variants_are_computed_at_once(plan: Plan, given: dict[str, float]) -> None:
+    masses = np.array([given["mass"], 0.9 * given["mass"]])
+    both = calculate(plan, {**given, "mass": masses}, hand(4), {})
+    for number, mass in enumerate(masses):
+        alone = calculate(plan, {**given, "mass": mass}, hand(4), {})
+        for name, step in both.steps.items():
+            many = np.broadcast_to(step.typed, (2,))
+            assert float(many[number]) == float(alone.steps[name].typed), name

@@ -1,0 +1,57 @@
+"""The mix: every fault of its file is named with its key."""
+
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.simulation.mix import mix_path, read_mix
+from gripcourse.simulation.model import Conduct, Mix
+
+
+@pytest.fixture
+def changed(course: Course, tmp_path: Path) -> Callable[..., Course]:
+    """Copy the reference course's mix with some text replaced."""
+
+    def make(*edits: tuple[str, str]) -> Course:
+        target = mix_path(tmp_path)
+        target.parent.mkdir(exist_ok=True)
+        shutil.copyfile(mix_path(course.root), target)
+        text = target.read_text(encoding="utf-8")
+        for old, new in edits:
+            assert old in text
+            text = text.replace(old, new, 1)
+        target.write_text(text, encoding="utf-8")
+        return replace(course, root=tmp_path)
+
+    return make
+
+
+def test_the_reference_mix_knows_every_conduct(mix: Mix) -> None:
+    assert set(mix.conduct) == set(Conduct)
+    assert mix.required.slip_named == 0.95
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key"),
+    [
+        ("two_slips =", "three_slips =", "conduct.three_slips"),
+        ("honest = 45.0", "honest = -1.0", "conduct.honest"),
+        ('"3.14" =', '"three" =', "pi.three"),
+        ("[constant.gravity]", "[constant.gravitation]", "constant.gravitation"),
+        ("tries = 60", "tries = 0.5", "slip.tries"),
+        ("5 = 2.0", "50 = 2.0", "figures"),
+        ("bands = [0.001, 0.002", "bands = [0.002, 0.001", "tolerance.bands"),
+        ("copied = 0.9", "copied = 1.9", "share.copied"),
+        ("copying = [", "copies = [", "flags.copies"),
+    ],
+)
+def test_a_fault_is_named_with_its_key(
+    changed: Callable[..., Course], old: str, new: str, key: str
+) -> None:
+    _, problems = read_mix(changed((old, new)))
+    assert key in {one.key for one in problems}
+    assert {one.file for one in problems} == {"grader/virtual.toml"}

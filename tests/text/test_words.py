@@ -1,0 +1,59 @@
+import pytest
+
+from gripcourse.text.number_text import format_number
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+
+EVERY_LANGUAGE = pytest.mark.parametrize("language", LANGUAGES)
+
+
+def test_values_stand_in_their_places() -> None:
+    said = message("row {row}, column {column}", row=7, column="mass")
+    assert Words("en").say(said) == "row 7, column mass"
+
+
+def test_a_message_reads_as_english() -> None:
+    assert str(message("at most {limit}", limit="ten")) == "at most ten"
+
+
+def test_a_message_inside_a_message_is_put_into_words_too() -> None:
+    inner = message("a force of {force}", force="5 N")
+    assert str(message("found {what}", what=inner)) == "found a force of 5 N"
+
+
+@EVERY_LANGUAGE
+def test_numbers_are_written_as_the_language_writes_them(language: str) -> None:
+    said = Words(language).say(Message("{value}", {"value": 1234.5}))
+    assert said == format_number(1234.5, language)
+
+
+@EVERY_LANGUAGE
+def test_the_figures_of_a_number_can_be_chosen(language: str) -> None:
+    assert Words(language).number(2.0 / 3.0, 2) == format_number(2.0 / 3.0, language, 2)
+
+
+@EVERY_LANGUAGE
+def test_texts_of_the_course_are_taken_in_the_readers_language(language: str) -> None:
+    title = Texts({"en": "bore", "ru": "диаметр", "uk": "діаметр"})
+    said = Words(language).say(Message("{title}", {"title": title}))
+    assert said == title.of(language)
+
+
+@EVERY_LANGUAGE
+def test_no_text_stays_no_text(language: str) -> None:
+    # In a catalogue the empty key is the header.
+    assert Words(language).translate("") == ""
+
+
+@EVERY_LANGUAGE
+def test_a_sentence_that_no_catalogue_knows_stays_as_it_is(language: str) -> None:
+    assert Words(language).translate("No catalogue has this.") == "No catalogue has this."
+
+
+def test_a_value_that_is_missing_is_an_error() -> None:
+    with pytest.raises(KeyError, match="force"):
+        str(message("a force of {force}"))
+
+
+def test_equal_messages_are_equal() -> None:
+    assert message("{a}", a=1) == message("{a}", a=1)
+    assert message("{a}", a=1) != message("{a}", a=2)

@@ -1,0 +1,57 @@
+"""Documents for tests that go wrong for one student; they must be found from another process."""
+
+import os
+import signal
+import time
+
+from gripcourse.grading.model import Report
+from gripcourse.usecases.handout import Desk, Handout, issue_one, workbook_path
+from gripcourse.usecases.student_reports import Printing
+from gripcourse.variants.model import Issued
+
+PAGE = b"%PDF-1.7 a report"
+REFUSED = "a page nobody foresaw"
+
+
+def refuse_s02(report: Report, _printing: Printing) -> bytes:
+    """Fail as a template does that cannot deal with the data of one student."""
+    if report.student == "s02":
+        raise ValueError(REFUSED)
+    return PAGE
+
+
+def die_at_s02(report: Report, _printing: Printing) -> bytes:
+    """Be killed as by a system that is out of memory."""
+    if report.student == "s02":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return PAGE
+
+
+def exhaust_at_s02(report: Report, _printing: Printing) -> bytes:
+    """Ask for more memory than a worker may have."""
+    return PAGE if report.student != "s02" else bytes(1 << 45)
+
+
+def hang_at_s02(report: Report, _printing: Printing) -> bytes:
+    """Never end."""
+    while report.student == "s02":
+        time.sleep(60)
+    return PAGE
+
+
+def hang_deaf_at_s02(report: Report, _printing: Printing) -> bytes:
+    """Never end, deep inside a library where no alarm is heard."""
+    if report.student == "s02":
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGALRM})
+        time.sleep(600)
+    return PAGE
+
+
+def issue_and_die_at_s02(desk: Desk, entry: Issued) -> Handout:
+    """Be killed in the middle of writing one student's workbook."""
+    if entry.student.id == "s02":
+        workbook = workbook_path(desk.out, "s02")
+        workbook.parent.mkdir(parents=True, exist_ok=True)
+        workbook.with_name(".s02.00ff00ff.xlsx").write_bytes(b"PK half of a workbook")
+        os.kill(os.getpid(), signal.SIGKILL)
+    return issue_one(desk, entry)

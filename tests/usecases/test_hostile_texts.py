@@ -1,0 +1,196 @@
+"""What a student writes is shown and never obeyed, wherever it goes."""
+
+import csv
+import io
+import json
+import re
+import zipfile
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+from openpyxl import load_workbook
+
+from gripcourse.cli.grading_text import grading_text
+from gripcourse.cli.text import issuing_text
+from gripcourse.course.model import Course
+from gripcourse.documents.pdf import Document, pdf_from_html, render_html
+from gripcourse.drawing.paper.svg import svg_text
+from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.view.general_view import general_view
+from gripcourse.errors import Problem
+from gripcourse.exports.grades import grades_text
+from gripcourse.grading.model import Flag, Report
+from gripcourse.policy.model import Policy, Reveal
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.grade import Outcome, json_text
+from gripcourse.usecases.handout import Handout
+from gripcourse.usecases.issue import Issuing
+from gripcourse.usecases.samples import (
+    Sample,
+    assignment,
+    cohort,
+    refused_report,
+    sample_report,
+    samples,
+    student,
+)
+from gripcourse.workbook.write import answer_workbook
+
+REPOSITORY = Path(__file__).parents[2]
+TEMPLATES = REPOSITORY / "templates"
+TEXTS = {
+    "markup": "<script>alert(1)</script><img src=x onerror=y>",
+    "quotes": '"\' onload="z" x=\'&amp;&#0;&#x1b;',
+    "formula": "=cmd|'/C calc'!A0",
+    "sum": "@SUM(1+1)*cmd",
+    "minus": "-2+3+cmd|' /C calc'!A0",
+    "hidden_formula": "\x00=1+1",
+    "terminal": "\x1b[2J\x1b]0;owned\x07\x9b31m",
+    "direction": "cod\u202exslx.exe\u2066",
+    "entity": "]]>&x;<!ENTITY x SYSTEM 'file:///etc/passwd'>",
+    "cad": "\\P%%d{\\H5;big}^J",
+    "template": "{student}{{ 7 * 7 }}{% raw %}{0.__class__}",
+    "half": "name\udcff\ufffe",
+    "markdown": "[bold red]x[/bold red] :smile:",
+}
+UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+
+
+class Page(HTMLParser):
+    """The words of a page, and the names of its elements and attributes."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.words: list[str] = []
+        self.names: set[str] = set()
+        self.feed(page)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.names |= {tag, *(name for name, _ in attrs)}
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+@pytest.fixture(scope="module")
+def plain(course: Course, policy: Policy) -> Sample:
+    return next(samples(course, policy, (), Words("en")))
+
+
+@pytest.fixture(scope="module", params=TEXTS.values(), ids=TEXTS)
+def text(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def sample(plain: Sample, text: str) -> Sample:
+    """A student of that name."""
+    named = replace(plain.issued.student, name=text, group=text)
+    return replace(plain, issued=replace(plain.issued, student=named))
+
+
+@pytest.fixture(scope="module")
+def report(sample: Sample, text: str) -> Report:
+    """A judged workbook with that text wherever a student can put one."""
+    judged = sample_report(sample)
+    said = message("The student handed in more files: {files}.", files=text)
+    findings = [replace(one, typed=text, remarks=(said,)) for one in judged.findings]
+    return replace(
+        judged,
+        file=text,
+        findings=tuple(findings),
+        remarks=(said,),
+        flags=(Flag("several_files", said),),
+    )
+
+
+DOCUMENTS: Mapping[str, Callable[[Sample, Report], Document]] = {
+    "assignment": lambda sample, _: assignment(sample),
+    "student": lambda sample, report: student(sample, report, Reveal.NOTHING),
+    "student_revealed": lambda sample, report: student(sample, report, Reveal.REFERENCE),
+    "student_refused": lambda sample, _: student(sample, refused_report(sample), Reveal.NOTHING),
+    "cohort": lambda sample, report: cohort(sample, [report, report]),
+}
+
+
+@pytest.mark.parametrize("kind", DOCUMENTS)
+def test_a_page_shows_it_and_has_no_element_of_it(
+    plain: Sample, sample: Sample, report: Report, text: str, kind: str
+) -> None:
+    page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
+    usual = render_html(DOCUMENTS[kind](plain, sample_report(plain)), TEMPLATES, plain.words)
+    read = Page(page)
+    assert read.names <= Page(usual).names | {"q", "br"}
+    assert shown(text) in "".join(read.words)
+    assert not UNSEEN.search(page)
+
+
+def test_it_can_be_laid_out(sample: Sample) -> None:
+    document = student(sample, refused_report(sample), Reveal.NOTHING)
+    pdf = pdf_from_html(render_html(document, TEMPLATES, sample.words), document.styles, TEMPLATES)
+    assert pdf.startswith(b"%PDF")
+
+
+def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: Sample, text: str) -> None:
+    view = sample.plan.scheme.view
+    assert view is not None
+    values = solve_variant(sample.plan, sample.issued.variant.given)
+    block = TitleBlock("001", "gripper", "General arrangement", text)
+    drawn = general_view(sample.plan, view, values, block, sample.words)
+    sheet = drawn.arranged.sheet
+    tree = ET.fromstring(svg_text(drawn.document, sheet.width, sheet.height, text))  # noqa: S314 (ours)
+    kinds = {str(element.tag).rpartition("}")[2] for element in tree.iter()}
+    assert kinds <= {"svg", "title", "rect", "g", "path", "text"}
+    assert tree[0].text == shown(text)
+
+
+def test_a_table_for_a_spreadsheet_runs_nothing(report: Report, text: str) -> None:
+    written = grades_text([replace(report, name=text)], {report.student: text})
+    rows = list(csv.DictReader(io.StringIO(written, newline="")))
+    (row,) = rows
+    assert not UNSEEN.search(written.replace("\r\n", "\n"))
+    written.encode()
+    for column in ("name", "group", "file"):
+        assert row[column].removeprefix("'") == shown(text)
+        assert not row[column].startswith(FORMULA_STARTS)
+
+
+def test_a_workbook_holds_it_as_text(sample: Sample, text: str) -> None:
+    made = answer_workbook(sample.plan, sample.issued, sample.course, sample.words)
+    book = load_workbook(io.BytesIO(made))
+    cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row]
+    mine = [cell for cell in cells if shown(text) in str(cell.value)]
+    assert mine
+    assert {cell.data_type for cell in mine} == {"s"}
+    with zipfile.ZipFile(io.BytesIO(made)) as parts:
+        for name in parts.namelist():
+            if name.endswith((".xml", ".rels")):
+                ET.fromstring(parts.read(name))  # noqa: S314 (ours)
+
+
+def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_path: Path) -> None:
+    outcome = Outcome((replace(report, name=text, file=text),), {}, None, needs_person=True)
+    lost = message(
+        "The documents of {student} could not be made: {reason}", student="s", reason=text
+    )
+    problem = Problem(text, text, message("'{text}' is not a number.", text=text), lost, text)
+    for said in (
+        grading_text(outcome, tmp_path, Words("en")),
+        issuing_text(Issuing((Handout(text, (), (lost,)),), (lost,)), tmp_path, Words("en")),
+        problem.say(Words("en")),
+    ):
+        assert not UNSEEN.search(said)
+        assert shown(text)[:8] in said
+
+
+def test_json_gives_it_back_as_it_was(report: Report, text: str) -> None:
+    (read,) = json.loads(json_text([report], Words("en")))
+    assert read["file"] == text
+    assert {finding["typed"] for finding in read["findings"]} == {text}

@@ -1,0 +1,167 @@
+"""Issuing: a folder per student, once and for good."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.errors import GripcourseError, RegisterError, TableError
+from gripcourse.issuing.register import register_path
+from gripcourse.issuing.signature import key_path, verify
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
+
+if TYPE_CHECKING:
+    from conftest import Classroom
+
+
+STUDENTS = ("s01", "s02", "s03")
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+class TestDocuments:
+    def test_every_student_gets_a_folder_with_a_sheet_and_a_workbook(
+        self, issued: "Classroom"
+    ) -> None:
+        expected = {f"{one}/assignment_{one}.pdf" for one in STUDENTS}
+        expected |= {f"{one}/{one}.xlsx" for one in STUDENTS}
+        assert set(contents(issued.order.out)) == expected
+
+    def test_a_workbook_carries_its_student_the_variant_and_the_signature(
+        self, issued: "Classroom"
+    ) -> None:
+        for student in STUDENTS:
+            raw = read_workbook(issued.workbook(student))
+            entry = issued.register[student]
+            assert isinstance(raw, RawWorkbook)
+            assert raw.identity.student == student
+            assert raw.identity.variant == entry.variant.id
+            assert raw.identity.signature == entry.signature
+            key = bytes(range(32))
+            assert verify(key, issued.course.id, student, entry.variant, entry.signature)
+
+    def test_the_roster_may_fix_a_variant(self, issued: "Classroom") -> None:
+        variants = {name: entry.variant.id for name, entry in issued.register.items()}
+        assert variants == {"s01": "001", "s02": "007", "s03": "002"}
+
+    def test_issuing_again_later_gives_the_same_bytes(
+        self, issued: "Classroom", tmp_path: Path
+    ) -> None:
+        """The register keeps the day of issue, so that a lost sheet is made again as it was."""
+        again = issued.issue(out=tmp_path, today=issued.order.today.replace(day=30))
+        assert [one.student for one in again.handouts] == list(STUDENTS)
+        assert contents(tmp_path) == contents(issued.order.out)
+
+    def test_a_fresh_course_with_the_same_key_and_dates_gives_the_same_bytes(
+        self, issued: "Classroom", classroom: "Classroom"
+    ) -> None:
+        classroom.issue()
+        assert contents(classroom.order.out) == contents(issued.order.out)
+
+
+class TestLaterChanges:
+    def test_a_student_added_later_changes_nobody_elses_numbers(
+        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        classroom.issue()
+        before = classroom.register
+        roster = classroom.order.roster
+        head, *rows = roster.read_text(encoding="utf-8").splitlines()
+        late = ["a00,Абрамов Пётр,РТК-41,,ru,", *reversed(rows)]
+        roster.write_text("\n".join([head, *late]) + "\n", encoding="utf-8")
+        classroom.issue()
+        after = classroom.register
+        assert {name: after[name] for name in before} == before
+        assert after["a00"].variant.id not in {one.variant.id for one in before.values()}
+
+    def test_a_changed_table_changes_no_issued_numbers_and_is_said(
+        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        classroom.issue()
+        before = classroom.register
+        table = classroom.order.table
+        rows = table.read_text(encoding="utf-8-sig").splitlines()
+        rows[1], rows[2] = rows[2].replace("002,", "001,", 1), rows[1].replace("001,", "002,", 1)
+        table.write_text("\n".join(rows) + "\n", encoding="utf-8")
+        issuing = classroom.issue()
+        assert classroom.register == before
+        said = " ".join(str(note) for note in issuing.notes)
+        assert "s01" in said
+        assert "s03" in said
+        assert "s02" not in said
+
+    def test_another_deadline_is_not_applied_silently(
+        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        classroom.issue()
+        issuing = classroom.issue(deadline=None)
+        assert {one.deadline for one in classroom.register.values()} == {classroom.order.deadline}
+        assert issuing.notes == ()
+        issuing = classroom.issue(deadline=classroom.order.deadline.replace(day=24))
+        assert len(issuing.notes) == len(STUDENTS)
+
+
+class TestRefusals:
+    def test_nothing_is_written_where_the_roster_is_wrong(self, classroom: "Classroom") -> None:
+        roster = classroom.order.roster
+        text = roster.read_text(encoding="utf-8")
+        roster.write_text(text + "s01,Иванов Пётр,РТК-42,,ru,\n", encoding="utf-8")
+        refused(classroom, TableError, "s01", "row 5")
+
+    def test_nothing_is_written_where_variants_are_short(self, classroom: "Classroom") -> None:
+        table = classroom.order.table
+        rows = table.read_text(encoding="utf-8-sig").splitlines()
+        table.write_text("\n".join([*rows[:2], rows[7]]) + "\n", encoding="utf-8")
+        refused(classroom, TableError, "2 students need a variant and 1 variants are free")
+
+    def test_nothing_is_written_where_a_fixed_variant_is_unknown(
+        self, classroom: "Classroom"
+    ) -> None:
+        roster = classroom.order.roster
+        text = roster.read_text(encoding="utf-8")
+        roster.write_text(text.replace(",007", ",777"), encoding="utf-8")
+        refused(classroom, TableError, "s02", "777")
+
+    def test_nothing_is_written_without_the_key(self, classroom: "Classroom") -> None:
+        key_path(classroom.course.root).unlink()
+        refused(classroom, RegisterError, "key")
+
+    def test_a_damaged_register_is_never_overwritten(self, classroom: "Classroom") -> None:
+        path = register_path(classroom.course.root)
+        path.parent.mkdir(exist_ok=True)
+        path.write_text('{"format": 1, "issued": [', encoding="utf-8")
+        with pytest.raises(RegisterError):
+            classroom.issue()
+        assert path.read_text(encoding="utf-8") == '{"format": 1, "issued": ['
+        assert not classroom.order.out.exists()
+
+    def test_a_table_of_a_wrong_kind_is_named(self, classroom: "Classroom") -> None:
+        changed = replace(classroom, order=replace(classroom.order, table=classroom.order.roster))
+        refused(changed, TableError, "roster.csv")
+
+
+def refused(classroom: "Classroom", kind: type[GripcourseError], *said: str) -> None:
+    """Check that issuing is refused, says all of this, and leaves nothing behind."""
+    with pytest.raises(kind) as caught:
+        classroom.issue()
+    assert all(part in str(caught.value) for part in said), str(caught.value)
+    assert not classroom.order.out.exists()
+    assert not register_path(classroom.course.root).exists()
+    private = register_path(classroom.course.root).parent
+    assert {path.name for path in private.iterdir()} <= {"key"}
+
+
+def without_documents(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Issue without laying out documents: these tests are about who gets which numbers."""
+    monkeypatch.setattr("gripcourse.usecases.issue._write", lambda *_: ())

@@ -1,0 +1,176 @@
+"""A report that cannot be laid out is an incident of its student, never a lost batch."""
+
+import csv
+import importlib
+import io
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+import pytest
+from pypdf import PdfReader
+
+from gripcourse.batch.one_file import Desk
+from gripcourse.batch.run import Graded
+from gripcourse.cli.grading_text import grading_text
+from gripcourse.grading.model import Report
+from gripcourse.text.words import Words
+from gripcourse.usecases.grade import Outcome, write_results
+from gripcourse.usecases.student_reports import LayOut, Printing, write_reports
+
+if TYPE_CHECKING:
+    from conftest import Classroom
+
+GRADED_ON = date(2026, 12, 2)
+WAYS_TO_FAIL = ("refuse_s02", "die_at_s02", "exhaust_at_s02")
+
+
+@pytest.fixture(scope="module")
+def fake() -> Iterator[ModuleType]:
+    """What goes wrong in another process, which gets this path too."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(Path(__file__).parent))
+        yield importlib.import_module("fake_documents")
+
+
+@pytest.fixture(scope="module")
+def reports(issued: "Classroom") -> list[Report]:
+    """One report each, none of them with a finding: what is in a report is no matter here."""
+    return [
+        Report(
+            file=f"inbox/{entry.student.id}.xlsx",
+            student=entry.student.id,
+            name=entry.student.name,
+            variant=entry.variant.id,
+            scheme=entry.variant.scheme,
+            options=entry.variant.options,
+            language=entry.student.language,
+            score=10.0,
+            max_score=100.0,
+            open_points=0.0,
+            flags=(),
+            findings=(),
+            remarks=(),
+            judged=True,
+            digest="",
+        )
+        for entry in issued.register.values()
+    ]
+
+
+def results(reports: list[Report], desk: Desk, out: Path, lay_out: LayOut) -> Outcome:
+    graded = [Graded(report, "") for report in reports]
+    return write_results(graded, desk, out, GRADED_ON, 2, lambda _: None, lay_out=lay_out)
+
+
+def names(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir()}
+
+
+@pytest.fixture(scope="module", params=WAYS_TO_FAIL)
+def batch(
+    request: pytest.FixtureRequest,
+    fake: ModuleType,
+    reports: list[Report],
+    issued: "Classroom",
+    tmp_path_factory: pytest.TempPathFactory,
+) -> tuple[Outcome, Path]:
+    """Three students' results, one of whom has a report that cannot be laid out."""
+    out = tmp_path_factory.mktemp("results")
+    return results(reports, issued.desk, out, getattr(fake, request.param)), out
+
+
+def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
+    fake: ModuleType, batch: tuple[Outcome, Path]
+) -> None:
+    outcome, out = batch
+    assert names(out / "reports") == {"s01.pdf", "s03.pdf"}
+    assert {path.read_bytes() for path in (out / "reports").iterdir()} == {fake.PAGE}
+    assert {path.name for path in outcome.written.values()} == {"s01.pdf", "s03.pdf"}
+    summaries = {"reports", "cohort.pdf", "grades.csv", "grades.json"}
+    assert names(out) == summaries | {"incidents.log"}
+
+
+def test_the_incident_is_named_wherever_somebody_may_look(batch: tuple[Outcome, Path]) -> None:
+    outcome, out = batch
+    assert outcome.needs_person
+    by_student = {one.student: [flag.code for flag in one.flags] for one in outcome.reports}
+    assert by_student == {"s01": [], "s02": ["report_incident"], "s03": []}
+    (flag,) = next(one.flags for one in outcome.reports if one.flags)
+    number = str(flag.message.values["number"])
+    log = (out / "incidents.log").read_text(encoding="utf-8")
+    assert f"incident {number}: report of inbox/s02.xlsx" in log
+    summary = grading_text(outcome, out, Words("en"))
+    assert f"could not be laid out (incident {number})" in summary
+    assert str(out / "incidents.log") in summary
+    table = (out / "grades.csv").read_text(encoding="utf-8-sig")
+    flags = {row["student"]: row["flags"] for row in csv.DictReader(io.StringIO(table))}
+    assert flags["s02"] == "report_incident"
+    pages = PdfReader(out / "cohort.pdf").pages
+    assert number in "".join(page.extract_text() for page in pages)
+
+
+@pytest.mark.parametrize("way", ["hang_at_s02", "hang_deaf_at_s02"])
+def test_a_report_that_takes_too_long_is_stopped(
+    fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path, way: str
+) -> None:
+    printing = Printing(issued.course, issued.policy, GRADED_ON, seconds=0.3)
+    done: list[Path] = []
+    outcomes = write_reports(reports, printing, tmp_path, 2, done.append, getattr(fake, way))
+    assert [isinstance(one, Path) for one in outcomes] == [
+        report.student != "s02" for report in reports
+    ]
+    assert names(tmp_path) == {"s01.pdf", "s03.pdf"}
+    assert sorted(done) == sorted(Path(report.file) for report in reports)
+
+
+def test_a_report_of_an_earlier_run_does_not_stand_for_one_that_failed(
+    fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
+) -> None:
+    old = tmp_path / "reports" / "s02.pdf"
+    old.parent.mkdir()
+    old.write_bytes(b"%PDF of another mark")
+    results(reports, issued.desk, tmp_path, fake.refuse_s02)
+    assert not old.exists()
+
+
+def test_grades_are_written_though_the_report_on_the_batch_fails(
+    fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
+) -> None:
+    nowhere = replace(issued.course, root=tmp_path / "gone")
+    desk = replace(issued.desk, course=nowhere)
+    plain = [one for one in reports if one.student != "s02"]
+    outcome = results(plain, desk, tmp_path / "out", fake.refuse_s02)
+    assert outcome.cohort is None
+    assert outcome.needs_person
+    assert names(tmp_path / "out") == {"reports", "grades.csv", "grades.json", "incidents.log"}
+    assert "could not be laid out" in grading_text(outcome, tmp_path / "out", Words("en"))
+
+
+def test_a_student_whose_scheme_is_gone_has_an_incident(
+    reports: list[Report], issued: "Classroom", tmp_path: Path
+) -> None:
+    """With the real layout: what it makes of an option that does not exist."""
+    broken = [replace(one, options={"drive": "steam"}) for one in reports if one.student == "s02"]
+    printing = Printing(issued.course, issued.policy, GRADED_ON)
+    (lost,) = write_reports(broken, printing, tmp_path, 1, lambda _: None)
+    assert "steam" in getattr(lost, "trace", "")
+
+
+def test_a_killed_issue_of_one_student_is_named_and_leaves_nothing_half(
+    fake: ModuleType, classroom: "Classroom"
+) -> None:
+    issue: Callable[..., object] = fake.issue_and_die_at_s02
+    issuing = classroom.issue(issue_one=issue)
+    by_student = {one.student: one for one in issuing.handouts}
+    assert [bool(one.faults) for one in by_student.values()] == [False, True, False]
+    assert "s02" in str(by_student["s02"].faults[0])
+    made = {str(path.relative_to(classroom.order.out)) for path in classroom.order.out.rglob("*.*")}
+    assert made == {
+        f"{student}/{name}"
+        for student in ("s01", "s03")
+        for name in (f"assignment_{student}.pdf", f"{student}.xlsx")
+    }

@@ -1,0 +1,127 @@
+"""Tracing numbers through a table or the register."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.cli.trace import trace_text
+from gripcourse.course.model import Course, Kind
+from gripcourse.errors import UsageError
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.number_text import format_number
+from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.usecases.trace import Sought, Traced, in_register, in_table, trace
+from gripcourse.variants.model import Variant
+
+if TYPE_CHECKING:
+    from conftest import Classroom
+
+
+@pytest.fixture(scope="module")
+def table(course: Course) -> Path:
+    return course.root / "variants" / "tables" / "main.csv"
+
+
+def answers(course: Course, variant: Variant) -> tuple[Plan, dict[str, float]]:
+    plan = make_plan(course, variant.scheme, variant.options)
+    values = solve_variant(plan, variant.given)
+    computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
+    return plan, {name: values[name] for name in computed}
+
+
+def _some(course: Course, sought: Sought) -> list[float]:
+    variant = next(iter(sought.variants.values()))
+    return list(answers(course, variant)[1].values())[:6]
+
+
+def refused(course: Course, table: Path, numbers: Sequence[str], named: Sequence[str]) -> list[str]:
+    with pytest.raises(UsageError) as caught:
+        trace(numbers, named, course, in_table(table, course))
+    return [problem.say(Words("en")) for problem in caught.value.problems]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("number", [3, 30, 60])
+def test_some_answers_as_people_write_them_lead_to_their_variant(
+    course: Course, table: Path, number: int, language: str
+) -> None:
+    sought = in_table(table, course)
+    variant = list(sought.variants.values())[number]
+    _, values = answers(course, variant)
+    numbers = [format_number(value, language, 4) for value in list(values.values())[:8]]
+    traced = trace(numbers, (), course, sought)
+    assert traced.origins[0].owner == variant.id
+    assert traced.origins[0].odds > 1000
+
+
+def test_a_unit_says_what_a_number_can_be(course: Course, table: Path) -> None:
+    sought = in_table(table, course)
+    plan, values = answers(course, next(iter(sought.variants.values())))
+    force = next(one for name, one in values.items() if plan.quantities[name].unit == "N")
+    written = format_number(force / 1000, "ru", 3)
+    traced = trace([f"{written} кН"], (), course, sought)
+    assert traced.origins
+    for origin in traced.origins:
+        quantity = traced.declared[origin.owner][origin.matches[0].quantity]
+        assert quantity.unit in {"N", "kN"}
+        assert origin.matches[0].value == pytest.approx(force, rel=0.01)
+
+
+def test_a_named_number_is_that_quantity(course: Course, table: Path) -> None:
+    sought = in_table(table, course)
+    variant = next(iter(sought.variants.values()))
+    _, values = answers(course, variant)
+    name, value = next(iter(values.items()))
+    traced = trace((), [f"{name} = {format_number(value, 'ru')}"], course, sought)
+    found = {one.owner: one.matches[0].quantity for one in traced.origins}
+    assert found[variant.id] == name
+    assert set(found.values()) == {name}
+
+
+def test_all_that_cannot_be_traced_is_told_at_once(course: Course, table: Path) -> None:
+    said = refused(course, table, ["12-13", "5 Н/м2/м"], ["drive_forc=3", "17", "mass=3 m"])
+    assert len(said) == 5
+    assert said[0].startswith("12-13")
+    assert "One number is needed" in said[0]
+    assert "The unit fits no quantity" in said[1]
+    assert "Did you mean 'drive_force'?" in said[2]
+    assert "'17' does not name a quantity" in said[3]
+    assert "The unit fits no quantity" in said[4]
+
+
+def test_nothing_to_trace_is_told(course: Course, table: Path) -> None:
+    assert "There is no number to trace" in refused(course, table, (), ())[0]
+
+
+def test_the_register_names_the_students(issued: "Classroom") -> None:
+    sought = in_register(issued.course.root, issued.course)
+    entry = issued.register["s02"]
+    _, values = answers(issued.course, entry.variant)
+    numbers = [format_number(value, "ru", 4) for value in list(values.values())[:10]]
+    traced = trace(numbers, (), issued.course, sought)
+    text = trace_text(traced, Words("uk"))
+    assert traced.students[traced.origins[0].owner] == ("Шевченко Оксана (s02)",)
+    assert "Шевченко" in text.splitlines()[3]
+
+
+def test_where_nothing_was_issued_nothing_can_be_traced(course: Course, tmp_path: Path) -> None:
+    with pytest.raises(UsageError) as caught:
+        in_register(tmp_path, course)
+    assert "Nothing was issued" in caught.value.problems[0].say(Words("en"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_odds_are_written_without_a_verdict(course: Course, table: Path, language: str) -> None:
+    sought = in_table(table, course)
+    numbers = ["123456789", *(f"{value:.4g}" for value in _some(course, sought))]
+    shown = trace_text(trace(numbers, (), course, sought), Words(language))
+    assert "123456789 = —" in shown
+    assert " : 1" in shown
+
+
+def test_numbers_of_no_variant_are_told() -> None:
+    said = trace_text(Traced((), {}, {}, {}), Words("en"))
+    assert "None of the variants" in said

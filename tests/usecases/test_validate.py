@@ -1,0 +1,81 @@
+"""Validating a course: every problem of every file, and nothing twice."""
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from gripcourse.usecases.validate import all_problems
+
+REPOSITORY = Path(__file__).parents[2]
+SPACE = "variants/spaces/rack_parallelogram.toml"
+
+
+@pytest.fixture
+def broken(tmp_path: Path) -> Callable[..., Path]:
+    """Copy the reference course and replace text in its files: (file, old, new) each."""
+
+    def make(*edits: tuple[str, str, str]) -> Path:
+        root = tmp_path / "course"
+        for folder in ("variants", "grader", "templates"):
+            shutil.copytree(REPOSITORY / folder, root / folder)
+        for file, old, new in edits:
+            text = (root / file).read_text(encoding="utf-8")
+            assert old in text, file
+            (root / file).write_text(text.replace(old, new, 1), encoding="utf-8")
+        return root
+
+    return make
+
+
+def test_the_reference_course_is_valid() -> None:
+    assert all_problems(REPOSITORY) == []
+
+
+def test_declarations_catalogues_and_policy_are_judged_together(
+    broken: Callable[..., Path],
+) -> None:
+    root = broken(
+        ("variants/sections/friction_grip.toml", "lifting_load/(2*friction)", "lifting_laod/2"),
+        ("variants/catalogues/pin.csv", "# source:", "# from:"),
+        ("grader/policy.toml", "total = 100", "total = 99"),
+    )
+    assert {(one.file, one.key) for one in all_problems(root)} == {
+        ("variants/sections/friction_grip.toml", "quantity.grip_force.formula"),
+        ("variants/catalogues/pin.csv", "source"),
+        ("grader/policy.toml", "points.section"),
+    }
+
+
+def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path]) -> None:
+    space_fault = (SPACE, "[given.mass]", "[given.mas]")
+    found = all_problems(broken(space_fault))
+    assert found
+    assert {one.file for one in found} == {SPACE}
+
+
+def test_spaces_are_not_judged_against_a_broken_course(broken: Callable[..., Path]) -> None:
+    root = broken(
+        (SPACE, "[given.mass]", "[given.mas]"),
+        ("grader/policy.toml", "total = 100", "total = 99"),
+    )
+    assert [one.file for one in all_problems(root)] == ["grader/policy.toml"]
+
+
+def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[..., Path]) -> None:
+    root = broken()
+    tables = root / "variants" / "tables"
+    tables.mkdir(exist_ok=True)
+    (tables / "spare.csv").write_text("variant,scheme\n001,rack\n", encoding="utf-8")
+    found = all_problems(root)
+    assert found
+    assert {Path(one.file).name for one in found} == {"spare.csv"}
+
+
+def test_a_folder_without_a_course_has_one_problem(tmp_path: Path) -> None:
+    [problem] = all_problems(tmp_path)
+    assert (problem.file, str(problem.what)) == (
+        "variants/course.toml",
+        "The file is missing.",
+    )

@@ -1,0 +1,70 @@
+"""Variant tables from the course's spaces, or an instructor's own."""
+
+from pathlib import Path
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.errors import TableError, UsageError
+from gripcourse.usecases.variants import draw_table, import_table
+from gripcourse.variants.table import read_table
+
+SCHEME = "rack_parallelogram"
+
+
+def test_a_drawn_table_can_be_read_back(course: Course, tmp_path: Path) -> None:
+    out = tmp_path / "new" / "drawn.csv"
+    drawn = draw_table(course, 5, 1, None, out)
+    assert read_table(out, course) == drawn.variants
+    assert len(drawn.variants) == 5
+
+
+def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(
+    course: Course, tmp_path: Path
+) -> None:
+    contents = []
+    for number, seed in enumerate((7, 7, 8)):
+        draw_table(course, 4, seed, SCHEME, tmp_path / f"{number}.csv")
+        contents.append((tmp_path / f"{number}.csv").read_bytes())
+    assert contents[0] == contents[1]
+    assert contents[0] != contents[2]
+
+
+def test_a_scheme_without_a_space_is_named_with_the_nearest(course: Course, tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="rack_paralelogram") as caught:
+        draw_table(course, 4, 1, "rack_paralelogram", tmp_path / "drawn.csv")
+    assert SCHEME in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_instructors_table_is_checked_and_written_in_our_form(
+    course: Course, tmp_path: Path
+) -> None:
+    main = course.root / "variants" / "tables" / "main.csv"
+    own = tmp_path / "own.csv"
+    # As a Russian spreadsheet program saves it: semicolons and decimal commas.
+    text = main.read_text(encoding="utf-8-sig")
+    own.write_text(text.replace(",", ";").replace(".", ","), encoding="utf-8-sig")
+    out = tmp_path / "out.csv"
+    assert import_table(course, own, out) == len(read_table(main, course))
+    assert read_table(out, course) == read_table(main, course)
+
+
+@pytest.mark.parametrize(
+    ("column", "value"), [("mass [kg]", "-5"), ("friction", "0"), ("mass [kg]", "тяжёлый")]
+)
+def test_a_bad_cell_is_named_by_row_and_column_and_nothing_is_written(
+    course: Course, tmp_path: Path, column: str, value: str
+) -> None:
+    rows = (course.root / "variants" / "tables" / "main.csv").read_text(encoding="utf-8-sig")
+    cells = [row.split(",") for row in rows.splitlines()]
+    cells[3][cells[0].index(column)] = value
+    own = tmp_path / "own.csv"
+    own.write_text("\n".join(",".join(row) for row in cells) + "\n", encoding="utf-8")
+    with pytest.raises(TableError) as caught:
+        import_table(course, own, tmp_path / "out.csv")
+    said = str(caught.value)
+    assert "own.csv" in said
+    assert "row 4" in said
+    assert column.split(maxsplit=1)[0] in said
+    assert not (tmp_path / "out.csv").exists()
