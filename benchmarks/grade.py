@@ -10,7 +10,7 @@ from time import perf_counter
 
 from openpyxl import load_workbook
 
-from gripcourse.batch.one_file import Desk, grade_file, methods_of
+from gripcourse.batch.one_file import GradingContext, grade_file, methods_of
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Kind
 from gripcourse.demo.students import correct
@@ -41,7 +41,7 @@ def main() -> None:
     student = Student("s1", "Student", "", "", "en", "")
     issued = Issued(student, variant, date(2026, 9, 1), None, "0" * 64)
     plan = make_plan(course, variant.scheme, variant.options)
-    desk = Desk(course, load_policy(course), {student.id: issued})
+    context = GradingContext(course, load_policy(course), {student.id: issued})
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "s1.xlsx"
         write_answer_workbook(file, plan, issued, course, Words("en"))
@@ -61,18 +61,18 @@ def main() -> None:
             ("read the workbook", lambda: read_workbook(file)),
             ("make the plan", lambda: make_plan(course, variant.scheme, variant.options)),
             ("interpret the cells", lambda: interpret(raw, plan.quantities.values())),
-            ("judge, all right", lambda: _judge(desk, submission, issued)),
-            ("judge and name one slip", lambda: _judge(desk, slipped, issued)),
-            ("judge and explain five wrong answers", lambda: _judge(desk, wrong, issued)),
-            ("read and grade, all in all", lambda: grade_file(file, desk)),
+            ("judge, all right", lambda: _judge(context, submission, issued)),
+            ("judge and name one slip", lambda: _judge(context, slipped, issued)),
+            ("judge and explain five wrong answers", lambda: _judge(context, wrong, issued)),
+            ("read and grade, all in all", lambda: grade_file(file, context)),
         ):
             seconds = _median(call)
             print(f"{name:<38} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
 
 
-def _judge(desk: Desk, submission: Submission, issued: Issued) -> None:
-    plan, methods = methods_of(desk, issued.variant)
-    judge(submission, issued, plan, desk.policy, methods)
+def _judge(context: GradingContext, submission: Submission, issued: Issued) -> None:
+    plan, methods = methods_of(context, issued.variant)
+    judge(submission, issued, plan, context.policy, methods)
 
 
 def _changed(submission: Submission, factors: Mapping[str, float]) -> Submission:

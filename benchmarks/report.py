@@ -21,7 +21,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.samples import (
     DAY,
-    Sample,
+    SampleDocument,
     printed_documents,
     sample_report,
     samples,
@@ -48,7 +48,7 @@ def main() -> None:
     _kinds(sample)
 
 
-def _beside_weasyprint(sample: Sample) -> None:
+def _beside_weasyprint(sample: SampleDocument) -> None:
     """Compare a report from its values to its bytes with the bare rendering of its HTML."""
     templates, report = sample.course.root / "templates", sample_report(sample)
     finished = render_html(student(sample, report, sample.policy.reveal), templates, sample.words)
@@ -76,7 +76,7 @@ def _beside_weasyprint(sample: Sample) -> None:
     print(f"boxes of the report: {len(re.findall('<[a-z]', finished))} elements")
 
 
-def _sheets(tried: list[Sample]) -> None:
+def _sheets(tried: list[SampleDocument]) -> None:
     """Print what an assignment sheet costs per student, over several schemes."""
     times = [median(_timed(partial(_sheet, sample)) for _ in range(3)) for sample in tried]
     print(
@@ -85,12 +85,12 @@ def _sheets(tried: list[Sample]) -> None:
     )
 
 
-def _sheet(sample: Sample) -> bytes:
+def _sheet(sample: SampleDocument) -> bytes:
     one = sample
     return assignment_sheet(one.issued, one.plan, one.policy, one.course, one.words)
 
 
-def _kinds(sample: Sample) -> None:
+def _kinds(sample: SampleDocument) -> None:
     """Print time, pages and bytes of every kind of document that is printed."""
     templates = sample.course.root / "templates"
     for kind, make in printed_documents(sample).items():

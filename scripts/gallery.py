@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
@@ -76,7 +76,9 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     yield "workbook", _as_pdf(workbook_path(out / "assignments", STUDENT), made), 2
     yield "student_report", out / "graded" / "reports" / f"{STUDENT}.pdf", 1
     yield "student_report_uk", out / "graded" / "reports" / f"{UKRAINIAN}.pdf", 1
-    published = _written(made / "published.pdf", _published(out, Desk(course, policy, register)))
+    published = _written(
+        made / "published.pdf", _published(out, GradingContext(course, policy, register))
+    )
     yield "student_report_published_1", published, 1
     yield "student_report_published_2", published, 2
     cohort = _written(made / "cohort.pdf", _cohort(course, policy))
@@ -105,7 +107,7 @@ def _longest_sheet(variants: Sequence[Variant], policy: Policy, course: Course) 
     return assignment_sheet(entry, _plan(longest, course), policy, course, Words("uk"))
 
 
-def _published(out: Path, desk: Desk) -> bytes:
+def _published(out: Path, desk: GradingContext) -> bytes:
     """Make the report that the student gets when the reference may be shown."""
     (graded,) = grade([out / "submissions" / f"{STUDENT}.xlsx"], desk, 1, lambda _: None)
     variant = desk.register[STUDENT].variant

@@ -1,4 +1,4 @@
-"""A desk with a register of a few students, and a grader that other processes find."""
+"""A context with a register of a few students, and a grader that other processes find."""
 
 import importlib
 from collections.abc import Callable
@@ -8,7 +8,7 @@ from types import ModuleType
 
 import pytest
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
@@ -18,7 +18,7 @@ STUDENTS = ("s01", "s02", "s03", "s04", "s05", "s06", "s07", "s08")
 
 
 @pytest.fixture(scope="session")
-def desk(course: Course, policy: Policy, plan: Plan) -> Desk:
+def context(course: Course, policy: Policy, plan: Plan) -> GradingContext:
     """Everybody has the numbers of the worked example."""
     assert plan.scheme.example is not None
     given = {one.id: plan.scheme.example.given[one.id] for one in plan.givens}
@@ -32,7 +32,7 @@ def desk(course: Course, policy: Policy, plan: Plan) -> Desk:
         )
         for name in STUDENTS
     }
-    return Desk(course, policy, register)
+    return GradingContext(course, policy, register)
 
 
 @pytest.fixture

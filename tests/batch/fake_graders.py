@@ -5,7 +5,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report
@@ -15,7 +15,7 @@ from gripcourse.text.words import message
 REFUSED = "a formula nobody foresaw"
 
 
-def obey(file: Path, desk: Desk) -> Report:
+def obey(file: Path, context: GradingContext) -> Report:
     """Do what the first word of the file says; its second word becomes the digest."""
     order, *rest = file.read_text(encoding="utf-8").split()
     if order == "die":
@@ -31,7 +31,7 @@ def obey(file: Path, desk: Desk) -> Report:
         _hang()
     if order == "slow":
         time.sleep(0.3)
-    issued = submitter(str(file), "", desk.register)
+    issued = submitter(str(file), "", context.register)
     report = rejected_report(Rejected(str(file), "".join(rest), message("Graded.")), issued)
     return replace(report, flags=(), judged=True, score=1.0, max_score=1.0)
 

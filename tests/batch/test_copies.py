@@ -6,7 +6,7 @@ import pytest
 
 from gripcourse.batch import copies as alike
 from gripcourse.batch.copies import mark_likeness
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.documents.report.student import student_values
 from gripcourse.exports.grades import grades_text
 from gripcourse.grading.judge import judge
@@ -21,22 +21,24 @@ TELLING = {"other_variant", "same_answers", "same_creator"}
 
 
 @pytest.fixture(scope="session")
-def other(desk: Desk, plan: Plan) -> Desk:
-    """One student of the desk has numbers of his own."""
-    entry = desk.register["s02"]
+def other(context: GradingContext, plan: Plan) -> GradingContext:
+    """One student of the context has numbers of his own."""
+    entry = context.register["s02"]
     low = {
         one.id: value * (1.07 if one.kind == "given" and value > 1 else 1.0)
         for one in plan.givens
         for value in (entry.variant.given[one.id],)
     }
     variant = replace(entry.variant, id="002", given=low)
-    return replace(desk, register={**desk.register, "s02": replace(entry, variant=variant)})
+    return replace(context, register={**context.register, "s02": replace(entry, variant=variant)})
 
 
-def graded(desk: Desk, plan: Plan, student: str, source: str, creator: str = "") -> Report:
+def graded(
+    context: GradingContext, plan: Plan, student: str, source: str, creator: str = ""
+) -> Report:
     """The report of a student who hands in the answers of another's variant."""
-    entry = desk.register[student]
-    values = solve_variant(plan, desk.register[source].variant.given)
+    entry = context.register[student]
+    values = solve_variant(plan, context.register[source].variant.given)
     answers = {
         one.id: Answer(
             one.id, Reading.READ, values[one.id], "", "E6", 0.0005, "", unit_fits=True, remarks=()
@@ -48,14 +50,16 @@ def graded(desk: Desk, plan: Plan, student: str, source: str, creator: str = "")
     submission = Submission(
         f"{student}.xlsx", "", identity, creator, dict(variant.given), answers, ()
     )
-    return judge(submission, entry, plan, desk.policy)
+    return judge(submission, entry, plan, context.policy)
 
 
 def codes(report: Report) -> set[str]:
     return {flag.code for flag in report.flags} & TELLING
 
 
-def test_a_copied_workbook_is_flagged_and_the_honest_ones_are_not(other: Desk, plan: Plan) -> None:
+def test_a_copied_workbook_is_flagged_and_the_honest_ones_are_not(
+    other: GradingContext, plan: Plan
+) -> None:
     reports = [graded(other, plan, name, name) for name in ("s01", "s02", "s03")]
     copied = graded(other, plan, "s04", "s02")
     marked, trace = mark_likeness([*reports, copied], other)
@@ -66,7 +70,9 @@ def test_a_copied_workbook_is_flagged_and_the_honest_ones_are_not(other: Desk, p
     assert marked[3].score == copied.score
 
 
-def test_the_instructor_sees_the_flag_and_the_student_nothing(other: Desk, plan: Plan) -> None:
+def test_the_instructor_sees_the_flag_and_the_student_nothing(
+    other: GradingContext, plan: Plan
+) -> None:
     copied = graded(other, plan, "s04", "s02", "Petrov")
     copy = graded(other, plan, "s05", "s05", "Petrov")
     rest = graded(other, plan, "s01", "s01")
@@ -84,14 +90,14 @@ def test_the_instructor_sees_the_flag_and_the_student_nothing(other: Desk, plan:
         assert "s02" not in str(pages[:2])
 
 
-def test_files_that_were_not_judged_are_passed_over(other: Desk) -> None:
+def test_files_that_were_not_judged_are_passed_over(other: GradingContext) -> None:
     report = unknown_student_report("x.xlsx", "nobody", "")
     assert mark_likeness([report], other) == ((report,), "")
     assert mark_likeness([], other) == ((), "")
 
 
 def test_grading_is_never_lost_for_a_failure_of_the_search(
-    other: Desk, plan: Plan, monkeypatch: pytest.MonkeyPatch
+    other: GradingContext, plan: Plan, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: object) -> None:
         raise ZeroDivisionError

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.batch.duplicates import mark_doubles
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.model import Flag, Report
 from gripcourse.grading.unjudged import rejected_report
 from gripcourse.submission.model import Rejected
@@ -13,8 +13,8 @@ from gripcourse.text.words import message
 
 
 @pytest.fixture
-def blank_report(desk: Desk) -> Report:
-    return rejected_report(Rejected("", "", message("Empty.")), desk.register["s01"])
+def blank_report(context: GradingContext) -> Report:
+    return rejected_report(Rejected("", "", message("Empty.")), context.register["s01"])
 
 
 def codes(reports: list[Report]) -> list[list[str]]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.batch.one_file import Desk, grade_file
+from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.grading.model import Outcome
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
@@ -35,64 +35,68 @@ BAD_FILES = {
 
 @pytest.mark.parametrize("content", BAD_FILES.values(), ids=list(BAD_FILES))
 def test_a_file_that_is_no_workbook_is_rejected_with_a_reason_for_its_student(
-    desk: Desk, tmp_path: Path, content: bytes
+    context: GradingContext, tmp_path: Path, content: bytes
 ) -> None:
     file = tmp_path / "s01.xlsx"
     file.write_bytes(content)
-    report = grade_file(file, desk)
+    report = grade_file(file, context)
     assert [flag.code for flag in report.flags] == ["rejected"]
     assert report.student == "s01"
     assert not report.judged
     assert str(report.flags[0].message)
 
 
-def test_a_protected_workbook_is_told_from_other_files(desk: Desk, tmp_path: Path) -> None:
+def test_a_protected_workbook_is_told_from_other_files(
+    context: GradingContext, tmp_path: Path
+) -> None:
     file = tmp_path / "s01.xlsx"
     file.write_bytes(PROTECTED)
-    assert "password" in str(grade_file(file, desk).flags[0].message)
+    assert "password" in str(grade_file(file, context).flags[0].message)
 
 
 @pytest.fixture(scope="module")
-def issued_workbook(desk: Desk, plan: Plan) -> bytes:
-    return answer_workbook(plan, desk.register["s02"], desk.course, Words("ru"))
+def issued_workbook(context: GradingContext, plan: Plan) -> bytes:
+    return answer_workbook(plan, context.register["s02"], context.course, Words("ru"))
 
 
 def test_an_untouched_workbook_is_blank_and_belongs_to_its_student(
-    desk: Desk, tmp_path: Path, issued_workbook: bytes
+    context: GradingContext, tmp_path: Path, issued_workbook: bytes
 ) -> None:
     file = tmp_path / "ответы.xlsx"
     file.write_bytes(issued_workbook)
-    report = grade_file(file, desk)
+    report = grade_file(file, context)
     assert report.student == "s02"
     assert report.flags == ()
     assert {one.outcome for one in report.findings} == {Outcome.BLANK, Outcome.MANUAL}
 
 
 def test_a_workbook_handed_in_by_another_is_graded_against_the_others_variant(
-    desk: Desk, tmp_path: Path, issued_workbook: bytes
+    context: GradingContext, tmp_path: Path, issued_workbook: bytes
 ) -> None:
     file = tmp_path / "s05.xlsx"
     file.write_bytes(issued_workbook)
-    report = grade_file(file, desk)
+    report = grade_file(file, context)
     assert report.student == "s05"
     assert [flag.code for flag in report.flags] == ["issued_to_other"]
 
 
 def test_a_workbook_of_nobody_on_the_register_waits_for_a_person(
-    desk: Desk, tmp_path: Path, issued_workbook: bytes
+    context: GradingContext, tmp_path: Path, issued_workbook: bytes
 ) -> None:
     file = tmp_path / "ответы.xlsx"
     file.write_bytes(issued_workbook)
-    others = {name: one for name, one in desk.register.items() if name != "s02"}
-    report = grade_file(file, Desk(desk.course, desk.policy, others))
+    others = {name: one for name, one in context.register.items() if name != "s02"}
+    report = grade_file(file, GradingContext(context.course, context.policy, others))
     assert [flag.code for flag in report.flags] == ["unknown_student"]
     assert not report.judged
 
 
 def test_the_plan_is_of_the_issued_variant_whatever_the_workbook_says(
-    desk: Desk, plan: Plan, tmp_path: Path
+    context: GradingContext, plan: Plan, tmp_path: Path
 ) -> None:
-    pneumatic = make_plan(desk.course, plan.scheme.id, {**plan.options, "drive": "pneumatic"})
+    pneumatic = make_plan(context.course, plan.scheme.id, {**plan.options, "drive": "pneumatic"})
     file = tmp_path / "s02.xlsx"
-    file.write_bytes(answer_workbook(pneumatic, desk.register["s02"], desk.course, Words("ru")))
-    assert grade_file(file, desk).options == plan.options
+    file.write_bytes(
+        answer_workbook(pneumatic, context.register["s02"], context.course, Words("ru"))
+    )
+    assert grade_file(file, context).options == plan.options

@@ -6,7 +6,7 @@ from types import ModuleType
 
 import pytest
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files
 
 Inbox = Callable[..., list[Path]]
@@ -19,11 +19,11 @@ def graded_by_name(files: Sequence[Path], graded: Sequence[Graded]) -> Mapping[s
 
 
 def test_the_result_is_in_the_order_of_the_files(
-    desk: Desk, fake: ModuleType, inbox: Inbox
+    context: GradingContext, fake: ModuleType, inbox: Inbox
 ) -> None:
     files = inbox(**{**ALL_GOOD, "s01": "slow", "s02": "slow"})
     done: list[Path] = []
-    graded = grade_files(files, desk, 2, done.append, grade_one=fake.obey)
+    graded = grade_files(files, context, 2, done.append, grade_one=fake.obey)
     assert [one.report.file for one in graded] == [str(file) for file in files]
     assert [one.report.student for one in graded] == list(ALL_GOOD)
     assert sorted(done) == sorted(files)
@@ -31,10 +31,10 @@ def test_the_result_is_in_the_order_of_the_files(
 
 
 def test_a_file_that_kills_its_worker_is_set_aside_alone(
-    desk: Desk, fake: ModuleType, inbox: Inbox
+    context: GradingContext, fake: ModuleType, inbox: Inbox
 ) -> None:
     files = inbox(**{**ALL_GOOD, "s03": "die"})
-    graded = graded_by_name(files, grade_files(files, desk, 2, grade_one=fake.obey))
+    graded = graded_by_name(files, grade_files(files, context, 2, grade_one=fake.obey))
     killer = graded.pop("s03")
     assert [flag.code for flag in killer.report.flags] == ["incident"]
     assert killer.report.student == "s03"
@@ -43,9 +43,11 @@ def test_a_file_that_kills_its_worker_is_set_aside_alone(
     assert all(one.report.judged and not one.report.flags for one in graded.values())
 
 
-def test_so_are_several_of_them_with_one_worker(desk: Desk, fake: ModuleType, inbox: Inbox) -> None:
+def test_so_are_several_of_them_with_one_worker(
+    context: GradingContext, fake: ModuleType, inbox: Inbox
+) -> None:
     files = inbox(s01="die", s02="good", s03="die", s04="good", s05="good", s06="good")
-    graded = graded_by_name(files, grade_files(files, desk, 1, grade_one=fake.obey))
+    graded = graded_by_name(files, grade_files(files, context, 1, grade_one=fake.obey))
     assert {name for name, one in graded.items() if one.incident} == {"s01", "s03"}
     assert {name for name, one in graded.items() if one.report.judged} == {
         "s02",
@@ -56,19 +58,19 @@ def test_so_are_several_of_them_with_one_worker(desk: Desk, fake: ModuleType, in
 
 
 def test_a_file_that_was_only_taken_along_is_graded_after_all(
-    desk: Desk, fake: ModuleType, inbox: Inbox
+    context: GradingContext, fake: ModuleType, inbox: Inbox
 ) -> None:
     files = inbox(s01="die-once", s02="good")
-    graded = grade_files(files, desk, 2, grade_one=fake.obey)
+    graded = grade_files(files, context, 2, grade_one=fake.obey)
     assert [one.report.judged for one in graded] == [True, True]
 
 
 @pytest.mark.parametrize("order", ["raise", "exhaust"])
 def test_our_failure_is_an_incident_with_a_number_and_never_a_zero(
-    desk: Desk, fake: ModuleType, inbox: Inbox, order: str
+    context: GradingContext, fake: ModuleType, inbox: Inbox, order: str
 ) -> None:
     files = inbox(s01=order, s02="good")
-    failed, good = grade_files(files, desk, 1, grade_one=fake.obey)
+    failed, good = grade_files(files, context, 1, grade_one=fake.obey)
     assert good.report.judged
     assert not failed.report.judged
     assert failed.report.max_score == 0
@@ -78,19 +80,21 @@ def test_our_failure_is_an_incident_with_a_number_and_never_a_zero(
     assert (fake.REFUSED in failed.incident) == (order == "raise")
 
 
-def test_a_file_that_hangs_is_stopped(desk: Desk, fake: ModuleType, inbox: Inbox) -> None:
+def test_a_file_that_hangs_is_stopped(
+    context: GradingContext, fake: ModuleType, inbox: Inbox
+) -> None:
     files = inbox(s01="hang", s02="good")
-    hung, good = grade_files(files, desk, 1, grade_one=fake.obey, seconds=0.2)
+    hung, good = grade_files(files, context, 1, grade_one=fake.obey, seconds=0.2)
     assert good.report.judged
     assert [flag.code for flag in hung.report.flags] == ["incident"]
     assert "TookTooLong" in hung.incident
 
 
 def test_several_files_of_a_student_and_equal_bytes_are_flagged(
-    desk: Desk, fake: ModuleType, inbox: Inbox
+    context: GradingContext, fake: ModuleType, inbox: Inbox
 ) -> None:
     files = inbox(s01="good abc", s02="good abc", s03="good def", s03_2="good xyz")
-    graded = graded_by_name(files, grade_files(files, desk, 1, grade_one=fake.obey))
+    graded = graded_by_name(files, grade_files(files, context, 1, grade_one=fake.obey))
     flags = {name: [flag.code for flag in one.report.flags] for name, one in graded.items()}
     assert flags == {
         "s01": ["same_bytes"],
@@ -101,5 +105,5 @@ def test_several_files_of_a_student_and_equal_bytes_are_flagged(
     assert "s02" in str(graded["s01"].report.flags[0].message)
 
 
-def test_nothing_is_graded_of_an_empty_batch(desk: Desk) -> None:
-    assert grade_files([], desk, 2) == ()
+def test_nothing_is_graded_of_an_empty_batch(context: GradingContext) -> None:
+    assert grade_files([], context, 2) == ()

@@ -15,7 +15,7 @@ from gripcourse.cli import main as cli
 from gripcourse.cli.grading_text import FLAGS
 from gripcourse.cli.help import SpokenCommand, SpokenGroup, command_group
 from gripcourse.errors import UsageError
-from gripcourse.likeness.model import Kind
+from gripcourse.likeness.model import NumberKind
 from gripcourse.text.words import LANGUAGES
 
 SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
@@ -204,7 +204,7 @@ def test_a_refusal_is_an_error_like_any_other() -> None:
 def test_every_flag_has_its_words() -> None:
     """The codes that the program gives: what stands first in `Flag(...)`, and kinds of likeness."""
     constants: dict[str, str] = {}
-    codes: set[str] = {kind.value for kind in Kind}
+    codes: set[str] = {kind.value for kind in NumberKind}
     for path in SOURCES.rglob("*.py"):
         tree = ast.parse(path.read_text(encoding="utf-8"))
         constants |= {

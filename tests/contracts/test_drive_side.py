@@ -11,7 +11,7 @@ from gripcourse.course.model import Convention, Course
 from gripcourse.drawing.diagram.drives import cylinder, floating_cylinder
 from gripcourse.drawing.diagram.jaws import jaw
 from gripcourse.drawing.diagram.marks import Path
-from gripcourse.drawing.diagram.places import Shape, Stop, shape_of, stops_of
+from gripcourse.drawing.diagram.places import PlacedElement, Stop, shape_of, stops_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.variants.model import Variant
@@ -38,7 +38,9 @@ class Case:
     stops: dict[str, Stop]
     pulls: bool | None
 
-    def shapes(self, kinds: set[str], quantity: str = "") -> Iterator[tuple[Shape, Shape]]:
+    def shapes(
+        self, kinds: set[str], quantity: str = ""
+    ) -> Iterator[tuple[PlacedElement, PlacedElement]]:
         """Yield each drawn element of these kinds, on the largest object and on the smallest."""
         diagram = self.plan.scheme.diagram
         assert diagram is not None
@@ -47,7 +49,7 @@ class Case:
             if is_meant and element.is_drawn(self.plan.options):
                 yield self.shape(element, "at_max"), self.shape(element, "at_min")
 
-    def shape(self, element: Element, position: str) -> Shape:
+    def shape(self, element: Element, position: str) -> PlacedElement:
         """Return an element at a position, a millimetre of paper for one of the gripper."""
         return shape_of(element, self.plan, self.stops, position, 1.0, "en")
 
@@ -86,7 +88,7 @@ def case(course: Course, variant: Variant, options: dict[str, str]) -> Case | No
     return Case(name, plan, stops_of(plan, diagram, given), pulls)
 
 
-def out_of_the_cylinder(open_: Shape, closed: Shape) -> float:
+def out_of_the_cylinder(open_: PlacedElement, closed: PlacedElement) -> float:
     """Return how far the rod comes out of the drawn body while the jaws close."""
     if closed.element.kind == "floating_cylinder":
         ends = (one.through for one in (open_, closed))

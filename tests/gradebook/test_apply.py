@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gripcourse.gradebook.apply import OUTDATED, with_marks
-from gripcourse.gradebook.model import Attempt, Entry, Mark
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import NOT_JUDGED
 from gripcourse.grading.model import OPEN, Finding, Flag, Outcome, Report
@@ -20,7 +20,7 @@ from gripcourse.text.words import message
 MakeReport = Callable[..., Report]
 MakeMark = Callable[..., Mark]
 MakeAttempts = Callable[..., Sequence[Attempt]]
-Enter = Callable[..., Entry]
+Enter = Callable[..., GradebookEntry]
 
 
 @pytest.fixture
@@ -34,9 +34,11 @@ def enter(report: MakeReport, attempts: MakeAttempts, mark: MakeMark) -> Enter:
         against: Report | None = None,
         number: int = 1,
         **changes: object,
-    ) -> Entry:
+    ) -> GradebookEntry:
         (attempt,) = attempts(against or report())
-        return Entry(mark(quantity, credit, number=number, **changes), replace(attempt, number=1))
+        return GradebookEntry(
+            mark(quantity, credit, number=number, **changes), replace(attempt, number=1)
+        )
 
     return make
 

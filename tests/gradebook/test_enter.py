@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.gradebook.enter import Draft, Fault, Standing, mark_of
-from gripcourse.gradebook.model import Attempt, Entry, Mark
+from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.policy.rubric import Level, Rubric, RubricLine
 from gripcourse.text.words import LANGUAGES, Texts
@@ -44,7 +44,7 @@ ALL = {"sizes": 1.0, "assembly": 0.5, "standards": 0.0}
 
 
 @dataclass(frozen=True, slots=True)
-class Desk:
+class GradingContext:
     """One student whose file was graded."""
 
     standing: Standing
@@ -55,18 +55,20 @@ class Desk:
         assert mark is not None, [str(one.what) for one in faults]
         return mark
 
-    def faults(self, draft: Draft) -> tuple[Fault, ...]:
+    def faults(self, draft: Draft) -> tuple[EntryFault, ...]:
         mark, faults = mark_of(draft, self.standing, "Петров", self.now)
         assert mark is None
         return faults
 
-    def fault(self, draft: Draft) -> Fault:
+    def fault(self, draft: Draft) -> EntryFault:
         (fault,) = self.faults(draft)
         return fault
 
 
 @pytest.fixture(scope="session")
-def desk(report: MakeReport, attempts: Callable[..., Sequence[Attempt]], morning: datetime) -> Desk:
+def context(
+    report: MakeReport, attempts: Callable[..., Sequence[Attempt]], morning: datetime
+) -> GradingContext:
     (attempt,) = attempts(report())
     standing = Standing(
         known=frozenset({"s01", "s02"}),
@@ -74,7 +76,7 @@ def desk(report: MakeReport, attempts: Callable[..., Sequence[Attempt]], morning
         marked={},
         rubrics={"drawing": RUBRIC},
     )
-    return Desk(standing, morning)
+    return GradingContext(standing, morning)
 
 
 def draft(
@@ -84,44 +86,50 @@ def draft(
 
 
 class TestAMark:
-    def test_lines_add_up_by_their_shares(self, desk: Desk) -> None:
-        mark = desk.enter(draft(lines=ALL, comment="см. разрез"))
+    def test_lines_add_up_by_their_shares(self, context: GradingContext) -> None:
+        mark = context.enter(draft(lines=ALL, comment="см. разрез"))
         assert mark.credit == pytest.approx(0.4 + 0.3 * 0.5)
         assert mark.lines == ALL
-        assert (mark.attempt, mark.marker, mark.marked_at) == (3, "Петров", desk.now)
+        assert (mark.attempt, mark.marker, mark.marked_at) == (3, "Петров", context.now)
         assert mark.comment == "см. разрез"
 
-    def test_full_lines_are_the_whole_item_to_the_last_bit(self, desk: Desk) -> None:
-        assert desk.enter(draft(lines=dict.fromkeys(ALL, 1.0))).credit == 1.0
+    def test_full_lines_are_the_whole_item_to_the_last_bit(self, context: GradingContext) -> None:
+        assert context.enter(draft(lines=dict.fromkeys(ALL, 1.0))).credit == 1.0
 
-    def test_points_count_instead_of_the_lines(self, desk: Desk) -> None:
-        mark = desk.enter(draft(lines=ALL, points=4.0))
+    def test_points_count_instead_of_the_lines(self, context: GradingContext) -> None:
+        mark = context.enter(draft(lines=ALL, points=4.0))
         assert mark.credit == pytest.approx(0.4)
         assert mark.lines == ALL
 
-    def test_points_or_a_share_do_without_lines(self, desk: Desk) -> None:
-        assert desk.enter(draft(points=7.5)).credit == 0.75
-        assert desk.enter(draft(credit=0.25)).credit == 0.25
+    def test_points_or_a_share_do_without_lines(self, context: GradingContext) -> None:
+        assert context.enter(draft(points=7.5)).credit == 0.75
+        assert context.enter(draft(credit=0.25)).credit == 0.25
 
-    def test_points_that_a_document_rounded_up_are_all_points(self, desk: Desk) -> None:
-        assert desk.enter(draft(points=10.004)).credit == 1.0
+    def test_points_that_a_document_rounded_up_are_all_points(
+        self, context: GradingContext
+    ) -> None:
+        assert context.enter(draft(points=10.004)).credit == 1.0
 
-    def test_what_we_could_not_judge_takes_points_and_a_comment(self, desk: Desk) -> None:
-        mark = desk.enter(draft("stroke", points=0.5, comment="верно до знака"))
+    def test_what_we_could_not_judge_takes_points_and_a_comment(
+        self, context: GradingContext
+    ) -> None:
+        mark = context.enter(draft("stroke", points=0.5, comment="верно до знака"))
         assert mark.credit == 0.5
 
-    def test_an_automatic_result_is_overruled_only_on_purpose(self, desk: Desk) -> None:
+    def test_an_automatic_result_is_overruled_only_on_purpose(
+        self, context: GradingContext
+    ) -> None:
         wanted = draft("bore", points=2.0, comment="другой каталог")
-        assert "'bore' was judged automatically" in str(desk.fault(wanted).what)
-        assert "--override" in str(desk.fault(wanted).remedy)
-        assert "stroke, drawing" in str(desk.fault(wanted).remedy)
-        assert desk.enter(replace(wanted, override=True)).credit == 1.0
+        assert "'bore' was judged automatically" in str(context.fault(wanted).what)
+        assert "--override" in str(context.fault(wanted).remedy)
+        assert "stroke, drawing" in str(context.fault(wanted).remedy)
+        assert context.enter(replace(wanted, override=True)).credit == 1.0
 
     @given(st.fixed_dictionaries(dict.fromkeys(ALL, st.floats(0, 1))))
     def test_any_shares_of_the_lines_make_a_share_of_the_item(
-        self, desk: Desk, lines: dict[str, float]
+        self, context: GradingContext, lines: dict[str, float]
     ) -> None:
-        credit = desk.enter(draft(lines=lines)).credit
+        credit = context.enter(draft(lines=lines)).credit
         assert credit is not None
         assert min(lines.values()) - 1e-12 <= credit <= max(lines.values()) + 1e-12
 
@@ -163,33 +171,39 @@ class TestFaults:
         ],
     )
     def test_each_is_named_by_its_field_with_a_remedy(
-        self, desk: Desk, wanted: Draft, field: str, what: str, remedy: str
+        self, context: GradingContext, wanted: Draft, field: str, what: str, remedy: str
     ) -> None:
-        fault = desk.fault(wanted)
+        fault = context.fault(wanted)
         assert fault.field == field
         assert what in str(fault.what)
         assert remedy in str(fault.remedy)
 
-    def test_an_unknown_student_is_named_with_the_nearest_one(self, desk: Desk) -> None:
-        nobody = Desk(replace(desk.standing, attempt=None), desk.now)
+    def test_an_unknown_student_is_named_with_the_nearest_one(
+        self, context: GradingContext
+    ) -> None:
+        nobody = GradingContext(replace(context.standing, attempt=None), context.now)
         fault = nobody.fault(replace(draft(points=1.0), student="s1"))
         assert fault.field == "student"
         assert "no student 's1'" in str(fault.what)
         assert "'s01'?" in str(fault.remedy)
 
-    def test_a_student_whose_file_was_never_graded_is_known_all_the_same(self, desk: Desk) -> None:
-        waiting = Desk(replace(desk.standing, attempt=None), desk.now)
+    def test_a_student_whose_file_was_never_graded_is_known_all_the_same(
+        self, context: GradingContext
+    ) -> None:
+        waiting = GradingContext(replace(context.standing, attempt=None), context.now)
         fault = waiting.fault(replace(draft(points=1.0), student="s02"))
         assert "No file of s02 has been graded yet" in str(fault.what)
         assert "gripcourse grade" in str(fault.remedy)
 
-    def test_all_come_at_once(self, desk: Desk) -> None:
+    def test_all_come_at_once(self, context: GradingContext) -> None:
         lines = {"sizes": 2.0, "size": 1.0, "assembly": 0.5}
-        fields = [one.field for one in desk.faults(draft(lines=lines, points=99.0, credit=3.0))]
+        fields = [one.field for one in context.faults(draft(lines=lines, points=99.0, credit=3.0))]
         assert fields == ["credit", "points", "credit", "line:sizes", "line:size", "line:standards"]
 
-    def test_a_line_with_levels_stands_on_one_of_them(self, desk: Desk) -> None:
-        stepped = Desk(replace(desk.standing, rubrics={"drawing": STEPPED}), desk.now)
+    def test_a_line_with_levels_stands_on_one_of_them(self, context: GradingContext) -> None:
+        stepped = GradingContext(
+            replace(context.standing, rubrics={"drawing": STEPPED}), context.now
+        )
         assert stepped.enter(draft(lines={**ALL, "standards": 0.5})).lines["standards"] == 0.5
         fault = stepped.fault(draft(lines={**ALL, "standards": 0.6}))
         assert fault.field == "line:standards"
@@ -199,27 +213,27 @@ class TestFaults:
 
 class TestWithdrawal:
     @pytest.fixture
-    def marked(self, desk: Desk, mark: Callable[..., Mark]) -> Desk:
-        attempt = desk.standing.attempt
+    def marked(self, context: GradingContext, mark: Callable[..., Mark]) -> GradingContext:
+        attempt = context.standing.attempt
         assert attempt is not None
-        entry = Entry(mark("bore", 1.0, number=1), attempt)
-        return Desk(replace(desk.standing, marked={"bore": entry}), desk.now)
+        entry = GradebookEntry(mark("bore", 1.0, number=1), attempt)
+        return GradingContext(replace(context.standing, marked={"bore": entry}), context.now)
 
-    def test_it_is_a_mark_of_its_own_with_a_reason(self, marked: Desk) -> None:
+    def test_it_is_a_mark_of_its_own_with_a_reason(self, marked: GradingContext) -> None:
         taken = marked.enter(draft("bore", withdraw=True, comment="не тот студент"))
         assert (taken.credit, taken.comment) == (None, "не тот студент")
 
-    def test_it_needs_a_reason(self, marked: Desk) -> None:
+    def test_it_needs_a_reason(self, marked: GradingContext) -> None:
         assert marked.fault(draft("bore", withdraw=True)).field == "comment"
 
-    def test_it_gives_no_points(self, marked: Desk) -> None:
+    def test_it_gives_no_points(self, marked: GradingContext) -> None:
         both = draft("bore", withdraw=True, points=1.0, comment="ошибка")
         assert "either entered or withdrawn" in str(marked.fault(both).what)
 
 
 def test_an_item_without_points_can_be_marked(
-    desk: Desk, report: MakeReport, attempts: Callable[..., Sequence[Attempt]]
+    context: GradingContext, report: MakeReport, attempts: Callable[..., Sequence[Attempt]]
 ) -> None:
     (worthless,) = attempts(report(drawing=(Outcome.MANUAL, 0.0, 0.0)))
-    standing = replace(desk.standing, attempt=worthless)
-    assert Desk(standing, desk.now).enter(draft(points=0.0)).credit == 0
+    standing = replace(context.standing, attempt=worthless)
+    assert GradingContext(standing, context.now).enter(draft(points=0.0)).credit == 0

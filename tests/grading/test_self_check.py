@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.model import Kind
-from gripcourse.grading.self_check import Check, State, self_check
+from gripcourse.grading.self_check import AnswerCheck, State, self_check
 from gripcourse.submission.model import Answer
 from gripcourse.text.number_text import format_number
 from gripcourse.text.words import LANGUAGES, Words
@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 JUDGED = {State.CONSISTENT, State.INCONSISTENT}
 
 
-def checks(case: "Case", answers: "Mapping[str, Written]", **changes: object) -> dict[str, Check]:
+def checks(
+    case: "Case", answers: "Mapping[str, Written]", **changes: object
+) -> dict[str, AnswerCheck]:
     done = self_check(case.submission(answers, **changes), case.plan, case.policy)
     return {one.quantity: one for one in done}
 

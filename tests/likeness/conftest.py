@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Course, Kind
 from gripcourse.likeness.issued import IssuedValues, issued_values
-from gripcourse.likeness.model import Typed, Work
+from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
@@ -88,7 +88,7 @@ class Room:
         typed = np.where(computed, rounded(found, rng.choice(FIGURES, (rows, 1))), found)
         return np.where(rng.random(typed.shape) < 0.03, np.nan, typed)
 
-    def works(self, typed: Floats) -> list[Work]:
+    def works(self, typed: Floats) -> list[ComparedWork]:
         """Submissions with what explains each answer."""
         reference, _ = self.values(self.given)
         own = {name: typed[:, column] for column, name in enumerate(self.answered)}
@@ -97,7 +97,7 @@ class Room:
         half = half_unit(typed)
         kinds = [self.plan.quantities[name].kind for name in self.answered]
         return [
-            Work(
+            ComparedWork(
                 student,
                 tuple(
                     Typed(name, typed[row, column], half[row, column], told, "")
@@ -118,11 +118,13 @@ class School:
     issued: IssuedValues
     rooms: tuple[Room, ...]
 
-    def honest(self, seed: int) -> list[Work]:
+    def honest(self, seed: int) -> list[ComparedWork]:
         rng = np.random.default_rng(seed)
         return [work for room in self.rooms for work in room.works(room.honest(rng))]
 
-    def copying(self, seed: int, share: float, of_them: float) -> tuple[list[Work], dict[str, str]]:
+    def copying(
+        self, seed: int, share: float, of_them: float
+    ) -> tuple[list[ComparedWork], dict[str, str]]:
         """Let some students replace a share of their answers by a neighbour's.
 
         Args:
@@ -134,7 +136,7 @@ class School:
             The submissions, and whom each copier copied from.
         """
         rng = np.random.default_rng(seed)
-        works: list[Work] = []
+        works: list[ComparedWork] = []
         sources: dict[str, str] = {}
         for room in self.rooms:
             typed = room.honest(rng)

@@ -8,7 +8,7 @@ import pytest
 
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.model import Evidence, Kind, Typed, Work
+from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind, Typed
 from gripcourse.policy.model import LikenessRule
 
 if TYPE_CHECKING:
@@ -69,15 +69,17 @@ ISSUED = three(
 )
 
 
-def work(student: str, values: list[float], *, explained: bool = False, slip: str = "") -> Work:
+def work(
+    student: str, values: list[float], *, explained: bool = False, slip: str = ""
+) -> ComparedWork:
     numbers = (
         Typed(f"q{column}", value, 10.0 ** (np.floor(np.log10(value)) - 2) / 2, explained, slip)
         for column, value in enumerate(values)
     )
-    return Work(student, tuple(numbers), "")
+    return ComparedWork(student, tuple(numbers), "")
 
 
-def odds(works: list[Work], kind: Kind, issued: IssuedValues = ISSUED) -> float:
+def odds(works: list[ComparedWork], kind: NumberKind, issued: IssuedValues = ISSUED) -> float:
     found = find_evidence(works, issued, LikenessRule(1e-12, 1, 0))
     return max((one.odds for one in found if one.kind is kind), default=0.0)
 
@@ -87,7 +89,7 @@ RIGHT = {name: list(ISSUED.values[row]) for row, name in enumerate(ISSUED.owners
 
 def test_the_values_of_another_variant_are_told_though_its_owner_handed_in_nothing() -> None:
     [found] = find_evidence([work("a", RIGHT["b"])], ISSUED, RULE)
-    assert found.kind is Kind.OTHER_VARIANT
+    assert found.kind is NumberKind.OTHER_VARIANT
     assert found.students == ("a", "b")
     assert found.odds > 1e6
     assert set(found.rests_on) == set(ISSUED.quantities)
@@ -103,7 +105,7 @@ def test_equal_wrong_answers_count_for_both() -> None:
     wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
     found = find_evidence([work("a", wrong), work("b", wrong)], ISSUED, RULE)
     assert {one.students for one in found} == {("a", "b"), ("b", "a")}
-    assert {one.kind for one in found} == {Kind.SAME_ANSWERS}
+    assert {one.kind for one in found} == {NumberKind.SAME_ANSWERS}
 
 
 def test_own_right_answers_beside_copied_ones_weaken_the_evidence() -> None:
@@ -113,7 +115,7 @@ def test_own_right_answers_beside_copied_ones_weaken_the_evidence() -> None:
         for one, value in zip(mixed.numbers, RIGHT["a"], strict=True)
     ]
     halves = [replace(mixed, numbers=(*mixed.numbers[:n], *own[n:])) for n in (5, 4, 3, 2)]
-    all_odds = [odds([one], Kind.OTHER_VARIANT) for one in halves]
+    all_odds = [odds([one], NumberKind.OTHER_VARIANT) for one in halves]
     assert all_odds == sorted(all_odds, reverse=True)
     assert len(set(all_odds)) == len(all_odds)
 
@@ -122,7 +124,7 @@ def test_the_same_wrong_method_where_the_right_value_is_the_same_says_little() -
     wrong = [777.0, 33.3, 5.55, 0.999, 44.4]
     works = [work("a", wrong), work("b", wrong)]
     twins = three([RIGHT["a"], RIGHT["a"], RIGHT["c"]])
-    assert odds(works, Kind.SAME_ANSWERS, twins) < 1e-3 * odds(works, Kind.SAME_ANSWERS)
+    assert odds(works, NumberKind.SAME_ANSWERS, twins) < 1e-3 * odds(works, NumberKind.SAME_ANSWERS)
 
 
 def test_common_slips_weigh_less_than_rare_ones() -> None:
@@ -134,22 +136,22 @@ def test_common_slips_weigh_less_than_rare_ones() -> None:
     def among(others: str) -> float:
         rest = [work(name, rng.lognormal(3, 1, 5).tolist(), slip=others) for name in many[2:]]
         pair = [work(name, wrong, slip="radius") for name in many[:2]]
-        return odds([*pair, *rest], Kind.SAME_ANSWERS, issued)
+        return odds([*pair, *rest], NumberKind.SAME_ANSWERS, issued)
 
     assert among("radius") < among("other")
 
 
 def test_proportional_answers_count_once() -> None:
-    apart = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT)
+    apart = odds([work("a", RIGHT["b"])], NumberKind.OTHER_VARIANT)
     together = replace(ISSUED, families=np.zeros_like(ISSUED.families))
-    once = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT, together)
+    once = odds([work("a", RIGHT["b"])], NumberKind.OTHER_VARIANT, together)
     assert once < 1e-4 * apart
 
 
 def test_sizes_from_a_series_say_little() -> None:
     from_series = replace(ISSUED, discrete=np.ones(5, bool))
-    sizes = odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT, from_series)
-    assert sizes < 1e-3 * odds([work("a", RIGHT["b"])], Kind.OTHER_VARIANT)
+    sizes = odds([work("a", RIGHT["b"])], NumberKind.OTHER_VARIANT, from_series)
+    assert sizes < 1e-3 * odds([work("a", RIGHT["b"])], NumberKind.OTHER_VARIANT)
 
 
 def test_cells_filled_with_one_number_are_no_answers() -> None:
@@ -169,21 +171,21 @@ def test_one_or_two_coincidences_are_not_evidence() -> None:
 
 def test_zeros_and_numbers_beyond_reason_are_passed_over() -> None:
     numbers = tuple(Typed(f"q{n}", value, 0.0, False, "") for n, value in enumerate((0.0, np.inf)))
-    assert find_evidence([Work("a", numbers, "")], ISSUED, LikenessRule(1e-12, 1, 0)) == ()
+    assert find_evidence([ComparedWork("a", numbers, "")], ISSUED, LikenessRule(1e-12, 1, 0)) == ()
 
 
 def test_a_policy_can_switch_the_search_off() -> None:
     assert find_evidence([work("a", RIGHT["b"])], ISSUED, LikenessRule(0.0, 3, 3)) == ()
 
 
-def signed(*creators: str) -> list[Work]:
-    return [Work(f"s{number}", (), name) for number, name in enumerate(creators)]
+def signed(*creators: str) -> list[ComparedWork]:
+    return [ComparedWork(f"s{number}", (), name) for number, name in enumerate(creators)]
 
 
 def test_a_few_workbooks_with_one_author_are_told() -> None:
     found = find_evidence(signed("Petrov", " petrov", "Ivanova", "", ""), ISSUED, RULE)
     assert [one.students for one in found] == [("s0", "s1"), ("s1", "s0")]
-    assert {one.kind for one in found} == {Kind.SAME_CREATOR}
+    assert {one.kind for one in found} == {NumberKind.SAME_CREATOR}
     assert found[0].rests_on == ("Petrov",)
 
 

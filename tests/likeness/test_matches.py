@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.likeness.matches import Numbers, last_unit, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import ComparedNumbers, last_unit, same_as_issued, same_as_typed
 
 ROWS, COLUMNS = 6, 3
 SIZES = st.sampled_from([1.0, 1.01, 1.02, 9.99, 10.0, 12.3, -12.3, 250.0, 251.0, 0.05])
@@ -16,11 +16,11 @@ TABLES = st.lists(
 )
 
 
-def numbers(table: list[list[float]]) -> Numbers:
+def numbers(table: list[list[float]]) -> ComparedNumbers:
     values = np.array(table)
     row, column = np.nonzero(np.isfinite(values))
     value = values[row, column]
-    return Numbers(row, column, value, last_unit(value, np.full(len(value), 0.05)))
+    return ComparedNumbers(row, column, value, last_unit(value, np.full(len(value), 0.05)))
 
 
 @given(typed=TABLES, issued=TABLES)

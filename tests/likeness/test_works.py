@@ -13,7 +13,7 @@ from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flag_of, flags_by_student, odds_in_words
 from gripcourse.likeness.issued import issued_values
-from gripcourse.likeness.model import Evidence, Kind, Typed
+from gripcourse.likeness.model import Evidence, NumberKind, Typed
 from gripcourse.likeness.works import work_of
 from gripcourse.policy.model import LikenessRule, Policy
 from gripcourse.solver.plan import Plan, make_plan
@@ -113,7 +113,7 @@ def test_answers_of_another_variant_are_not_explained_and_are_told(
     issued = issued_values(course, [(one.student.id, one.variant) for one in pair])
     work = work_of(report, pair[0], "gripcourse")
     [found] = find_evidence([work], issued, RULE)
-    assert (found.kind, found.students) == (Kind.OTHER_VARIANT, ("s1", "s2"))
+    assert (found.kind, found.students) == (NumberKind.OTHER_VARIANT, ("s1", "s2"))
 
 
 def test_only_changed_given_values_count_as_typed(
@@ -190,7 +190,7 @@ def test_odds_are_said_in_words_and_never_too_large(odds: float, said: str) -> N
 
 def test_a_flag_names_students_odds_and_what_it_rests_on_and_is_no_verdict() -> None:
     others = tuple(f"s{number}" for number in range(2, 10))
-    for kind in (Kind.OTHER_VARIANT, Kind.SAME_ANSWERS):
+    for kind in (NumberKind.OTHER_VARIANT, NumberKind.SAME_ANSWERS):
         flag = flag_of(Evidence(kind, ("s1", *others), 5e6, ("grip_force", "bore")))
         said = str(flag.message)
         assert flag.code == kind.value
@@ -202,7 +202,7 @@ def test_a_flag_names_students_odds_and_what_it_rests_on_and_is_no_verdict() -> 
 
 
 def test_flags_go_to_the_submission_that_they_are_about() -> None:
-    found = Evidence(Kind.SAME_CREATOR, ("s1", "s2"), 5.0, ("Petrov",))
+    found = Evidence(NumberKind.SAME_CREATOR, ("s1", "s2"), 5.0, ("Petrov",))
     flags = flags_by_student([found, found])
     assert list(flags) == ["s1"]
     assert len(flags["s1"]) == 1

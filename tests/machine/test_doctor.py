@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.machine.doctor import Check, Machine, assess, checks, look
+from gripcourse.machine.doctor import Machine, MachineCheck, assess, checks, look
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
-from gripcourse.text.translations import Fault, Kind
+from gripcourse.text.translations import Kind, TranslationFault
 
 REPOSITORY = Path(__file__).parents[2]
 # A browser has fonts of its own; nothing is laid out with these here.
@@ -29,7 +29,7 @@ HEALTHY = Machine(
 )
 
 
-def failures(machine: Machine) -> list[Check]:
+def failures(machine: Machine) -> list[MachineCheck]:
     return [check for check in assess(machine) if not check.ok]
 
 
@@ -56,7 +56,9 @@ def test_a_healthy_machine_passes_every_check() -> None:
             "fonts-paratype",
         ),
         (
-            replace(HEALTHY, translations=(("ru", (Fault("lost", 12, "file"),)), ("uk", ()))),
+            replace(
+                HEALTHY, translations=(("ru", (TranslationFault("lost", 12, "file"),)), ("uk", ()))
+            ),
             "translation ru",
             "ru.po: line 12 loses file",
             "names in braces",
@@ -86,7 +88,7 @@ def test_this_machine_can_make_pdf_files_as_they_are_meant(tmp_path: Path) -> No
 
 def test_every_fault_of_a_translation_is_named() -> None:
     kinds: tuple[Kind, ...] = ("lost", "invented", "braces", "plural", "empty", "unreadable")
-    faults = tuple(Fault(kind, 7, f"<{kind}>") for kind in kinds)
+    faults = tuple(TranslationFault(kind, 7, f"<{kind}>") for kind in kinds)
     found = failures(replace(HEALTHY, translations=(("ru", faults),)))
     assert len({str(check.message) for check in found}) == len(kinds)
     for check, fault in zip(found, faults, strict=True):

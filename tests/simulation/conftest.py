@@ -9,16 +9,16 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
-from gripcourse.simulation.confusion import Judged
+from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.mix import load_mix
-from gripcourse.simulation.model import Conduct, Mix, Work
+from gripcourse.simulation.model import Conduct, Mix, SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of
 
 COUNT, SEED = 200, 5
 SCHEME = "rack_parallelogram"
 
-WhoAll: TypeAlias = Callable[..., tuple[Classroom, Sequence[Work]]]
+WhoAll: TypeAlias = Callable[..., tuple[Classroom, Sequence[SimulatedWork]]]
 
 
 @pytest.fixture(scope="session")
@@ -34,7 +34,7 @@ def room(course: Course, policy: Policy, mix: Mix) -> Classroom:
 
 
 @pytest.fixture(scope="session")
-def judged(room: Classroom) -> tuple[Judged, ...]:
+def judged(room: Classroom) -> tuple[JudgedWork, ...]:
     """What the mixed cohort did, and what the grader says."""
     return judge_in_memory(room, 1)
 
@@ -45,7 +45,7 @@ def who_all(course: Course, policy: Policy, mix: Mix) -> WhoAll:
 
     def make(
         *conducts: Conduct, count: int = 6, seed: int = 11, **changes: object
-    ) -> tuple[Classroom, Sequence[Work]]:
+    ) -> tuple[Classroom, Sequence[SimulatedWork]]:
         same = replace(mix, conduct=dict.fromkeys(conducts, 1.0), **changes)  # type: ignore[arg-type]
         room = make_classroom(course, policy, same, count, seed, SCHEME)
         return room, [work_of(student, room) for student in room.behaviours]

@@ -18,18 +18,18 @@ def test_the_same_seed_makes_the_same_cohort(course: Course, policy: Policy, mix
     again = make_classroom(course, policy, mix, 20, 3)
     other = make_classroom(course, policy, mix, 20, 4)
     assert one.behaviours == again.behaviours
-    assert one.desk.register == again.desk.register
+    assert one.context.register == again.context.register
     assert one.behaviours != other.behaviours
 
 
 def test_all_schemes_and_languages_take_part(room: Classroom, course: Course, mix: Mix) -> None:
-    entries = room.desk.register.values()
+    entries = room.context.register.values()
     assert {one.variant.scheme for one in entries} == set(course.schemes)
     assert {one.student.language for one in entries} == set(mix.language)
 
 
 def test_students_do_things_as_often_as_the_mix_says(room: Classroom, mix: Mix) -> None:
-    entries = list(room.desk.register.values()) * 10
+    entries = list(room.context.register.values()) * 10
     numbered = [
         replace(one, student=replace(one.student, id=f"s{number}"))
         for number, one in enumerate(entries)
@@ -41,7 +41,7 @@ def test_students_do_things_as_often_as_the_mix_says(room: Classroom, mix: Mix) 
 
 
 def test_one_copies_from_a_neighbour_with_the_same_scheme(room: Classroom) -> None:
-    register = room.desk.register
+    register = room.context.register
     copiers = {name: one for name, one in room.behaviours.items() if one.conduct.copies}
     assert copiers
     for name, one in copiers.items():

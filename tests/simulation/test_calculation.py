@@ -9,7 +9,7 @@ from gripcourse.course.model import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import Hand
 from gripcourse.simulation.calculation import Calculation, Deviation, calculate
-from gripcourse.simulation.model import Done
+from gripcourse.simulation.model import ActionKind
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
@@ -80,7 +80,7 @@ def test_a_slip_changes_its_own_step_and_what_follows(
     slips = candidates_of(plan, "drive_force", policy.slips)
     slip = next(one for one in slips if one.kind == "power_of_ten")
     right = calculate(plan, given, hand(), {})
-    wrong = calculate(plan, given, hand(), {"drive_force": Deviation(Done.SLIP, slip)})
+    wrong = calculate(plan, given, hand(), {"drive_force": Deviation(ActionKind.SLIP, slip)})
     changed = {name for name in right.steps if typed(right)[name] != typed(wrong)[name]}
     assert "drive_force" in changed
     assert "bore_required" in changed
@@ -95,7 +95,9 @@ def test_who_types_another_unit_goes_on_with_the_right_number(
         one for one in candidates_of(plan, "drive_force", policy.slips) if one.id == "unit:kN"
     )
     right = typed(calculate(plan, given, hand(), {}))
-    bare = typed(calculate(plan, given, hand(), {"drive_force": Deviation(Done.BARE_UNIT, unit)}))
+    bare = typed(
+        calculate(plan, given, hand(), {"drive_force": Deviation(ActionKind.BARE_UNIT, unit)})
+    )
     assert bare.pop("drive_force") == pytest.approx(right.pop("drive_force") / 1000)
     assert bare == right
 
@@ -103,7 +105,7 @@ def test_who_types_another_unit_goes_on_with_the_right_number(
 def test_who_rounds_a_size_down_takes_the_next_smaller_one(
     plan: Plan, given: dict[str, float]
 ) -> None:
-    done = calculate(plan, given, hand(), {"bore": Deviation(Done.ROUNDED_DOWN)})
+    done = calculate(plan, given, hand(), {"bore": Deviation(ActionKind.ROUNDED_DOWN)})
     sizes = plan.columns[plan.quantities["bore"].choice.column].sizes  # type: ignore[union-attr]
     right, taken = float(done.steps["bore"].right), float(done.steps["bore"].typed)
     below = sizes[sizes < right / 1000 * 0.999]
@@ -112,7 +114,7 @@ def test_who_rounds_a_size_down_takes_the_next_smaller_one(
 
 def test_nothing_lies_below_the_smallest_size(plan: Plan, given: dict[str, float]) -> None:
     light = {**given, "mass": 1e-3}
-    done = calculate(plan, light, hand(), {"bore": Deviation(Done.ROUNDED_DOWN)})
+    done = calculate(plan, light, hand(), {"bore": Deviation(ActionKind.ROUNDED_DOWN)})
     assert np.isnan(done.steps["bore"].typed)
 
 

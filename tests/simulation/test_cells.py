@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Kind
-from gripcourse.simulation.arithmetic import Rounding, written
+from gripcourse.simulation.arithmetic import DigitRounding, written
 from gripcourse.simulation.cells import cell_of, unfit_unit, with_unit
 from gripcourse.simulation.model import Behaviour, Carrying, Conduct, Style
 from gripcourse.solver.plan import Plan
@@ -23,7 +23,7 @@ def behaviour(style: Style, figures: int = 3, seed: int = 0) -> Behaviour:
     return Behaviour(
         conduct=Conduct.HONEST,
         figures=figures,
-        rounding=Rounding.ROUND,
+        rounding=DigitRounding.ROUND,
         carrying=Carrying.TYPED,
         style=style,
         pi=np.pi,

@@ -6,19 +6,19 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.grading.model import Finding, Flag, Outcome
-from gripcourse.simulation.confusion import Judged, Said, evaluate
+from gripcourse.simulation.confusion import JudgedWork, Said, evaluate
 from gripcourse.simulation.misses import HEADS, misses_csv
-from gripcourse.simulation.model import Conduct, Deed, Done, Mix
+from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix
 from gripcourse.text.words import message
 
 
-def deed(quantity: str, done: Done, slip: str = "", twins: tuple[str, ...] = ()) -> Deed:
+def action(quantity: str, done: ActionKind, slip: str = "", twins: tuple[str, ...] = ()) -> Action:
     kind = slip.partition(":")[0]
-    return Deed(quantity, done, slip, kind, twins, value=2.0, right=1.0, typed=2.0)
+    return Action(quantity, done, slip, kind, twins, value=2.0, right=1.0, typed=2.0)
 
 
 @pytest.fixture
-def planted(judged: tuple[Judged, ...]) -> "Plant":
+def planted(judged: tuple[JudgedWork, ...]) -> "Plant":
     honest = next(
         one
         for one in judged
@@ -30,17 +30,17 @@ def planted(judged: tuple[Judged, ...]) -> "Plant":
 class Plant:
     """Makes students of whom it is known what they did and what was said of it."""
 
-    def __init__(self, pattern: Judged) -> None:
+    def __init__(self, pattern: JudgedWork) -> None:
         self.pattern = pattern
 
     def student(
         self,
         name: str,
         conduct: Conduct,
-        answers: Iterable[tuple[Deed, Outcome, str, tuple[str, ...]]],
+        answers: Iterable[tuple[Action, Outcome, str, tuple[str, ...]]],
         flags: tuple[str, ...] = (),
         neighbour: str = "",
-    ) -> Judged:
+    ) -> JudgedWork:
         listed = list(answers)
         behaviour = replace(self.pattern.work.behaviour, conduct=conduct, neighbour=neighbour)
         work = replace(
@@ -48,7 +48,7 @@ class Plant:
             student=name,
             owner=neighbour if conduct is Conduct.COPIED_WORKBOOK else name,
             behaviour=behaviour,
-            deeds=tuple(one[0] for one in listed),
+            actions=tuple(one[0] for one in listed),
         )
         findings = tuple(self.finding(one.quantity, *said) for one, *said in listed)
         report = replace(
@@ -57,7 +57,7 @@ class Plant:
             findings=findings,
             flags=tuple(Flag(code, message("Look here.")) for code in flags),
         )
-        return Judged(work, report)
+        return JudgedWork(work, report)
 
     def finding(self, quantity: str, outcome: Outcome, slip: str, tied: tuple[str, ...]) -> Finding:
         return replace(
@@ -70,19 +70,19 @@ class Plant:
 
 
 def test_planted_judgements_are_counted_where_they_belong(planted: Plant, mix: Mix) -> None:
-    slip = deed("b", Done.SLIP, "unit:kN", twins=("power_of_ten:0.001",))
+    slip = action("b", ActionKind.SLIP, "unit:kN", twins=("power_of_ten:0.001",))
     said = [
-        (deed("a", Done.RIGHT), Outcome.CORRECT, "", ()),
+        (action("a", ActionKind.RIGHT), Outcome.CORRECT, "", ()),
         (slip, Outcome.SLIP, "unit:kN", ()),
         (replace(slip, quantity="c"), Outcome.SLIP, "power_of_ten:0.001", ()),
         (replace(slip, quantity="d"), Outcome.SLIP, "sign:whole", ("unit:kN",)),
         (replace(slip, quantity="e"), Outcome.SLIP, "sign:whole", ()),
         (replace(slip, quantity="f"), Outcome.CARRIED, "", ()),
         (replace(slip, quantity="g"), Outcome.WRONG, "", ()),
-        (deed("h", Done.FOLLOWS), Outcome.CARRIED, "", ()),
-        (deed("i", Done.FOLLOWS), Outcome.WRONG, "", ()),
+        (action("h", ActionKind.FOLLOWS), Outcome.CARRIED, "", ()),
+        (action("i", ActionKind.FOLLOWS), Outcome.WRONG, "", ()),
     ]
-    honest = [(deed("a", Done.RIGHT), Outcome.WRONG, "", ())]
+    honest = [(action("a", ActionKind.RIGHT), Outcome.WRONG, "", ())]
     found = evaluate(
         [
             planted.student("one", Conduct.SLIP, said),
@@ -90,9 +90,9 @@ def test_planted_judgements_are_counted_where_they_belong(planted: Plant, mix: M
         ],
         mix,
     )
-    assert found.table[Done.SLIP, Said.NAMED] == 2
-    assert found.table[Done.SLIP, Said.TIED] == 1
-    assert found.table[Done.SLIP, Said.MISNAMED] == 1
+    assert found.table[ActionKind.SLIP, Said.NAMED] == 2
+    assert found.table[ActionKind.SLIP, Said.TIED] == 1
+    assert found.table[ActionKind.SLIP, Said.MISNAMED] == 1
     counted = {name: (rate.hits, rate.total) for name, rate in found.rates.items()}
     assert counted["honest_refused"] == (1, 1)
     assert counted["other_refused"] == (0, 1)
@@ -101,11 +101,11 @@ def test_planted_judgements_are_counted_where_they_belong(planted: Plant, mix: M
     assert counted["slip_misnamed"] == (1, 6)
     assert counted["follows_refused"] == (1, 2)
     assert set(found.missed) == {"honest_refused", "slip_accepted", "slip_named", "slip_misnamed"}
-    assert sorted(one.deed.quantity for one in found.misses) == ["a", "e", "f", "g", "i"]
+    assert sorted(one.action.quantity for one in found.misses) == ["a", "e", "f", "g", "i"]
 
 
 def test_copies_are_flagged_by_what_says_that_they_are_copies(planted: Plant, mix: Mix) -> None:
-    right = [(deed("a", Done.RIGHT), Outcome.CORRECT, "", ())]
+    right = [(action("a", ActionKind.RIGHT), Outcome.CORRECT, "", ())]
     found = evaluate(
         [
             planted.student("source", Conduct.HONEST, right, ("same_bytes",)),
@@ -130,7 +130,7 @@ def test_an_incident_is_a_failure_of_ours(planted: Plant, mix: Mix) -> None:
     assert found.incidents == ("Traceback: it failed",)
 
 
-def test_each_miss_is_a_row_with_its_numbers(judged: tuple[Judged, ...], mix: Mix) -> None:
+def test_each_miss_is_a_row_with_its_numbers(judged: tuple[JudgedWork, ...], mix: Mix) -> None:
     found = evaluate(judged, mix)
     schemes = {one.work.student: one.report.scheme for one in judged}
     lines = misses_csv(found.misses, schemes).splitlines()
@@ -139,7 +139,7 @@ def test_each_miss_is_a_row_with_its_numbers(judged: tuple[Judged, ...], mix: Mi
 
 
 def test_the_grader_refuses_no_honest_answer_and_accepts_no_slip(
-    judged: tuple[Judged, ...], mix: Mix
+    judged: tuple[JudgedWork, ...], mix: Mix
 ) -> None:
     found = evaluate(judged, mix)
     assert not found.incidents

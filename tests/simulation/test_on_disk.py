@@ -47,15 +47,17 @@ def folder(small: Classroom, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_workbooks_hold_what_the_truth_says(folder: Path, small: Classroom) -> None:
     for work in read_truth(truth_path(folder)):
-        variant = small.desk.register[work.owner].variant
-        plan = make_plan(small.desk.course, variant.scheme, variant.options)
+        variant = small.context.register[work.owner].variant
+        plan = make_plan(small.context.course, variant.scheme, variant.options)
         raw = read_workbook(submission_path(folder, work.student))
         assert isinstance(raw, RawWorkbook)
         assert raw.identity.student == work.owner
         answers = interpret(raw, plan.quantities.values()).answers
-        for deed in work.deeds:
-            found = answers[deed.quantity].value
-            assert found == (None if deed.value is None else pytest.approx(deed.value, rel=1e-9))
+        for action in work.actions:
+            found = answers[action.quantity].value
+            assert found == (
+                None if action.value is None else pytest.approx(action.value, rel=1e-9)
+            )
 
 
 def test_grading_the_folder_says_what_judging_in_memory_says(

@@ -14,10 +14,10 @@ from gripcourse.simulation.arithmetic import Hand
 from gripcourse.simulation.cohort import issue_to_nobody
 from gripcourse.simulation.honest import hands_of, work_honestly
 from gripcourse.simulation.in_memory import read_of
-from gripcourse.simulation.model import Deed, Done, Mix, Work
+from gripcourse.simulation.model import Action, ActionKind, Mix, SimulatedWork
 from gripcourse.simulation.student import Classroom
-from gripcourse.simulation.tally import Rule
-from gripcourse.simulation.tolerance import Audit, audit_tolerances, round_up, to_write
+from gripcourse.simulation.tally import TallyRule
+from gripcourse.simulation.tolerance import ToleranceAudit, audit_tolerances, round_up, to_write
 from gripcourse.solver.plan import make_plan
 from gripcourse.submission.interpret import interpret
 from gripcourse.variants.draw import draw
@@ -31,7 +31,7 @@ def variants(course: Course) -> Sequence[Variant]:
 
 
 @pytest.fixture(scope="module")
-def found(course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]) -> Audit:
+def found(course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]) -> ToleranceAudit:
     return audit_tolerances(course, policy, replace(mix, answers=1), variants, 1)
 
 
@@ -60,19 +60,21 @@ def test_the_rule_is_the_graders(
         plan = make_plan(course, issued.variant.scheme, issued.variant.options)
         honest = work_honestly(plan, [issued.variant.given], one_way(hands, way), strict)
         figures = int(hands.figures[way])
-        deeds = tuple(
-            Deed(one.id, Done.RIGHT, "", "", (), None, None, as_text(value, figures, one.kind))
+        actions = tuple(
+            Action(
+                one.id, ActionKind.RIGHT, "", "", (), None, None, as_text(value, figures, one.kind)
+            )
             for one in plan.answered
             for value in [float(honest.typed[one.id][0])]
         )
-        work = Work(issued.student.id, issued.student.id, behaviour, deeds, 0, 0)
+        work = SimulatedWork(issued.student.id, issued.student.id, behaviour, actions, 0, 0)
         submission = interpret(read_of(work, issued), plan.quantities.values())
         report = judge(submission, issued, plan, strict)
         said = {one.quantity: one for one in report.findings}
         for quantity in plan.answered:
             if quantity.kind is not Kind.FORMULA or quantity.integer:
                 continue
-            rule = Rule(honest, quantity, strict, honest.expected(quantity))
+            rule = TallyRule(honest, quantity, strict, honest.expected(quantity))
             band = narrow if quantity.tolerance is None else quantity.tolerance.relative
             accepts = bool(rule.accepts(honest.typed[quantity.id], band)[0])
             finding = said[quantity.id]
@@ -94,7 +96,7 @@ def as_text(value: float, figures: int, kind: Kind) -> str | float:
     return f"{mantissa.replace('.', ',')}e{power}" if int(power) < figures else f"{value:.0f}"
 
 
-def test_every_computed_quantity_is_audited(found: Audit) -> None:
+def test_every_computed_quantity_is_audited(found: ToleranceAudit) -> None:
     assert len(found.quantities) > 150
     assert all(one.quantity.kind is Kind.FORMULA for one in found.quantities)
     assert found.ways == 56
@@ -102,7 +104,7 @@ def test_every_computed_quantity_is_audited(found: Audit) -> None:
 
 
 def test_a_proposal_refuses_no_honest_answer(
-    found: Audit, course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]
+    found: ToleranceAudit, course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]
 ) -> None:
     written = {one.quantity.id: to_write(one, policy) for one in found.quantities}
     again = audit_tolerances(
@@ -112,14 +114,14 @@ def test_a_proposal_refuses_no_honest_answer(
     assert not any(one.changes for one in again.quantities)
 
 
-def test_a_wider_band_accepts_more_of_everything(found: Audit) -> None:
+def test_a_wider_band_accepts_more_of_everything(found: ToleranceAudit) -> None:
     for one in found.quantities:
         assert (np.diff(one.tally.refused_by_band) <= 0).all()
         assert (np.diff(one.tally.accepted_by_band) >= 0).all()
         assert one.tally.accepted_by_band[-1] <= one.tally.slips
 
 
-def test_what_a_declaration_allows_is_not_narrowed(found: Audit) -> None:
+def test_what_a_declaration_allows_is_not_narrowed(found: ToleranceAudit) -> None:
     declared = [one for one in found.quantities if one.quantity.tolerance is not None]
     for one in declared:
         assert one.quantity.tolerance is not None

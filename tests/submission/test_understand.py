@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.raw import RawCell
-from gripcourse.submission.understand import LONGEST_SHOWN, shown, understand
+from gripcourse.submission.understand import LONGEST_SHOWN, cell_text, understand
 from gripcourse.text.words import LANGUAGES, Message, Words
 
 VALUES = st.one_of(
@@ -33,7 +33,7 @@ def test_whatever_a_cell_holds_it_is_a_finite_value_a_blank_or_a_reason(
     quantity = data.draw(st.sampled_from(plan.answered))
     cell = RawCell(value, number_format, error, "", "Лист!E6")  # type: ignore[arg-type]
     result = understand(quantity, cell)
-    assert len(shown(cell)) <= LONGEST_SHOWN
+    assert len(cell_text(cell)) <= LONGEST_SHOWN
     if isinstance(result, Understood):
         assert math.isfinite(result.value)
         assert math.isfinite(result.half_unit)
@@ -45,7 +45,7 @@ def test_whatever_a_cell_holds_it_is_a_finite_value_a_blank_or_a_reason(
 
 def test_a_cell_is_shown_as_one_short_line() -> None:
     def show(value: object, formula: str = "") -> str:
-        return shown(RawCell(value, "General", False, formula, "x!E6"))  # type: ignore[arg-type]
+        return cell_text(RawCell(value, "General", False, formula, "x!E6"))  # type: ignore[arg-type]
 
     assert show("12,5\n  мм\x07") == "12,5 мм"
     assert show(0.1 + 0.2) == "0.3"

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import pytest
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.students import Behaviour
@@ -52,8 +52,8 @@ class Classroom:
         return read_register(register_path(self.course.root), self.course.id).by_student()
 
     @property
-    def desk(self) -> Desk:
-        return Desk(self.course, self.policy, self.register)
+    def context(self) -> GradingContext:
+        return GradingContext(self.course, self.policy, self.register)
 
     def plan(self, student: str) -> Plan:
         variant = self.register[student].variant

@@ -5,7 +5,7 @@ import signal
 import time
 
 from gripcourse.grading.model import Report
-from gripcourse.usecases.handout import Desk, Handout, issue_one, workbook_path
+from gripcourse.usecases.handout import Handout, IssuingContext, issue_one, workbook_path
 from gripcourse.usecases.student_reports import Printing
 from gripcourse.variants.model import Issued
 
@@ -47,11 +47,11 @@ def hang_deaf_at_s02(report: Report, _printing: Printing) -> bytes:
     return PAGE
 
 
-def issue_and_die_at_s02(desk: Desk, entry: Issued) -> Handout:
+def issue_and_die_at_s02(context: IssuingContext, entry: Issued) -> Handout:
     """Be killed in the middle of writing one student's workbook."""
     if entry.student.id == "s02":
-        workbook = workbook_path(desk.out, "s02")
+        workbook = workbook_path(context.out, "s02")
         workbook.parent.mkdir(parents=True, exist_ok=True)
         workbook.with_name(".s02.00ff00ff.xlsx").write_bytes(b"PK half of a workbook")
         os.kill(os.getpid(), signal.SIGKILL)
-    return issue_one(desk, entry)
+    return issue_one(context, entry)

@@ -12,18 +12,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.model import Kind
 from gripcourse.demo.students import blank, correct, early_slip
 from gripcourse.errors import UsageError
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.usecases.grade import (
-    Outcome,
-    find_files,
-    grade,
-    json_text,
-    write_results,
-)
+from gripcourse.usecases.grade import GradingOutcome, find_files, grade, json_text, write_results
 
 if TYPE_CHECKING:
     from conftest import Classroom
@@ -36,10 +30,12 @@ def nothing(_: Path) -> None:
     """Show no progress."""
 
 
-def run(desk: Desk, paths: Sequence[Path], out: Path, workers: int = 2) -> Outcome:
+def run(
+    context: GradingContext, paths: Sequence[Path], out: Path, workers: int = 2
+) -> GradingOutcome:
     files = find_files(paths)
     return write_results(
-        grade(files, desk, workers, nothing), desk, out, GRADED_ON, workers, nothing
+        grade(files, context, workers, nothing), context, out, GRADED_ON, workers, nothing
     )
 
 
@@ -74,19 +70,19 @@ def rough_inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -
 @pytest.fixture(scope="module")
 def rough(
     issued: "Classroom", rough_inbox: Path, tmp_path_factory: pytest.TempPathFactory
-) -> tuple[Outcome, Path]:
+) -> tuple[GradingOutcome, Path]:
     """Graded by a register that knows a scheme for s01 that the course has no longer."""
     out = tmp_path_factory.mktemp("rough_graded")
     entry = issued.register["s01"]
     lost = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
-    desk = replace(issued.desk, register={**issued.register, "s01": lost})
-    return run(desk, [rough_inbox], out, workers=1), out
+    context = replace(issued.context, register={**issued.register, "s01": lost})
+    return run(context, [rough_inbox], out, workers=1), out
 
 
 @pytest.fixture(scope="module")
 def graded(issued: "Classroom", inbox: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("graded")
-    run(issued.desk, [inbox], out)
+    run(issued.context, [inbox], out)
     return out
 
 
@@ -149,12 +145,12 @@ class TestResults:
     def test_grading_again_gives_the_same_bytes(
         self, issued: "Classroom", inbox: Path, graded: Path, tmp_path: Path
     ) -> None:
-        run(issued.desk, [inbox], tmp_path, workers=1)
+        run(issued.context, [inbox], tmp_path, workers=1)
         for path in sorted(graded.rglob("*.*")):
             assert (tmp_path / path.relative_to(graded)).read_bytes() == path.read_bytes(), path
 
     def test_files_that_cannot_be_judged_stop_nobody_and_are_no_zeros(
-        self, rough: tuple[Outcome, Path]
+        self, rough: tuple[GradingOutcome, Path]
     ) -> None:
         outcome, out = rough
         judged = {Path(one.file).name: one.judged for one in outcome.reports}
@@ -170,14 +166,16 @@ class TestResults:
         assert rows["s03"]["score"] == "0"
         assert rows["s01"]["score"] == rows["s01"]["percent"] == ""
 
-    def test_two_files_of_a_student_get_a_report_each(self, rough: tuple[Outcome, Path]) -> None:
+    def test_two_files_of_a_student_get_a_report_each(
+        self, rough: tuple[GradingOutcome, Path]
+    ) -> None:
         outcome, _ = rough
         names = {Path(file).name: path.name for file, path in outcome.written.items()}
         assert names["s02.xlsx"] == "s02.pdf"
         assert names["s02_исправлено.xlsx"] == "s02-2.pdf"
 
     def test_a_report_that_cannot_be_made_is_an_incident_of_that_student(
-        self, rough: tuple[Outcome, Path]
+        self, rough: tuple[GradingOutcome, Path]
     ) -> None:
         outcome, out = rough
         first = next(one for one in outcome.reports if one.student == "s01")
@@ -230,7 +228,7 @@ class TestJson:
     def test_a_file_that_could_not_be_judged_has_no_score(
         self, issued: "Classroom", rough_inbox: Path
     ) -> None:
-        graded = grade([rough_inbox / "текст.xlsx"], issued.desk, 1, nothing)
+        graded = grade([rough_inbox / "текст.xlsx"], issued.context, 1, nothing)
         (one,) = json.loads(json_text([graded[0].report], Words("en")))
         assert one["score"] is None
         assert one["max_score"] is None
@@ -242,7 +240,7 @@ class TestJson:
         self, issued: "Classroom", inbox: Path
     ) -> None:
         slip = inbox / "Шевченко Оксана_s02_assignsubmission_file" / "ответы.xlsx"
-        (graded,) = grade([slip], issued.desk, 1, nothing)
+        (graded,) = grade([slip], issued.context, 1, nothing)
         quantity = issued.plan("s02").quantities["grip_force"]
         hint = next(one.hint for one in quantity.slips if one.id == "one_jaw_only")
         for language in LANGUAGES:

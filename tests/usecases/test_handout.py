@@ -20,7 +20,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import message
 from gripcourse.usecases import handout as module
-from gripcourse.usecases.handout import Desk, Handout, issue, issue_one
+from gripcourse.usecases.handout import Handout, IssuingContext, issue, issue_one
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 
@@ -42,8 +42,8 @@ def entries(course: Course) -> tuple[Issued, ...]:
 
 
 @pytest.fixture
-def desk(course: Course, tmp_path: Path) -> Desk:
-    return Desk(course, load_policy(course), partial(make_plan, course), tmp_path / "out")
+def context(course: Course, tmp_path: Path) -> IssuingContext:
+    return IssuingContext(course, load_policy(course), partial(make_plan, course), tmp_path / "out")
 
 
 @pytest.fixture
@@ -63,51 +63,57 @@ def fail_for(student: str, fault: Exception) -> Callable[..., bytes]:
 
 @pytest.mark.usefixtures("quick_sheets")
 def test_every_student_gets_a_folder_with_sheet_and_workbook(
-    desk: Desk, entries: tuple[Issued, ...]
+    context: IssuingContext, entries: tuple[Issued, ...]
 ) -> None:
-    handouts = issue(desk, entries)
+    handouts = issue(context, entries)
     assert [handout.faults for handout in handouts] == [(), (), ()]
     for entry in entries:
         name = entry.student.id
-        folder = desk.out / name
+        folder = context.out / name
         assert {path.name for path in folder.iterdir()} == {
             f"assignment_{name}.pdf",
             f"{name}.xlsx",
         }
 
 
-def test_the_sheet_is_a_pdf_and_the_workbook_opens(desk: Desk, entries: tuple[Issued, ...]) -> None:
-    sheet, workbook = issue_one(desk, entries[0]).files
+def test_the_sheet_is_a_pdf_and_the_workbook_opens(
+    context: IssuingContext, entries: tuple[Issued, ...]
+) -> None:
+    sheet, workbook = issue_one(context, entries[0]).files
     assert sheet.read_bytes().startswith(b"%PDF-")
     assert openpyxl.load_workbook(workbook).sheetnames
 
 
 @pytest.mark.usefixtures("quick_sheets")
-def test_progress_is_told_after_each_student(desk: Desk, entries: tuple[Issued, ...]) -> None:
+def test_progress_is_told_after_each_student(
+    context: IssuingContext, entries: tuple[Issued, ...]
+) -> None:
     told: list[str] = []
 
     def note(handout: Handout) -> None:
         told.append(handout.student)
 
-    issue(desk, entries, note)
+    issue(context, entries, note)
     assert told == [entry.student.id for entry in entries]
 
 
 @pytest.mark.usefixtures("quick_sheets")
-def test_issuing_again_writes_the_same_files(desk: Desk, entries: tuple[Issued, ...]) -> None:
+def test_issuing_again_writes_the_same_files(
+    context: IssuingContext, entries: tuple[Issued, ...]
+) -> None:
     def digests() -> list[str]:
-        files = [path for handout in issue(desk, entries) for path in handout.files]
+        files = [path for handout in issue(context, entries) for path in handout.files]
         return [hashlib.sha256(path.read_bytes()).hexdigest() for path in files]
 
     assert digests() == digests()
 
 
 def test_a_failing_document_is_named_and_the_others_are_written(
-    desk: Desk, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
+    context: IssuingContext, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken = entries[1].student.id
     monkeypatch.setattr(module, "assignment_sheet", fail_for(broken, ZeroDivisionError("by zero")))
-    first, second, third = issue(desk, entries)
+    first, second, third = issue(context, entries)
     assert len(first.files) == len(third.files) == 2
     assert [path.name for path in second.files] == [f"{broken}.xlsx"]
     (fault,) = second.faults
@@ -117,29 +123,29 @@ def test_a_failing_document_is_named_and_the_others_are_written(
 
 
 def test_a_fault_of_the_course_is_told_with_its_remedy(
-    desk: Desk, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
+    context: IssuingContext, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken = entries[0].student.id
     problem = Problem("x", "", message("The template is missing."), message("Restore it."))
     monkeypatch.setattr(module, "assignment_sheet", fail_for(broken, CourseError([problem])))
-    (fault,) = issue_one(desk, entries[0]).faults
+    (fault,) = issue_one(context, entries[0]).faults
     assert "The template is missing. Restore it." in str(fault)
 
 
 def test_an_old_document_stays_when_the_new_one_fails(
-    desk: Desk, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
+    context: IssuingContext, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     name = entries[0].student.id
-    old = desk.out / name / f"assignment_{name}.pdf"
+    old = context.out / name / f"assignment_{name}.pdf"
     old.parent.mkdir(parents=True)
     old.write_bytes(b"old")
     monkeypatch.setattr(module, "assignment_sheet", fail_for(name, OSError("disk is full")))
-    issue_one(desk, entries[0])
+    issue_one(context, entries[0])
     assert old.read_bytes() == b"old"
 
 
 def test_a_variant_that_cannot_be_solved_is_not_handed_out(
-    desk: Desk, entries: tuple[Issued, ...]
+    context: IssuingContext, entries: tuple[Issued, ...]
 ) -> None:
     entry = entries[0]
     given = {**entry.variant.given, "friction": 0.0}
@@ -147,16 +153,16 @@ def test_a_variant_that_cannot_be_solved_is_not_handed_out(
         entry.variant.id, entry.variant.scheme, entry.variant.options, given
     )
     broken = type(entry)(entry.student, variant, entry.issued_on, None, entry.signature)
-    handout = issue_one(desk, broken)
+    handout = issue_one(context, broken)
     assert handout.files == ()
     assert handout.faults
-    assert not desk.out.exists()
+    assert not context.out.exists()
 
 
 def test_a_handout_can_be_sent_between_processes(
-    desk: Desk, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
+    context: IssuingContext, entries: tuple[Issued, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken = entries[0].student.id
     monkeypatch.setattr(module, "assignment_sheet", fail_for(broken, OSError("disk is full")))
-    handout = issue_one(desk, entries[0])
+    handout = issue_one(context, entries[0])
     assert pickle.loads(pickle.dumps(handout)) == handout  # noqa: S301 - made a line above

@@ -28,11 +28,11 @@ from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.grade import Outcome, json_text
+from gripcourse.usecases.grade import GradingOutcome, json_text
 from gripcourse.usecases.handout import Handout
 from gripcourse.usecases.issue import Issuing
 from gripcourse.usecases.samples import (
-    Sample,
+    SampleDocument,
     assignment,
     cohort,
     refused_report,
@@ -80,7 +80,7 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def plain(course: Course, policy: Policy) -> Sample:
+def plain(course: Course, policy: Policy) -> SampleDocument:
     return next(samples(course, policy, (), Words("en")))
 
 
@@ -90,14 +90,14 @@ def text(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture(scope="module")
-def sample(plain: Sample, text: str) -> Sample:
+def sample(plain: SampleDocument, text: str) -> SampleDocument:
     """A student of that name."""
     named = replace(plain.issued.student, name=text, group=text)
     return replace(plain, issued=replace(plain.issued, student=named))
 
 
 @pytest.fixture(scope="module")
-def report(sample: Sample, text: str) -> Report:
+def report(sample: SampleDocument, text: str) -> Report:
     """A judged workbook with that text wherever a student can put one."""
     judged = sample_report(sample)
     said = message("The student handed in more files: {files}.", files=text)
@@ -111,7 +111,7 @@ def report(sample: Sample, text: str) -> Report:
     )
 
 
-DOCUMENTS: Mapping[str, Callable[[Sample, Report], Document]] = {
+DOCUMENTS: Mapping[str, Callable[[SampleDocument, Report], Document]] = {
     "assignment": lambda sample, _: assignment(sample),
     "student": lambda sample, report: student(sample, report, Reveal.NOTHING),
     "student_revealed": lambda sample, report: student(sample, report, Reveal.REFERENCE),
@@ -122,7 +122,7 @@ DOCUMENTS: Mapping[str, Callable[[Sample, Report], Document]] = {
 
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_a_page_shows_it_and_has_no_element_of_it(
-    plain: Sample, sample: Sample, report: Report, text: str, kind: str
+    plain: SampleDocument, sample: SampleDocument, report: Report, text: str, kind: str
 ) -> None:
     page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
     usual = render_html(DOCUMENTS[kind](plain, sample_report(plain)), TEMPLATES, plain.words)
@@ -132,13 +132,13 @@ def test_a_page_shows_it_and_has_no_element_of_it(
     assert not UNSEEN.search(page)
 
 
-def test_it_can_be_laid_out(sample: Sample) -> None:
+def test_it_can_be_laid_out(sample: SampleDocument) -> None:
     document = student(sample, refused_report(sample), Reveal.NOTHING)
     pdf = pdf_from_html(render_html(document, TEMPLATES, sample.words), document.styles, TEMPLATES)
     assert pdf.startswith(b"%PDF")
 
 
-def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: Sample, text: str) -> None:
+def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, text: str) -> None:
     view = sample.plan.scheme.view
     assert view is not None
     values = solve_variant(sample.plan, sample.issued.variant.given)
@@ -162,7 +162,7 @@ def test_a_table_for_a_spreadsheet_runs_nothing(report: Report, text: str) -> No
         assert not row[column].startswith(FORMULA_STARTS)
 
 
-def test_a_workbook_holds_it_as_text(sample: Sample, text: str) -> None:
+def test_a_workbook_holds_it_as_text(sample: SampleDocument, text: str) -> None:
     made = answer_workbook(sample.plan, sample.issued, sample.course, sample.words)
     book = load_workbook(io.BytesIO(made))
     cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row]
@@ -176,7 +176,7 @@ def test_a_workbook_holds_it_as_text(sample: Sample, text: str) -> None:
 
 
 def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_path: Path) -> None:
-    outcome = Outcome((replace(report, name=text, file=text),), {}, None, needs_person=True)
+    outcome = GradingOutcome((replace(report, name=text, file=text),), {}, None, needs_person=True)
     lost = message(
         "The documents of {student} could not be made: {reason}", student="s", reason=text
     )

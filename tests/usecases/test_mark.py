@@ -15,7 +15,7 @@ from gripcourse.demo.students import correct, early_slip
 from gripcourse.errors import GradebookError, GripcourseError, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.grading.model import Finding, Outcome, Report
-from gripcourse.usecases.grade import Outcome as Batch
+from gripcourse.usecases.grade import GradingOutcome as Batch
 from gripcourse.usecases.grade import write_results
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.mark import (
@@ -46,28 +46,30 @@ class Office:
     def __init__(self, classroom: "Classroom", folder: Path) -> None:
         self.classroom, self.folder = classroom, folder
         self.place = str(folder / "gradebook.sqlite")
-        self.desk = classroom.desk
+        self.context = classroom.context
 
     def keep(self, files: Sequence[Path], **changes: object) -> tuple[Graded, ...]:
-        desk = replace(self.desk, **changes)  # type: ignore[arg-type]
+        context = replace(self.context, **changes)  # type: ignore[arg-type]
         # In this process: other tests grade in processes of their own.
-        return keep([Graded(grade_file(one, desk), "") for one in files], desk, self.place, NOW)
+        return keep(
+            [Graded(grade_file(one, context), "") for one in files], context, self.place, NOW
+        )
 
     def grade(self, files: Sequence[Path], **changes: object) -> dict[str, Report]:
         """Grade files and let the marks enter, as the command does; the reports by student."""
         return {one.report.student: one.report for one in self.keep(files, **changes)}
 
     def write(self, files: Sequence[Path], out: Path) -> Batch:
-        return write_results(self.keep(files), self.desk, out, date(2026, 12, 2), 1, nothing)
+        return write_results(self.keep(files), self.context, out, date(2026, 12, 2), 1, nothing)
 
     def mark(self, quantity: str = DRAWING, student: str = "s01", **draft: object) -> Marking:
         wanted = Draft(student, quantity, **{"lines": {}, **draft})  # type: ignore[arg-type]
-        return enter_mark(wanted, self.desk, self.place, "Петров", NOW + timedelta(hours=1))
+        return enter_mark(wanted, self.context, self.place, "Петров", NOW + timedelta(hours=1))
 
     def table(self, text: str) -> Marking:
         path = self.folder / "marks.csv"
         path.write_text(text, encoding="utf-8")
-        return enter_table(path, self.desk, self.place, "Петров", NOW + timedelta(hours=1))
+        return enter_table(path, self.context, self.place, "Петров", NOW + timedelta(hours=1))
 
     @property
     def kept(self) -> list[tuple[str, str, int]]:
@@ -139,7 +141,7 @@ class TestAMarkedDrawing:
         self, office: Office, files: list[Path]
     ) -> None:
         office.mark(student="s02", lines=LINES)
-        stricter = replace(office.desk.policy, carried_credit=0.5)
+        stricter = replace(office.context.policy, carried_credit=0.5)
         report = office.grade(files, policy=stricter)["s02"]
         assert [flag.code for flag in report.flags] == ["mark_outdated"]
         assert office.grade(files)["s02"].flags == ()
@@ -250,7 +252,7 @@ class TestFaults:
             what_waits(nowhere)
         assert "gripcourse grade" in str(caught.value.problems[0].remedy)
         with pytest.raises(GradebookError):
-            enter_mark(Draft("s01", DRAWING, LINES), issued.desk, nowhere, "Петров", NOW)
+            enter_mark(Draft("s01", DRAWING, LINES), issued.context, nowhere, "Петров", NOW)
         assert list(tmp_path.iterdir()) == []
 
     @pytest.mark.parametrize("text", ["sizes", "sizes=", "=1", "sizes=half", "sizes=1/2"])

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING
 import pytest
 from pypdf import PdfReader
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
 from gripcourse.cli.grading_text import grading_text
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
-from gripcourse.usecases.grade import Outcome, write_results
+from gripcourse.usecases.grade import GradingOutcome, write_results
 from gripcourse.usecases.student_reports import LayOut, Printing, write_reports
 
 if TYPE_CHECKING:
@@ -61,9 +61,11 @@ def reports(issued: "Classroom") -> list[Report]:
     ]
 
 
-def results(reports: list[Report], desk: Desk, out: Path, lay_out: LayOut) -> Outcome:
+def results(
+    reports: list[Report], context: GradingContext, out: Path, lay_out: LayOut
+) -> GradingOutcome:
     graded = [Graded(report, "") for report in reports]
-    return write_results(graded, desk, out, GRADED_ON, 2, lambda _: None, lay_out=lay_out)
+    return write_results(graded, context, out, GRADED_ON, 2, lambda _: None, lay_out=lay_out)
 
 
 def names(folder: Path) -> set[str]:
@@ -77,14 +79,14 @@ def batch(
     reports: list[Report],
     issued: "Classroom",
     tmp_path_factory: pytest.TempPathFactory,
-) -> tuple[Outcome, Path]:
+) -> tuple[GradingOutcome, Path]:
     """Three students' results, one of whom has a report that cannot be laid out."""
     out = tmp_path_factory.mktemp("results")
-    return results(reports, issued.desk, out, getattr(fake, request.param)), out
+    return results(reports, issued.context, out, getattr(fake, request.param)), out
 
 
 def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
-    fake: ModuleType, batch: tuple[Outcome, Path]
+    fake: ModuleType, batch: tuple[GradingOutcome, Path]
 ) -> None:
     outcome, out = batch
     assert names(out / "reports") == {"s01.pdf", "s03.pdf"}
@@ -94,7 +96,9 @@ def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
     assert names(out) == summaries | {"incidents.log"}
 
 
-def test_the_incident_is_named_wherever_somebody_may_look(batch: tuple[Outcome, Path]) -> None:
+def test_the_incident_is_named_wherever_somebody_may_look(
+    batch: tuple[GradingOutcome, Path],
+) -> None:
     outcome, out = batch
     assert outcome.needs_person
     by_student = {one.student: [flag.code for flag in one.flags] for one in outcome.reports}
@@ -133,7 +137,7 @@ def test_a_report_of_an_earlier_run_does_not_stand_for_one_that_failed(
     old = tmp_path / "reports" / "s02.pdf"
     old.parent.mkdir()
     old.write_bytes(b"%PDF of another mark")
-    results(reports, issued.desk, tmp_path, fake.refuse_s02)
+    results(reports, issued.context, tmp_path, fake.refuse_s02)
     assert not old.exists()
 
 
@@ -141,9 +145,9 @@ def test_grades_are_written_though_the_report_on_the_batch_fails(
     fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
 ) -> None:
     nowhere = replace(issued.course, root=tmp_path / "gone")
-    desk = replace(issued.desk, course=nowhere)
+    context = replace(issued.context, course=nowhere)
     plain = [one for one in reports if one.student != "s02"]
-    outcome = results(plain, desk, tmp_path / "out", fake.refuse_s02)
+    outcome = results(plain, context, tmp_path / "out", fake.refuse_s02)
     assert outcome.cohort is None
     assert outcome.needs_person
     assert names(tmp_path / "out") == {"reports", "grades.csv", "grades.json", "incidents.log"}

@@ -11,10 +11,10 @@ from gripcourse.course.model import Course
 from gripcourse.errors import UsageError
 from gripcourse.policy.load import load_policy, policy_path
 from gripcourse.policy.model import Policy
-from gripcourse.simulation.tolerance import Audit
+from gripcourse.simulation.tolerance import ToleranceAudit
 from gripcourse.text.words import Words
 from gripcourse.usecases.init import init_course
-from gripcourse.usecases.tolerance import Sample, apply, audit, variants_of, write_audit
+from gripcourse.usecases.tolerance import ToleranceSample, apply, audit, variants_of, write_audit
 from gripcourse.usecases.validate import all_problems
 from gripcourse.usecases.virtual import (
     MISSES,
@@ -39,14 +39,14 @@ def own(tmp_path: Path) -> Course:
 
 
 @pytest.fixture
-def narrow(own: Course) -> tuple[Course, Policy, Audit]:
+def narrow(own: Course) -> tuple[Course, Policy, ToleranceAudit]:
     """An audit of the issued variants under a policy that refuses honest answers."""
     path = policy_path(own.root)
     text = path.read_text(encoding="utf-8").replace("relative = 0.01\n", "relative = 0.0001\n", 1)
     path.write_text(text, encoding="utf-8")
     policy = load_policy(own)
     table = own.root / "variants" / "tables" / "main.csv"
-    variants = variants_of(own, Sample(table, count=0, seed=1))[:6]
+    variants = variants_of(own, ToleranceSample(table, count=0, seed=1))[:6]
     return own, policy, audit(own, policy, variants, 1, nothing)
 
 
@@ -77,7 +77,7 @@ def test_a_scheme_that_nobody_declared_is_named(
 
 
 def test_derived_tolerances_are_written_once_and_keep_what_was_there(
-    narrow: tuple[Course, Policy, Audit],
+    narrow: tuple[Course, Policy, ToleranceAudit],
 ) -> None:
     own, policy, found = narrow
     before = policy_path(own.root).read_text(encoding="utf-8")
@@ -94,7 +94,7 @@ def test_derived_tolerances_are_written_once_and_keep_what_was_there(
 
 
 def test_the_audit_is_written_as_a_row_for_each_quantity(
-    narrow: tuple[Course, Policy, Audit], tmp_path: Path
+    narrow: tuple[Course, Policy, ToleranceAudit], tmp_path: Path
 ) -> None:
     found = narrow[2]
     write_audit(found, tmp_path / "audit.csv")

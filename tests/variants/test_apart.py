@@ -15,7 +15,7 @@ from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor
-from gripcourse.variants.answers import Item, items_of, section_totals, solve_groups
+from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
 from gripcourse.variants.apart import Limits, measure, shared_points
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
@@ -25,9 +25,9 @@ SECTIONS = 3
 LIMITS = Limits(0.1, 0.5)
 
 
-def item(quantity: str, values: list[float], width: float, section: int = 0) -> Item:
+def item(quantity: str, values: list[float], width: float, section: int = 0) -> AnswerItem:
     size = len(values)
-    return Item(
+    return AnswerItem(
         quantity=quantity,
         rows=np.arange(size),
         values=np.array(values, dtype=np.float64),
@@ -38,7 +38,7 @@ def item(quantity: str, values: list[float], width: float, section: int = 0) -> 
     )
 
 
-def all_pairs(items: list[Item], size: int) -> NDArray[np.float64]:
+def all_pairs(items: list[AnswerItem], size: int) -> NDArray[np.float64]:
     """Compare everybody with everybody: points by who gets the answers, whose, and section."""
     shared = np.zeros((size, size, SECTIONS))
     for one in items:
@@ -51,7 +51,7 @@ def all_pairs(items: list[Item], size: int) -> NDArray[np.float64]:
 
 
 @st.composite
-def tables(draw_: st.DrawFn) -> tuple[list[Item], int]:
+def tables(draw_: st.DrawFn) -> tuple[list[AnswerItem], int]:
     size = draw_(st.integers(2, 25))
     numbers = st.one_of(st.integers(-4, 4).map(float), st.floats(-3, 3, width=32))
     items = []
@@ -76,7 +76,7 @@ def tables(draw_: st.DrawFn) -> tuple[list[Item], int]:
 @settings(max_examples=150)
 @given(table=tables(), budget=st.integers(1, 500))
 def test_sorted_windows_find_what_comparing_all_pairs_finds(
-    table: tuple[list[Item], int], budget: int
+    table: tuple[list[AnswerItem], int], budget: int
 ) -> None:
     items, size = table
     expected = all_pairs(items, size)
@@ -90,7 +90,7 @@ def test_sorted_windows_find_what_comparing_all_pairs_finds(
 @settings(max_examples=100)
 @given(table=tables())
 def test_the_measure_tells_the_nearest_and_counts_what_is_above(
-    table: tuple[list[Item], int],
+    table: tuple[list[AnswerItem], int],
 ) -> None:
     items, size = table
     totals = section_totals(items, size, SECTIONS)

@@ -14,7 +14,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.units import factor
 from gripcourse.variants.answers import solve_groups
-from gripcourse.variants.audit import Audit, audit
+from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.fair import Steps, near_steps, steps_ratio
 from gripcourse.variants.model import Variant
@@ -45,7 +45,7 @@ def raw(course: Course, spaces: tuple[Space, ...]) -> tuple[Variant, ...]:
 @pytest.fixture(scope="module")
 def raw_audit(
     course: Course, policy: Policy, spaces: tuple[Space, ...], raw: tuple[Variant, ...]
-) -> Audit:
+) -> VariantAudit:
     return audit(course, policy, raw, spaces)
 
 
@@ -123,7 +123,7 @@ def test_a_variant_outside_its_space_is_named(
 
 
 def test_a_refused_slip_lies_within_the_demanded_bands_and_the_others_do_not(
-    course: Course, policy: Policy, raw: tuple[Variant, ...], raw_audit: Audit
+    course: Course, policy: Policy, raw: tuple[Variant, ...], raw_audit: VariantAudit
 ) -> None:
     """Against the scalar functions: every declared slip of every variant."""
     assert any(one.slips for one in raw_audit.variants)
@@ -150,7 +150,7 @@ def test_no_right_answer_of_a_sound_table_is_what_a_declared_slip_gives(
 
 
 def test_slips_of_every_kind_are_counted(
-    course: Course, policy: Policy, sound: tuple[Variant, ...], raw_audit: Audit
+    course: Course, policy: Policy, sound: tuple[Variant, ...], raw_audit: VariantAudit
 ) -> None:
     kinds = {one.kind for one in raw_audit.slips}
     assert "declared" in kinds
@@ -191,7 +191,7 @@ def test_a_size_that_rests_on_sizes_alone_is_never_at_an_edge(
             assert not near["rod"].any()
 
 
-def test_a_quantity_that_hardly_differs_is_named_as_weak(raw_audit: Audit) -> None:
+def test_a_quantity_that_hardly_differs_is_named_as_weak(raw_audit: VariantAudit) -> None:
     weak = {(one.scheme, one.quantity) for one in raw_audit.weak_items}
     limit = raw_audit.rules.weak_item
     assert weak == {(one.scheme, one.quantity) for one in raw_audit.spreads if one.equal > limit}
@@ -201,7 +201,7 @@ def test_a_quantity_that_hardly_differs_is_named_as_weak(raw_audit: Audit) -> No
         assert one.lowest <= one.median <= one.highest
 
 
-def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: Audit) -> None:
+def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: VariantAudit) -> None:
     assert sum(one.variants for one in raw_audit.steps) == len(raw_audit.variants)
     assert {one.scheme for one in raw_audit.steps} == SCHEMES
     for one in raw_audit.steps:
@@ -210,7 +210,7 @@ def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: Audit) -> 
     assert raw_audit.ratio == steps_ratio(raw_audit.steps) > 1
 
 
-def test_a_much_longer_assignment_is_to_be_looked_at(raw_audit: Audit) -> None:
+def test_a_much_longer_assignment_is_to_be_looked_at(raw_audit: VariantAudit) -> None:
     short = Steps("a", (), 1, 10, 5, 5, 8)
     long = replace(short, computed=45)
     assert steps_ratio([short, long]) == pytest.approx(55 / 20)
@@ -218,7 +218,7 @@ def test_a_much_longer_assignment_is_to_be_looked_at(raw_audit: Audit) -> None:
     assert replace(raw_audit, ratio=2.5).alike_steps
 
 
-def test_every_variant_is_told_whose_answers_bring_most(raw_audit: Audit) -> None:
+def test_every_variant_is_told_whose_answers_bring_most(raw_audit: VariantAudit) -> None:
     for row, one in enumerate(raw_audit.variants):
         assert one.nearest is not None
         assert one.nearest.own == row != one.nearest.other
@@ -226,7 +226,7 @@ def test_every_variant_is_told_whose_answers_bring_most(raw_audit: Audit) -> Non
         assert one.nearest.followed >= one.nearest.share - 1e-9
 
 
-def test_what_counts_for_no_limit_is_told_beside(raw_audit: Audit) -> None:
+def test_what_counts_for_no_limit_is_told_beside(raw_audit: VariantAudit) -> None:
     beside = raw_audit.beside
     assert 0 < beside.computed < beside.sizes < beside.verdicts < 1
     pairs, size = raw_audit.apart.pairs, len(raw_audit.variants)

@@ -9,7 +9,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
 from gripcourse.variants.explain import in_short, why_infeasible
-from gripcourse.variants.feasible import Cause, reasons_infeasible
+from gripcourse.variants.feasible import RefusalCause, reasons_infeasible
 
 SOUND = {
     "mass": 60.0,
@@ -35,18 +35,18 @@ def test_a_sound_variant_has_no_reason(plan: Plan) -> None:
 @pytest.mark.parametrize(
     ("change", "cause", "quantity", "said"),
     [
-        ({"travel": 150.0}, Cause.NO_VALUE, "angle", "travel = 150 mm; arm = 100 mm"),
-        ({"friction": 0.0}, Cause.NO_VALUE, "force", "friction = 0"),
-        ({"friction": 1.5}, Cause.BOUNDS, "friction", "between 0 and 1"),
-        ({"mass": -60.0}, Cause.BOUNDS, "mass", "is −60 kg"),
-        ({"teeth": 17.5}, Cause.NOT_WHOLE, "teeth", "whole number, not 17.5"),
-        ({"acceleration": 0.0}, Cause.GUARD, "force", "force > 0"),
-        ({"pressure": 16.0}, Cause.VERDICT, "pressure_holds", "pressure = 16 MPa"),
-        ({"mass": 5000.0, "pressure": 1.0, "friction": 0.01}, Cause.NO_VALUE, "bore", "mm"),
+        ({"travel": 150.0}, RefusalCause.NO_VALUE, "angle", "travel = 150 mm; arm = 100 mm"),
+        ({"friction": 0.0}, RefusalCause.NO_VALUE, "force", "friction = 0"),
+        ({"friction": 1.5}, RefusalCause.BOUNDS, "friction", "between 0 and 1"),
+        ({"mass": -60.0}, RefusalCause.BOUNDS, "mass", "is −60 kg"),
+        ({"teeth": 17.5}, RefusalCause.NOT_WHOLE, "teeth", "whole number, not 17.5"),
+        ({"acceleration": 0.0}, RefusalCause.GUARD, "force", "force > 0"),
+        ({"pressure": 16.0}, RefusalCause.VERDICT, "pressure_holds", "pressure = 16 MPa"),
+        ({"mass": 5000.0, "pressure": 1.0, "friction": 0.01}, RefusalCause.NO_VALUE, "bore", "mm"),
     ],
 )
 def test_the_reason_names_quantity_and_values(
-    plan: Plan, change: dict[str, float], cause: Cause, quantity: str, said: str
+    plan: Plan, change: dict[str, float], cause: RefusalCause, quantity: str, said: str
 ) -> None:
     given = SOUND | change
     arrays = {id_: np.array([value]) for id_, value in given.items()}

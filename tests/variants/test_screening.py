@@ -11,7 +11,7 @@ from gripcourse.course.model import Course, Kind
 from gripcourse.errors import TableError
 from gripcourse.policy.model import Policy
 from gripcourse.variants.accepted import Accepted
-from gripcourse.variants.answers import Item, items_of, section_totals, solve_groups
+from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
 from gripcourse.variants.apart import Limits, limits_of, measure, shared_points
 from gripcourse.variants.audit import audit
 from gripcourse.variants.draw import draw
@@ -90,7 +90,7 @@ def test_a_candidate_is_let_through_exactly_when_no_pair_goes_above_a_limit(
 ) -> None:
     table = np.array(values, dtype=np.float64)
     items = [
-        Item(
+        AnswerItem(
             quantity=f"q{column}",
             rows=np.arange(len(table)),
             values=table[:, column],

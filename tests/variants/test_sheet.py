@@ -8,7 +8,7 @@ import pytest
 import xlsxwriter
 
 from gripcourse.errors import TableError
-from gripcourse.variants.sheet import Row, column_name, read_sheet
+from gripcourse.variants.sheet import SheetRow, column_name, read_sheet
 
 
 def write(path: Path, text: str, encoding: str = "utf-8") -> Path:
@@ -21,13 +21,13 @@ def write(path: Path, text: str, encoding: str = "utf-8") -> Path:
 def test_marks_and_line_ends_do_not_matter(tmp_path: Path, encoding: str, end: str) -> None:
     sheet = read_sheet(write(tmp_path / "t.csv", f"id,масса{end}1,60{end}", encoding))
     assert sheet.header == ("id", "масса")
-    assert sheet.rows == (Row(2, ("1", "60")),)
+    assert sheet.rows == (SheetRow(2, ("1", "60")),)
 
 
 @pytest.mark.parametrize("sign", [",", ";", "\t"])
 def test_the_separator_is_taken_from_the_headings(tmp_path: Path, sign: str) -> None:
     sheet = read_sheet(write(tmp_path / "t.csv", f"id{sign}m\n1{sign}60\n"))
-    assert sheet.rows == (Row(2, ("1", "60")),)
+    assert sheet.rows == (SheetRow(2, ("1", "60")),)
     assert sheet.decimal_comma == (sign != ",")
 
 
@@ -100,7 +100,7 @@ def test_numbers_of_a_spreadsheet_keep_all_their_digits(tmp_path: Path) -> None:
     sheet.append(["id", "m", "f"])
     sheet.append([7, 60.0, 0.123456789012345])
     book.save(tmp_path / "t.xlsx")
-    assert read_sheet(tmp_path / "t.xlsx").rows == (Row(2, ("7", "60", "0.123456789012345")),)
+    assert read_sheet(tmp_path / "t.xlsx").rows == (SheetRow(2, ("7", "60", "0.123456789012345")),)
 
 
 def test_errors_dates_and_truth_of_a_spreadsheet_are_not_blank(tmp_path: Path) -> None:

@@ -8,12 +8,12 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
 from gripcourse.variants.ranges import Follower
-from gripcourse.variants.space import Case, Space, load_spaces
+from gripcourse.variants.space import Space, SpaceCase, load_spaces
 
 Change = Callable[[str, str], Course]
 
 
-def case_of(space: Space, fluid: str) -> Case:
+def case_of(space: Space, fluid: str) -> SpaceCase:
     return next(case for case in space.cases if case.options["fluid"] == fluid)
 
 

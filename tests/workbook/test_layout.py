@@ -4,7 +4,7 @@ import pytest
 
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.workbook.layout import LONGEST_SHEET_NAME, Place, layout
+from gripcourse.workbook.layout import LONGEST_SHEET_NAME, CellPlace, layout
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -48,5 +48,5 @@ def test_a_sheet_is_named_by_the_short_title_of_its_section(plan: Plan) -> None:
 
 
 def test_a_place_is_written_as_spreadsheets_write_it() -> None:
-    assert Place("Об'єкт", 4, 4).reference == "'Об''єкт'!$E$5"
-    assert Place("x", 0, 27).address == "AB1"
+    assert CellPlace("Об'єкт", 4, 4).reference == "'Об''єкт'!$E$5"
+    assert CellPlace("x", 0, 27).address == "AB1"

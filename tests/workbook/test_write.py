@@ -13,7 +13,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.variants.model import Issued
-from gripcourse.workbook.layout import Column, layout
+from gripcourse.workbook.layout import SheetColumn, layout
 from gripcourse.workbook.names import HIDDEN_SHEET
 from gripcourse.workbook.write import answer_workbook, write_answer_workbook
 
@@ -146,8 +146,8 @@ def test_each_answer_has_a_check_that_is_silent_while_it_is_empty(
     computed = load_workbook(io.BytesIO(content), data_only=True)
     live = load_workbook(io.BytesIO(content))
     for place in layout(plan, RUSSIAN).answers.values():
-        assert live[place.sheet].cell(place.row + 1, Column.CHECK + 1).value.startswith("=IF(")
-        assert computed[place.sheet].cell(place.row + 1, Column.CHECK + 1).value in {None, ""}
+        assert live[place.sheet].cell(place.row + 1, SheetColumn.CHECK + 1).value.startswith("=IF(")
+        assert computed[place.sheet].cell(place.row + 1, SheetColumn.CHECK + 1).value in {None, ""}
 
 
 def test_a_name_from_the_roster_is_never_a_formula(book: Workbook, issued: Issued) -> None:

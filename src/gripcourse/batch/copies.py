@@ -4,7 +4,7 @@ import traceback
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
@@ -14,7 +14,9 @@ from gripcourse.likeness.works import work_of
 from gripcourse.workbook.names import AUTHOR
 
 
-def mark_likeness(reports: Sequence[Report], desk: Desk) -> tuple[tuple[Report, ...], str]:
+def mark_likeness(
+    reports: Sequence[Report], context: GradingContext
+) -> tuple[tuple[Report, ...], str]:
     """Flag the submissions that hold another student's numbers.
 
     Returns:
@@ -22,7 +24,7 @@ def mark_likeness(reports: Sequence[Report], desk: Desk) -> tuple[tuple[Report, 
         grading is never lost for it.
     """
     try:
-        flags = flags_by_student(evidence_of(reports, desk))
+        flags = flags_by_student(evidence_of(reports, context))
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return tuple(reports), f"looking for likeness:\n{traceback.format_exc()}"
     marked = (
@@ -34,14 +36,14 @@ def mark_likeness(reports: Sequence[Report], desk: Desk) -> tuple[tuple[Report, 
     return tuple(marked), ""
 
 
-def evidence_of(reports: Sequence[Report], desk: Desk) -> tuple[Evidence, ...]:
+def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evidence, ...]:
     """Compare the judged submissions of a batch with each other and with all issued variants."""
     works = [
-        work_of(report, desk.register[report.student], AUTHOR)
+        work_of(report, context.register[report.student], AUTHOR)
         for report in reports
-        if report.judged and report.student in desk.register
+        if report.judged and report.student in context.register
     ]
     if not works:
         return ()
-    variants = [(student, entry.variant) for student, entry in desk.register.items()]
-    return find_evidence(works, issued_values(desk.course, variants), desk.policy.likeness)
+    variants = [(student, entry.variant) for student, entry in context.register.items()]
+    return find_evidence(works, issued_values(context.course, variants), context.policy.likeness)

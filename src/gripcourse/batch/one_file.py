@@ -27,7 +27,7 @@ _COMPOSITIONS: Final = 64
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Desk:
+class GradingContext:
     """What grading needs: the course, its policy and the register by student.
 
     Two desks are never the same one, so that what was made for one can be remembered by it.
@@ -38,37 +38,37 @@ class Desk:
     register: Mapping[str, Issued]
 
 
-def grade_file(file: Path, desk: Desk) -> Report:
+def grade_file(file: Path, context: GradingContext) -> Report:
     """Grade one file; the student's faults are in the report, only ours are exceptions."""
     raw = read_workbook(file)
     if isinstance(raw, Rejected):
-        return rejected_report(raw, submitter(str(file), "", desk.register))
-    issued = submitter(str(file), raw.identity.student, desk.register)
+        return rejected_report(raw, submitter(str(file), "", context.register))
+    issued = submitter(str(file), raw.identity.student, context.register)
     if issued is None:
         return unknown_student_report(str(file), raw.identity.student, raw.digest)
-    return judge_read(raw, issued, desk)
+    return judge_read(raw, issued, context)
 
 
-def judge_read(raw: RawWorkbook, issued: Issued, desk: Desk) -> Report:
+def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Report:
     """Judge a workbook that was read against what was issued to who handed it in."""
-    plan, methods = methods_of(desk, issued.variant)
+    plan, methods = methods_of(context, issued.variant)
     submission = interpret(raw, plan.quantities.values())
-    return judge(submission, issued, plan, desk.policy, methods)
+    return judge(submission, issued, plan, context.policy, methods)
 
 
-def methods_of(desk: Desk, variant: Variant) -> tuple[Plan, CandidatesOf]:
+def methods_of(context: GradingContext, variant: Variant) -> tuple[Plan, CandidatesOf]:
     """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
-    return _methods(desk, variant.scheme, tuple(variant.options.items()))
+    return _methods(context, variant.scheme, tuple(variant.options.items()))
 
 
 @lru_cache(maxsize=_COMPOSITIONS)
 def _methods(
-    desk: Desk, scheme: str, options: tuple[tuple[str, str], ...]
+    context: GradingContext, scheme: str, options: tuple[tuple[str, str], ...]
 ) -> tuple[Plan, CandidatesOf]:
-    plan = make_plan(desk.course, scheme, dict(options))
+    plan = make_plan(context.course, scheme, dict(options))
 
     @cache
     def methods(name: str) -> tuple[Candidate, ...]:
-        return candidates_of(plan, name, desk.policy.slips)
+        return candidates_of(plan, name, context.policy.slips)
 
     return plan, methods

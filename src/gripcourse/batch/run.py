@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
 from gripcourse.batch.duplicates import mark_doubles
-from gripcourse.batch.one_file import Desk, grade_file
+from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
@@ -18,7 +18,7 @@ from gripcourse.text.shown import shown
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
 
-GradeOne: TypeAlias = Callable[[Path, Desk], Report]
+GradeOne: TypeAlias = Callable[[Path, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
 
@@ -34,13 +34,13 @@ class Graded:
 class _Job:
     """What is done with every file."""
 
-    desk: Desk
+    context: GradingContext
     grade_one: GradeOne
 
 
 def grade_files(
     files: Sequence[Path],
-    desk: Desk,
+    context: GradingContext,
     workers: int,
     on_done: Callable[[Path], None] = lambda _: None,
     *,
@@ -51,23 +51,23 @@ def grade_files(
 
     Args:
         files: to grade.
-        desk: the course, its policy, the register.
+        context: the course, its policy, the register.
         workers: how many processes.
         on_done: called with each file when it is done.
         grade_one: grades one file.
         seconds: that one file may take.
     """
     done: dict[Path, Graded] = {}
-    job = _Job(desk, grade_one)
+    job = _Job(context, grade_one)
     for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
         file = files[number]
         if isinstance(report, Lost):
-            done[file] = _incident(file, desk, report.trace)
+            done[file] = _incident(file, context, report.trace)
         else:
             # A name need not be text for every system; from here on it is only read by people.
             done[file] = Graded(replace(report, file=shown(report.file)), "")
         on_done(file)
-    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), desk)
+    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), context)
     incidents = [done[file].incident for file in files]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
@@ -79,11 +79,11 @@ def incident_number(trace: str) -> str:
 
 
 def _grade(file: Path, job: _Job) -> Report:
-    return job.grade_one(file, job.desk)
+    return job.grade_one(file, job.context)
 
 
-def _incident(file: Path, desk: Desk, trace: str) -> Graded:
+def _incident(file: Path, context: GradingContext, trace: str) -> Graded:
     number = incident_number(trace)
-    issued = submitter(str(file), "", desk.register)
+    issued = submitter(str(file), "", context.register)
     told = shown(f"incident {number}: {trace}\n{file}\n")
     return Graded(incident_report(shown(str(file)), number, issued), told)

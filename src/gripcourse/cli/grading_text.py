@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from gripcourse.demo.run import Demo
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report
-    from gripcourse.usecases.grade import Outcome
+    from gripcourse.usecases.grade import GradingOutcome
     from gripcourse.usecases.mark import Marking
 
 FLAGS = {
@@ -39,7 +39,7 @@ FLAGS = {
 """Each flag in two words, for a table; below it every flag has its sentence."""
 
 
-def grading_text(outcome: "Outcome", out: Path, words: Words) -> str:
+def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
     from gripcourse.usecases.grade import GRADES_CSV, INCIDENTS, REPORTS
 

@@ -173,19 +173,19 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.gradebook import check_gradebook, keep
-    from gripcourse.usecases.opening import open_desk
+    from gripcourse.usecases.opening import open_grading
 
     words = words_for(language)
     files = command.find_files(paths)
-    desk = open_desk(course_folder(course))
-    place = gradebook_place(gradebook, desk.course.root)
+    context = open_grading(course_folder(course))
+    place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
-        graded = command.grade(files, desk, workers, lambda _: tick())
-        graded = keep(graded, desk, place, datetime.now(UTC))
+        graded = command.grade(files, context, workers, lambda _: tick())
+        graded = keep(graded, context, place, datetime.now(UTC))
         tick = step(words.say(message("Writing reports")), len(files))
-        outcome = command.write_results(graded, desk, out, day_of(on), workers, lambda _: tick())
+        outcome = command.write_results(graded, context, out, day_of(on), workers, lambda _: tick())
     if json:
         typer.echo(command.json_text(outcome.reports, words))
     else:

@@ -74,7 +74,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     """Mark what a person judges; kept for good, and part of every report from the next grading."""
     from gripcourse.gradebook.enter import Draft
     from gripcourse.usecases import mark as command
-    from gripcourse.usecases.opening import open_desk
+    from gripcourse.usecases.opening import open_grading
 
     words = words_for(language)
     root = course_folder(course)
@@ -88,9 +88,9 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         waits = command.what_waits(place)
         typer.echo(grading_text.waiting_text(waits, words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
-    desk, marker, now = open_desk(root), by or getpass.getuser(), datetime.now(UTC)
+    context, marker, now = open_grading(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:
-        done = command.enter_table(table, desk, place, marker, now)
+        done = command.enter_table(table, context, place, marker, now)
     else:
         draft = Draft(
             student=str(student),
@@ -102,5 +102,5 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             override=override,
             withdraw=withdraw,
         )
-        done = command.enter_mark(draft, desk, place, marker, now)
+        done = command.enter_mark(draft, context, place, marker, now)
     typer.echo(grading_text.marking_text(done, words))

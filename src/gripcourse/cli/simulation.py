@@ -126,7 +126,7 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     loaded = load_course(course_folder(course))
     policy = load_policy(loaded)
-    sample = command.Sample(table or main_table(loaded.root), count, seed)
+    sample = command.ToleranceSample(table or main_table(loaded.root), count, seed)
     variants = command.variants_of(loaded, sample)
     with cli_text.progress() as step:
         tick = step(words.say(message("Answering")), len(variants))

@@ -14,9 +14,9 @@ from gripcourse.text.words import Words, message
 if TYPE_CHECKING:
     from gripcourse.course.model import Tolerance
     from gripcourse.policy.model import Policy
-    from gripcourse.simulation.confusion import Evaluation
+    from gripcourse.simulation.confusion import GraderEvaluation
     from gripcourse.simulation.rates import Rate
-    from gripcourse.simulation.tolerance import Audit, Audited
+    from gripcourse.simulation.tolerance import AuditedBand, ToleranceAudit
 
 _RATES = {
     "incidents": message("failures on our side"),
@@ -71,7 +71,7 @@ def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
     )
 
 
-def evaluation_text(found: "Evaluation", policy: "Policy", words: Words) -> str:
+def evaluation_text(found: "GraderEvaluation", policy: "Policy", words: Words) -> str:
     """Return the confusion table, the rates, and the share of each kind of slip that was named."""
     lines = [
         words.say(message("{count} virtual students", count=found.students)),
@@ -90,9 +90,9 @@ def evaluation_text(found: "Evaluation", policy: "Policy", words: Words) -> str:
     return "\n\n".join([*lines, *dict.fromkeys(found.incidents)])
 
 
-def _confusion(found: "Evaluation", words: Words) -> str:
+def _confusion(found: "GraderEvaluation", words: Words) -> str:
     from gripcourse.simulation.confusion import Said
-    from gripcourse.simulation.model import Done
+    from gripcourse.simulation.model import ActionKind
 
     heads = (
         words.say(message("done \\ said")),
@@ -103,13 +103,13 @@ def _confusion(found: "Evaluation", words: Words) -> str:
             words.say(_DONE[done.value]),
             *(str(found.table.get((done, said), 0) or "·") for said in Said),
         )
-        for done in Done
+        for done in ActionKind
         if any(found.table.get((done, said)) for said in Said)
     ]
     return table_text(heads, rows, right=set(range(1, len(heads))))
 
 
-def _rates(found: "Evaluation", words: Words) -> str:
+def _rates(found: "GraderEvaluation", words: Words) -> str:
     heads = (
         message("measured"), message("count"), message("of"), message("share, %"),
         message("95 % interval"), message("required"), "",
@@ -124,7 +124,7 @@ def _rates(found: "Evaluation", words: Words) -> str:
     return table_text(named, rows, right={1, 2, 3, 4, 5})
 
 
-def _kinds(found: "Evaluation", policy: "Policy", words: Words) -> str:
+def _kinds(found: "GraderEvaluation", policy: "Policy", words: Words) -> str:
     titles = {kind.value: slip.title for kind, slip in policy.slips.kinds.items()}
     own = words.say(message("declared beside the formula"))
     heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
@@ -155,7 +155,7 @@ def _percent(share: float, words: Words) -> str:
     return words.number(100 * share, 3)
 
 
-def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
+def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
     """Return what a tolerance audit found: sums, what would change, and where steps are shaky."""
     heads = (
         message("quantity"), message("answers"), message("refused"), message("band now"),
@@ -204,7 +204,7 @@ def audit_text(found: "Audit", policy: "Policy", words: Words) -> str:
     return "\n\n".join(lines)
 
 
-def _audited(one: "Audited", words: Words) -> tuple[str, ...]:
+def _audited(one: "AuditedBand", words: Words) -> tuple[str, ...]:
     tally = one.tally
     return (
         one.quantity.id,
@@ -218,7 +218,7 @@ def _audited(one: "Audited", words: Words) -> tuple[str, ...]:
     )
 
 
-def _band(tolerance: "Tolerance", one: "Audited", words: Words) -> str:
+def _band(tolerance: "Tolerance", one: "AuditedBand", words: Words) -> str:
     relative = f"{_percent(tolerance.relative, words)} %"
     if not one.by_absolute:
         return relative

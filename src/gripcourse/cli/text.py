@@ -18,9 +18,9 @@ from gripcourse.text.words import Message, Texts, Words, message
 
 if TYPE_CHECKING:
     from gripcourse.course.model import Convention
-    from gripcourse.machine.doctor import Check as MachineCheck
-    from gripcourse.usecases.audit import Audited
-    from gripcourse.usecases.check import Checked
+    from gripcourse.machine.doctor import MachineCheck
+    from gripcourse.usecases.audit import WrittenAudit
+    from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
     from gripcourse.usecases.solve import Solved
     from gripcourse.variants.draw import Drawn
@@ -115,7 +115,7 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
     return "\n".join(lines)
 
 
-def audit_text(audited: "Audited", words: Words) -> str:
+def audit_text(audited: "WrittenAudit", words: Words) -> str:
     """Return how many variants break which rule, and where the certificate is."""
     found = audited.audit
     share = float(found.apart.whole.share.max(initial=0.0))
@@ -156,7 +156,7 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
     return "\n".join(lines)
 
 
-def check_text(checked: "Checked", words: Words) -> str:
+def check_text(checked: "CheckedWorkbook", words: Words) -> str:
     """Return what a student learns about a workbook."""
     from gripcourse.submission.model import Reading
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.demo.students import fill_workbooks
 from gripcourse.errors import Problem, UsageError
@@ -23,7 +23,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.grade import Outcome, grade, write_results
+from gripcourse.usecases.grade import GradingOutcome, grade, write_results
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.handout import workbook_path
 from gripcourse.usecases.init import init_course
@@ -54,7 +54,7 @@ class Demo:
     students: Mapping[str, str]
     issuing: Issuing
     marking: Marking
-    outcome: Outcome
+    outcome: GradingOutcome
 
 
 def run_demo(
@@ -99,15 +99,17 @@ def run_demo(
     )
     files = sorted(folders["submissions"].glob("*.xlsx"))
     tick = step(words.say(message("Grading")), len(files))
-    desk = Desk(course, policy, register)
-    graded = grade(files, desk, workers, lambda _: tick())
+    context = GradingContext(course, policy, register)
+    graded = grade(files, context, workers, lambda _: tick())
     place = str(gradebook_path(course.root))
-    keep(graded, desk, place, MARKED_AT)
+    keep(graded, context, place, MARKED_AT)
     marked = next(student for student, story in stories.items() if story == MARKED_STORY)
-    marking = mark_drawing(marked, desk, place)
-    graded = keep(graded, desk, place, MARKED_AT)
+    marking = mark_drawing(marked, context, place)
+    graded = keep(graded, context, place, MARKED_AT)
     tick = step(words.say(message("Writing reports")), len(files))
-    outcome = write_results(graded, desk, folders["graded"], GRADED_ON, workers, lambda _: tick())
+    outcome = write_results(
+        graded, context, folders["graded"], GRADED_ON, workers, lambda _: tick()
+    )
     return Demo(students=stories, issuing=issuing, marking=marking, outcome=outcome, **folders)
 
 
@@ -128,22 +130,22 @@ def workbooks(assignments: Path, register: Mapping[str, Issued]) -> dict[str, Pa
     return {student: workbook_path(assignments, student) for student in register}
 
 
-def mark_drawing(student: str, desk: Desk, place: str) -> Marking:
+def mark_drawing(student: str, context: GradingContext, place: str) -> Marking:
     """Let a teacher mark the last item of a student that a person marks, line by line."""
-    issued = desk.register[student]
-    plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
+    issued = context.register[student]
+    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
     item = plan.manual[-1]
-    words = Words(issued.student.language or desk.course.language)
+    words = Words(issued.student.language or context.course.language)
     draft = Draft(
         student=student,
         quantity=item.id,
         lines={
             line.id: _credit(line, _CREDITS[number % len(_CREDITS)])
-            for number, line in enumerate(desk.policy.rubrics[item.rubric].lines)
+            for number, line in enumerate(context.policy.rubrics[item.rubric].lines)
         },
         comment=words.say(message("One more view is needed.")),
     )
-    return enter_mark(draft, desk, place, words.say(message("the teacher")), MARKED_AT)
+    return enter_mark(draft, context, place, words.say(message("the teacher")), MARKED_AT)
 
 
 def _credit(line: RubricLine, wanted: float) -> float:

@@ -31,7 +31,7 @@ _GIVEN_FIGURES = 7  # given values are printed as the table has them, never roun
 
 
 @dataclass(frozen=True, slots=True)
-class Datum:
+class SheetDatum:
     """A row of the given data: texts in the reader's language, `symbol` as declared.
 
     Degrees belong to the number and stand in `value`; any other unit has a column of its own.
@@ -44,7 +44,7 @@ class Datum:
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class SheetDiagram:
     """A diagram for a page.
 
     Attributes:
@@ -64,7 +64,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class SheetItem:
     """A quantity that the student is asked for.
 
     Attributes:
@@ -85,7 +85,7 @@ class Task:
     title: str
     task: str
     points: str
-    items: tuple[Asked, ...]
+    items: tuple[SheetItem, ...]
 
 
 def assignment_sheet(
@@ -131,7 +131,7 @@ def sheet_values(
     }
 
 
-def _density(listed: int, diagram: Drawn | None) -> str:
+def _density(listed: int, diagram: SheetDiagram | None) -> str:
     """Name the largest print in which so many quantities, with the diagram, may fit."""
     stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
     return "dense" if listed > _CROWDED or stacked else ""
@@ -163,7 +163,7 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
 
 def drawn_diagram(
     plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
-) -> Drawn | None:
+) -> SheetDiagram | None:
     """Return the diagram of a variant for a page; None where there is none.
 
     Args:
@@ -175,7 +175,7 @@ def drawn_diagram(
     diagram = kinematic_diagram(plan, values, words.language, widest)
     if diagram is None:
         return None
-    return Drawn(
+    return SheetDiagram(
         address=picture(diagram.svg()),
         text=diagram.title,
         width=round(diagram.width, 2),
@@ -187,19 +187,19 @@ def drawn_diagram(
 
 def given_data(
     quantities: Iterable[Quantity], values: Mapping[str, float], words: Words
-) -> list[Datum]:
+) -> list[SheetDatum]:
     """Return rows of given data; a constant that `values` does not have counts as declared."""
     return [
         _datum(quantity, values.get(quantity.id, quantity.value), words) for quantity in quantities
     ]
 
 
-def _datum(quantity: Quantity, value: float | None, words: Words) -> Datum:
+def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
     language = words.language
     unit = unit_text(quantity.unit, language)
     written = "—" if value is None else words.number(value, _GIVEN_FIGURES)
     degrees = unit.startswith("°")
-    return Datum(
+    return SheetDatum(
         symbol=quantity.symbol.of(language),
         title=quantity.title.of(language),
         value=f"{written}{unit}" if degrees else written,
@@ -225,7 +225,7 @@ def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words)
     )
 
 
-def _asked(quantity: Quantity, policy: Policy, words: Words) -> Asked:
+def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
@@ -239,7 +239,7 @@ def _asked(quantity: Quantity, policy: Policy, words: Words) -> Asked:
         text += f", {_band(band, words)}"
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
-    return Asked(symbol, text, wide)
+    return SheetItem(symbol, text, wide)
 
 
 def _band(band: Tolerance, words: Words) -> str:

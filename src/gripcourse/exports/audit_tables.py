@@ -4,13 +4,13 @@ from collections.abc import Iterator, Sequence
 
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.text.words import Words
-from gripcourse.variants.audit import Audit, Checked
+from gripcourse.variants.audit import CheckedScheme, VariantAudit
 from gripcourse.variants.pairs import Pair
 
 _BESIDE = ("sizes", "verdicts", "given", "followed")
 
 
-def audit_tables(audit: Audit, sections: Sequence[str], words: Words) -> dict[str, str]:
+def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> dict[str, str]:
     """Return the tables of an audit by the name of their file.
 
     Args:
@@ -26,7 +26,7 @@ def audit_tables(audit: Audit, sections: Sequence[str], words: Words) -> dict[st
     }
 
 
-def _variants(audit: Audit, sections: Sequence[str], words: Words) -> str:
+def _variants(audit: VariantAudit, sections: Sequence[str], words: Words) -> str:
     header = (
         *("variant", "scheme", "options", "passed", "broken", "slips", "edges", "above_a_limit"),
         *("nearest", "share", *_headings(sections), *_BESIDE),
@@ -35,7 +35,9 @@ def _variants(audit: Audit, sections: Sequence[str], words: Words) -> str:
                                for one in audit.variants))  # fmt: skip
 
 
-def _variant(checked: Checked, audit: Audit, sections: int, words: Words) -> tuple[str, ...]:
+def _variant(
+    checked: CheckedScheme, audit: VariantAudit, sections: int, words: Words
+) -> tuple[str, ...]:
     variant, pair = checked.variant, checked.nearest
     options = "; ".join(f"{name}={choice}" for name, choice in variant.options.items())
     found = (
@@ -59,7 +61,7 @@ def _variant(checked: Checked, audit: Audit, sections: int, words: Words) -> tup
     )
 
 
-def _pairs(audit: Audit, sections: Sequence[str]) -> str:
+def _pairs(audit: VariantAudit, sections: Sequence[str]) -> str:
     header = ("variant", "answers_of", "share", *_headings(sections), *_BESIDE, "equal")
     return table_text(header, (
         (
@@ -81,7 +83,7 @@ def _shares(pair: Pair) -> Iterator[str]:
     yield from map(number_cell, (pair.share, *pair.sections, *beside))
 
 
-def _quantities(audit: Audit) -> str:
+def _quantities(audit: VariantAudit) -> str:
     header = (
         *("scheme", "quantity", "unit", "variants", "points", "lowest", "median", "highest"),
         *("equal", "weak"),
@@ -99,7 +101,7 @@ def _quantities(audit: Audit) -> str:
     ))  # fmt: skip
 
 
-def _slips(audit: Audit) -> str:
+def _slips(audit: VariantAudit) -> str:
     header = ("quantity", "slip", "kind", "near", "variants", "share", "refuses")
     return table_text(header, (
         (

@@ -145,7 +145,7 @@ def bars(arguments: tuple[Box, ...], _column: Box | None, _language: str) -> Box
 
 def hypotenuse(arguments: tuple[Box, ...], _column: Box | None, _language: str) -> Box:
     """Print the root of a sum of squares."""
-    squares = (raised(part, Text("number", "2")) for part in arguments)
+    squares = (power_box(part, Text("number", "2")) for part in arguments)
     items: list[Box] = []
     for square in squares:
         items += [Text("operator", "+"), square] if items else [square]
@@ -171,7 +171,7 @@ def reading(arguments: tuple[Box, ...], column: Box | None, _language: str) -> B
     return fence if column is None else Row((column, fence))
 
 
-def raised(base: Box, exponent: Box) -> Box:
+def power_box(base: Box, exponent: Box) -> Box:
     """Give a box an exponent, with brackets round everything but a lone sign."""
     match base:
         case Script(inner_base, sub, None):

@@ -92,7 +92,7 @@ def _measure(
             return _measure(operand, dimensions, columns)
         case Operation("**", left, right):
             base = _measure(left, dimensions, columns)
-            return _raised(base, right, _measure(right, dimensions, columns))
+            return _to_power(base, right, _measure(right, dimensions, columns))
         case Operation(_, left, right):
             found = (_measure(left, dimensions, columns), _measure(right, dimensions, columns))
             return _joined(node, *found)
@@ -150,7 +150,7 @@ def _joined(node: Operation, left: Measured, right: Measured) -> Measured:
             return PLAIN if operator in _COMPARISONS else shared
 
 
-def _raised(base: Measured, exponent: Node, power: Measured) -> Measured:
+def _to_power(base: Measured, exponent: Node, power: Measured) -> Measured:
     """Find what a power gives: anything to a number, or a plain number to a plain number."""
     if power is not None and not power.dimensionless:
         what = message("An exponent is a plain number, not {found}.", found=spoken(power))

@@ -20,7 +20,7 @@ from gripcourse.formula.boxes import (
     Text,
     Value,
     boxes,
-    raised,
+    power_box,
 )
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
@@ -219,7 +219,7 @@ def _power(base: Node, exponent: Node, setting: _Setting) -> _Piece:
     word = isinstance(base, Call) and base.function in _RAISED_WORDS
     if whole and word and isinstance(below, Applied):
         return _Piece(Applied(below.word, below.arguments, above), _Level.FIRM)
-    return _Piece(raised(below, above), _Level.FIRM)
+    return _Piece(power_box(below, above), _Level.FIRM)
 
 
 def _call(node: Call, setting: _Setting) -> _Piece:

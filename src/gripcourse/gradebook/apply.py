@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from gripcourse.gradebook.model import Entry, is_outdated, latest_marks, results_of
+from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
 from gripcourse.grading.flags import NOT_JUDGED, not_judged_flags
 from gripcourse.grading.model import Against, Decision, Finding, Flag, Outcome, Report
 from gripcourse.text.words import message
@@ -12,7 +12,7 @@ OUTDATED = "mark_outdated"
 """Code of the flag of marks that a person should look at again."""
 
 
-def with_marks(report: Report, entries: Iterable[Entry]) -> Report:
+def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     """Return the report with what persons decided.
 
     The latest mark of each item counts, whatever was graded since. Where the file or the automatic
@@ -54,7 +54,7 @@ def with_marks(report: Report, entries: Iterable[Entry]) -> Report:
     )
 
 
-def _decided(finding: Finding, entry: Entry, *, is_old: bool) -> Finding:
+def _decided(finding: Finding, entry: GradebookEntry, *, is_old: bool) -> Finding:
     mark = entry.mark
     # A withdrawn mark, the only one without a credit, is not among the latest.
     credit = mark.credit or 0.0
@@ -77,7 +77,9 @@ def _decided(finding: Finding, entry: Entry, *, is_old: bool) -> Finding:
     )
 
 
-def _flags(report: Report, entered: Mapping[str, Entry], outdated: set[str]) -> Iterator[Flag]:
+def _flags(
+    report: Report, entered: Mapping[str, GradebookEntry], outdated: set[str]
+) -> Iterator[Flag]:
     asked = {one.quantity for one in report.findings}
     if again := [one.quantity for one in report.findings if one.quantity in outdated]:
         yield Flag(

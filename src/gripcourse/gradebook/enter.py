@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
-from gripcourse.gradebook.model import Attempt, Entry, Mark, Result
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, Result
 from gripcourse.grading.model import OPEN, Outcome
 from gripcourse.policy.rubric import Rubric, RubricLine
 from gripcourse.text.suggestion import did_you_mean
@@ -52,12 +52,12 @@ class Standing:
 
     known: frozenset[str]
     attempt: Attempt | None
-    marked: Mapping[str, Entry]
+    marked: Mapping[str, GradebookEntry]
     rubrics: Mapping[str, Rubric]
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class EntryFault:
     """What is wrong with a draft.
 
     Attributes:
@@ -73,7 +73,7 @@ class Fault:
 
 def mark_of(
     draft: Draft, standing: Standing, marker: str, now: datetime
-) -> tuple[Mark | None, tuple[Fault, ...]]:
+) -> tuple[Mark | None, tuple[EntryFault, ...]]:
     """Make a mark of a draft.
 
     Args:
@@ -119,23 +119,23 @@ def _credit(draft: Draft, result: Result, rubric: Rubric | None) -> float | None
     return draft.credit
 
 
-def _not_graded(draft: Draft, standing: Standing) -> Fault:
+def _not_graded(draft: Draft, standing: Standing) -> EntryFault:
     if draft.student in standing.known:
-        return Fault(
+        return EntryFault(
             "student",
             message("No file of {student} has been graded yet.", student=draft.student),
             message("Grade it first: gripcourse grade."),
         )
-    return Fault(
+    return EntryFault(
         "student",
         message("The register has no student '{student}'.", student=draft.student),
         did_you_mean(draft.student, standing.known),
     )
 
 
-def _no_item(draft: Draft, attempt: Attempt) -> Fault:
+def _no_item(draft: Draft, attempt: Attempt) -> EntryFault:
     waiting = _waiting(attempt)
-    return Fault(
+    return EntryFault(
         "quantity",
         message(
             "The assignment of {student} has no item '{quantity}'.",
@@ -154,12 +154,12 @@ def _waiting(attempt: Attempt) -> list[str]:
 
 def _faults(
     draft: Draft, standing: Standing, result: Result, attempt: Attempt, rubric: Rubric | None
-) -> Iterator[Fault]:
+) -> Iterator[EntryFault]:
     if draft.withdraw:
         yield from _faults_of_withdrawal(draft, standing)
         return
     if result.outcome not in OPEN and not draft.override:
-        yield Fault(
+        yield EntryFault(
             "quantity",
             message("'{quantity}' was judged automatically.", quantity=draft.quantity),
             message(
@@ -169,7 +169,7 @@ def _faults(
             ),
         )
     if result.outcome is not Outcome.MANUAL and not draft.comment.strip():
-        yield Fault(
+        yield EntryFault(
             "comment",
             message("A decision that is not by a rubric needs a comment."),
             message("Say for the student why."),
@@ -178,45 +178,45 @@ def _faults(
     yield from _faults_of_lines(draft, rubric)
 
 
-def _faults_of_withdrawal(draft: Draft, standing: Standing) -> Iterator[Fault]:
+def _faults_of_withdrawal(draft: Draft, standing: Standing) -> Iterator[EntryFault]:
     if draft.quantity not in standing.marked:
-        yield Fault(
+        yield EntryFault(
             "withdraw",
             message("There is no mark of '{quantity}' that counts.", quantity=draft.quantity),
             message("Leave it: the automatic result counts already."),
         )
     if draft.lines or draft.points is not None or draft.credit is not None:
-        yield Fault(
+        yield EntryFault(
             "withdraw",
             message("A mark is either entered or withdrawn."),
             message("Leave out the points, or leave out --withdraw."),
         )
     if not draft.comment.strip():
-        yield Fault(
+        yield EntryFault(
             "comment",
             message("A withdrawal needs a comment."),
             message("Say why the mark counts no longer."),
         )
 
 
-def _faults_of_amount(draft: Draft, result: Result, rubric: Rubric | None) -> Iterator[Fault]:
+def _faults_of_amount(draft: Draft, result: Result, rubric: Rubric | None) -> Iterator[EntryFault]:
     if draft.credit is not None and not _is_share(draft.credit):
         yield _no_share("credit", draft.credit)
     points, most = draft.points, result.max_points + _ROUNDED
     if points is not None and not (math.isfinite(points) and 0 <= points <= most):
-        yield Fault(
+        yield EntryFault(
             "points",
             message("{points} points are outside of the item.", points=points),
             message("Write a number from 0 to {most}.", most=result.max_points),
         )
     if draft.credit is not None and (points is not None or draft.lines):
-        yield Fault(
+        yield EntryFault(
             "credit",
             message("The share of the points is given twice."),
             message("Leave it out beside lines or points."),
         )
     if draft.credit is None and points is None and not draft.lines:
-        yield Fault(
+        yield EntryFault(
             "points",
             message("No points are given."),
             message("Give a share from 0 to 1 for each line: {names}.", names=_names(rubric))
@@ -225,17 +225,17 @@ def _faults_of_amount(draft: Draft, result: Result, rubric: Rubric | None) -> It
         )
 
 
-def _faults_of_lines(draft: Draft, rubric: Rubric | None) -> Iterator[Fault]:
+def _faults_of_lines(draft: Draft, rubric: Rubric | None) -> Iterator[EntryFault]:
     lines = rubric.by_id if rubric else {}
     for name, credit in draft.lines.items():
         if rubric is None:
-            yield Fault(
+            yield EntryFault(
                 f"line:{name}",
                 message("'{quantity}' is not marked from a rubric.", quantity=draft.quantity),
                 message("Give points, or a share of them from 0 to 1 as credit."),
             )
         elif name not in lines:
-            yield Fault(
+            yield EntryFault(
                 f"line:{name}",
                 message("The rubric has no line '{line}'.", line=name),
                 did_you_mean(name, lines),
@@ -246,17 +246,17 @@ def _faults_of_lines(draft: Draft, rubric: Rubric | None) -> Iterator[Fault]:
             yield from _faults_of_level(lines[name], credit)
     missing = [name for name in lines if name not in draft.lines]
     if draft.lines and missing and rubric is not None:
-        yield Fault(
+        yield EntryFault(
             f"line:{missing[0]}",
             message("Lines of the rubric are missing: {names}.", names=", ".join(missing)),
             message("Give each line a share; 0 where it earns nothing."),
         )
 
 
-def _faults_of_level(line: RubricLine, credit: float) -> Iterator[Fault]:
+def _faults_of_level(line: RubricLine, credit: float) -> Iterator[EntryFault]:
     levels = [level.credit for level in line.levels]
     if levels and not any(math.isclose(credit, one, abs_tol=_SAME) for one in levels):
-        yield Fault(
+        yield EntryFault(
             f"line:{line.id}",
             message("The line '{line}' has no level {value}.", line=line.id, value=credit),
             message("Its levels: {names}.", names="; ".join(f"{one:g}" for one in levels)),
@@ -267,8 +267,8 @@ def _is_share(value: float) -> bool:
     return 0 <= value <= 1  # false for what is no number, too
 
 
-def _no_share(field: str, value: float) -> Fault:
-    return Fault(
+def _no_share(field: str, value: float) -> EntryFault:
+    return EntryFault(
         field,
         message("The share is {value}.", value=value),
         message("Write a number from 0 to 1."),

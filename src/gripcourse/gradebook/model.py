@@ -99,7 +99,7 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class GradebookEntry:
     """A mark with the attempt that it was entered against."""
 
     mark: Mark
@@ -140,13 +140,13 @@ def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
     return _comparable(some) == _comparable(others)
 
 
-def latest_marks(entries: Iterable[Entry]) -> dict[str, Entry]:
+def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]:
     """Return the entry that counts for each quantity of one student; withdrawn ones are left out.
 
     Args:
         entries: of one student, in any order.
     """
-    latest: dict[str, Entry] = {}
+    latest: dict[str, GradebookEntry] = {}
     for entry in entries:
         before = latest.get(entry.mark.quantity)
         if before is None or before.mark.number < entry.mark.number:
@@ -164,7 +164,7 @@ def latest_judged(attempts: Iterable[Attempt]) -> dict[str, Attempt]:
     return latest
 
 
-def is_outdated(entry: Entry, digest: str, results: Sequence[Result]) -> bool:
+def is_outdated(entry: GradebookEntry, digest: str, results: Sequence[Result]) -> bool:
     """Tell whether the automatic part is another one than when the mark was entered.
 
     Args:

@@ -49,17 +49,17 @@ def open_engine(place: str) -> Engine:
         engine = _engine(url)
     except (NoSuchModuleError, ModuleNotFoundError) as fault:
         raise _failure(
-            shown(url),
+            without_password(url),
             message("The driver of this database is not installed: {fault}.", fault=str(fault)),
             message("Install it, for example psycopg for PostgreSQL, or leave --gradebook out."),
         ) from fault
-    with told(shown(url)):
+    with refusals_named(without_password(url)):
         _make_tables(engine)
         _check_version(engine)
     return engine
 
 
-def shown(url: URL) -> str:
+def without_password(url: URL) -> str:
     """Write a URL for a person, without its password; a plain file as its path."""
     if url.get_backend_name() == "sqlite" and url.database:
         return url.database
@@ -80,7 +80,7 @@ def writing(engine: Engine) -> Iterator[Connection]:
 
 
 @contextmanager
-def told(place: str) -> Iterator[None]:
+def refusals_named(place: str) -> Iterator[None]:
     """Turn what a database says into an error that names the place.
 
     Raises:
@@ -151,7 +151,7 @@ def _check_version(engine: Engine) -> None:
         found = connection.execute(select(format_table.c.version)).scalars().all()
     if found != [VERSION]:
         raise _failure(
-            shown(engine.url),
+            without_password(engine.url),
             message(
                 "The gradebook has the format {found}, this program knows {known}.",
                 found=", ".join(map(str, found)),

@@ -15,8 +15,8 @@ from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import opening, rows, schema
-from gripcourse.gradebook.model import Attempt, Entry, Mark, same_results
-from gripcourse.gradebook.opening import open_engine, shown, told
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, same_results
+from gripcourse.gradebook.opening import open_engine, refusals_named, without_password
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
@@ -40,7 +40,7 @@ class Gradebook:
     @property
     def place(self) -> str:
         """Where it is, for a person."""
-        return shown(self.engine.url)
+        return without_password(self.engine.url)
 
     def add_attempts(self, attempts: Sequence[Attempt]) -> tuple[Attempt, ...]:
         """Keep attempts; the same bytes with the same results again are no new attempt.
@@ -96,14 +96,14 @@ class Gradebook:
             )
             .order_by(one.student, one.number, result.place)
         )
-        with told(self.place), self.engine.connect() as connection:
+        with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.attempts, students)
         return tuple(
             rows.attempt_of_rows(list(group))
             for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
         )
 
-    def entries(self, students: Collection[str] | None = None) -> tuple[Entry, ...]:
+    def entries(self, students: Collection[str] | None = None) -> tuple[GradebookEntry, ...]:
         """Return the marks of these students (all where None), oldest first for each item."""
         one, line = schema.marks.c, schema.mark_lines.c
         question = (
@@ -118,7 +118,7 @@ class Gradebook:
             )
             .order_by(one.student, one.quantity, one.number)
         )
-        with told(self.place), self.engine.connect() as connection:
+        with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.marks, students)
         marks = [
             rows.mark_of_rows(list(group))
@@ -128,7 +128,7 @@ class Gradebook:
         ]
         marked = {mark.student for mark in marks}
         kept = {(one.student, one.number): one for one in self.attempts(marked)}
-        return tuple(Entry(mark, kept[mark.student, mark.attempt]) for mark in marks)
+        return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
 
     def _add(
         self,
@@ -140,7 +140,7 @@ class Gradebook:
             if not found:
                 return ()
             try:
-                with told(self.place), opening.writing(self.engine) as connection:
+                with refusals_named(self.place), opening.writing(self.engine) as connection:
                     _insert(connection, writing(found))
             except GradebookError as fault:
                 if not isinstance(fault.__cause__, IntegrityError):

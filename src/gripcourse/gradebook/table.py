@@ -10,7 +10,7 @@ from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 from gripcourse.variants.cells import exact_number
-from gripcourse.variants.sheet import Row, Sheet, cell_place, column_name, read_sheet
+from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, column_name, read_sheet
 
 _REQUIRED = ("student", "quantity")
 _YES = {"yes", "да", "так", "1", "x", "+"}
@@ -69,7 +69,7 @@ def read_marks(path: Path, lines: Collection[str]) -> MarksTable:
         if before != row.number:
             cells.add(
                 "quantity",
-                message("Row {row} marks the same item.", row=before),
+                message("SheetRow {row} marks the same item.", row=before),
                 message("Leave one of them."),
             )
         rows.append(DraftRow(draft, row.number))
@@ -83,7 +83,7 @@ class _Cells:
     """One row, and the list that its faults go to."""
 
     sheet: Sheet
-    row: Row
+    row: SheetRow
     problems: list[Problem]
 
     def text(self, column: str) -> str:

@@ -3,7 +3,13 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from gripcourse.gradebook.model import Attempt, Entry, is_outdated, latest_judged, latest_marks
+from gripcourse.gradebook.model import (
+    Attempt,
+    GradebookEntry,
+    is_outdated,
+    latest_judged,
+    latest_marks,
+)
 from gripcourse.grading.model import OPEN, Outcome
 
 
@@ -25,14 +31,14 @@ class Waiting:
     again: bool
 
 
-def waiting(attempts: Iterable[Attempt], entries: Iterable[Entry]) -> tuple[Waiting, ...]:
+def waiting(attempts: Iterable[Attempt], entries: Iterable[GradebookEntry]) -> tuple[Waiting, ...]:
     """Return what waits for a person, by student and in the order of the assignment.
 
     Args:
         attempts: all that the gradebook keeps.
         entries: all marks that it keeps.
     """
-    by_student: dict[str, list[Entry]] = {}
+    by_student: dict[str, list[GradebookEntry]] = {}
     for entry in entries:
         by_student.setdefault(entry.mark.student, []).append(entry)
     return tuple(
@@ -42,7 +48,7 @@ def waiting(attempts: Iterable[Attempt], entries: Iterable[Entry]) -> tuple[Wait
     )
 
 
-def _waiting(attempt: Attempt, marked: Mapping[str, Entry]) -> Iterator[Waiting]:
+def _waiting(attempt: Attempt, marked: Mapping[str, GradebookEntry]) -> Iterator[Waiting]:
     for result in attempt.results:
         entry = marked.get(result.quantity)
         again = entry is not None and is_outdated(entry, attempt.digest, attempt.results)

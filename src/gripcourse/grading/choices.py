@@ -7,7 +7,7 @@ import numpy as np
 
 from gripcourse.course.model import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.grading.comparison import View
+from gripcourse.grading.comparison import Comparison
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, choose
 from gripcourse.text.words import Message, message
@@ -18,7 +18,7 @@ _SLACK = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class ChoiceVerdict:
     """Whether a decision is sound, and what is wrong with it where it is not."""
 
     sound: bool
@@ -27,7 +27,7 @@ class Verdict:
 
 def judge_choice(
     plan: Plan, quantity: Quantity, chosen: float, required: float, values: Values
-) -> Verdict:
+) -> ChoiceVerdict:
     """Judge a decision against the rule of its quantity.
 
     Args:
@@ -39,16 +39,16 @@ def judge_choice(
     """
     choice = quantity.choice
     if choice is None or not math.isfinite(required):
-        return Verdict(sound=False, fault=None)
+        return ChoiceVerdict(sound=False, fault=None)
     if not _in_series(plan, choice, chosen):
-        return Verdict(sound=False, fault=message("This size is not in the series."))
+        return ChoiceVerdict(sound=False, fault=message("This size is not in the series."))
     if chosen < required * (1 - _SLACK):
-        return Verdict(
+        return ChoiceVerdict(
             sound=False,
             fault=message("Rounded down: the size is below the required value."),
         )
     if chosen > _upper_limit(plan, choice, required) * (1 + _SAME):
-        return Verdict(
+        return ChoiceVerdict(
             sound=False,
             fault=message(
                 "Wastefully large: more than {steps} steps above the smallest size that fits.",
@@ -56,29 +56,29 @@ def judge_choice(
             ),
         )
     if not _condition_holds(plan, quantity, chosen, values):
-        return Verdict(
+        return ChoiceVerdict(
             sound=False,
             fault=message("The size does not satisfy the condition of the rule."),
         )
-    return Verdict(sound=True, fault=None)
+    return ChoiceVerdict(sound=True, fault=None)
 
 
-def sound_sizes(view: View, name: str) -> list[float]:
+def sound_sizes(comparison: Comparison, name: str) -> list[float]:
     """Return the sizes, SI, that a decision may sensibly take at a student's own numbers."""
-    quantity = view.plan.quantities[name]
-    formula = view.plan.reference_formula(name)
+    quantity = comparison.plan.quantities[name]
+    formula = comparison.plan.reference_formula(name)
     if quantity.choice is None or formula is None:
         return []
-    values = view.own.evaluation.values
-    required = float(evaluate_formula(formula, quantity.unit, values, view.plan.columns))
+    values = comparison.follow_through.evaluation.values
+    required = float(evaluate_formula(formula, quantity.unit, values, comparison.plan.columns))
     columns = (quantity.choice.column, *quantity.choice.also)
-    entries = np.unique(np.concatenate([view.plan.columns[one].sizes for one in columns]))
+    entries = np.unique(np.concatenate([comparison.plan.columns[one].sizes for one in columns]))
     # A last digit of what is required may decide between two neighbours.
-    least = required * (1 - view.policy.tolerance.relative)
+    least = required * (1 - comparison.policy.tolerance.relative)
     return [
         float(entry)
         for entry in entries
-        if judge_choice(view.plan, quantity, float(entry), least, values).sound
+        if judge_choice(comparison.plan, quantity, float(entry), least, values).sound
     ]
 
 
@@ -113,5 +113,7 @@ def _upper_limit(plan: Plan, choice: Choice, required: float) -> float:
 def _condition_holds(plan: Plan, quantity: Quantity, chosen: float, values: Values) -> bool:
     if quantity.choice is None or quantity.choice.condition is None:
         return True
-    own = {**values, quantity.id: np.asarray(chosen)}
-    return bool(evaluate_formula(quantity.choice.condition, "", own, plan.columns) == 1.0)
+    follow_through = {**values, quantity.id: np.asarray(chosen)}
+    return bool(
+        evaluate_formula(quantity.choice.condition, "", follow_through, plan.columns) == 1.0
+    )

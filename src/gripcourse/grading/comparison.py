@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.follow_through import Own, range_of
+from gripcourse.grading.follow_through import FollowThrough, range_of
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.bands import band, computed_band, within
 from gripcourse.policy.model import Policy
@@ -51,7 +51,7 @@ class Judgement:
 
 
 @dataclass(frozen=True, slots=True)
-class Range:
+class ExpectedRange:
     """A value and how far rounded inputs may move it; all NaN where there is none."""
 
     value: float
@@ -63,11 +63,11 @@ class Range:
         return min(max(value, self.low), self.high)
 
 
-NOWHERE = Range(math.nan, math.nan, math.nan)
+NOWHERE = ExpectedRange(math.nan, math.nan, math.nan)
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class Comparison:
     """One answer with everything that it can be judged by.
 
     Attributes:
@@ -82,7 +82,7 @@ class View:
     answer: Answer
     value: float
     reference_values: Mapping[str, float]
-    own: Own
+    follow_through: FollowThrough
 
     @property
     def reference(self) -> float:
@@ -100,41 +100,42 @@ class View:
         return self.follows.value
 
     @property
-    def follows(self) -> Range:
+    def follows(self) -> ExpectedRange:
         """What follows from the student's own inputs, in the declared unit."""
-        if self.quantity.id in self.own.bridged:
+        if self.quantity.id in self.follow_through.bridged:
             return NOWHERE
-        computed = self.own.evaluation.computed[self.quantity.id]
-        return self._range(float(computed), self.own.moved.computed[self.quantity.id])
+        computed = self.follow_through.evaluation.computed[self.quantity.id]
+        return self._range(float(computed), self.follow_through.moved.computed[self.quantity.id])
 
     def at_reference(self, formula: Formula) -> float:
         """Evaluate a formula at the reference's inputs, in the declared unit."""
         values = {name: np.asarray(self.reference_values[name]) for name in formula.names}
         return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
 
-    def at_own(self, formula: Formula) -> Range:
+    def at_own(self, formula: Formula) -> ExpectedRange:
         """Evaluate a formula at the student's inputs, in the declared unit."""
-        value = float(self._evaluate(formula, self.own.evaluation.values))
-        return self._range(value, self._evaluate(formula, self.own.moved.values))
+        value = float(self._evaluate(formula, self.follow_through.evaluation.values))
+        return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
 
-    def near_own(self, formula: Formula) -> Range:
+    def near_own(self, formula: Formula) -> ExpectedRange:
         """Do the same; the range is only looked at where the answer may lie in it."""
-        value = float(self._evaluate(formula, self.own.evaluation.values))
+        value = float(self._evaluate(formula, self.follow_through.evaluation.values))
         declared = value / factor(self.quantity.unit)
         most = 2 * self._widest(declared) + 2 * self.answer.half_unit
         if not abs(self.value - declared) <= most:
-            return Range(declared, declared, declared)
-        return self._range(value, self._evaluate(formula, self.own.moved.values))
+            return ExpectedRange(declared, declared, declared)
+        return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
 
-    def following(self, name: str, value: float) -> Range:
+    def following(self, name: str, value: float) -> ExpectedRange:
         """Return what follows here if another quantity is exactly a value (declared units)."""
         formula = self.plan.reference_formula(self.quantity.id)
         if formula is None:
             return NOWHERE
         exact = np.asarray(value * factor(self.plan.quantities[name].unit))
-        result = self._evaluate(formula, {**self.own.evaluation.values, name: exact})
+        result = self._evaluate(formula, {**self.follow_through.evaluation.values, name: exact})
         return self._range(
-            float(result), self._evaluate(formula, {**self.own.moved.values, name: exact})
+            float(result),
+            self._evaluate(formula, {**self.follow_through.moved.values, name: exact}),
         )
 
     def fits(self, expected: float) -> bool:
@@ -143,19 +144,19 @@ class View:
 
     def has_own_inputs(self, formula: Formula) -> bool:
         """Tell whether the student's numbers differ from the reference where a formula looks."""
-        values = self.own.evaluation.values
+        values = self.follow_through.evaluation.values
         return any(
             not math.isclose(float(values[name]), self.reference_values[name], rel_tol=_SAME)
             for name in formula.names
         )
 
-    def _range(self, value: float, moved: NDArray[np.float64]) -> Range:
+    def _range(self, value: float, moved: NDArray[np.float64]) -> ExpectedRange:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""
         size = factor(self.quantity.unit)
         low, high = range_of(moved)
         value, low, high = value / size, low / size, high / size
         most = self._widest(value)
-        return Range(value, max(low, value - most), min(high, value + most))
+        return ExpectedRange(value, max(low, value - most), min(high, value + most))
 
     def _widest(self, value: float) -> float:
         return self.policy.widest * computed_band(self.quantity, value, self.policy)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.choices import same_size, sound_sizes
-from gripcourse.grading.comparison import Judgement, Range, View
+from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement
 from gripcourse.grading.explain import (
     Explanation,
     Weighed,
@@ -36,12 +36,15 @@ CandidatesOf = Callable[[str], tuple[Candidate, ...]]
 
 
 def diagnose(
-    view: View, judgement: Judgement, candidates_of: CandidatesOf, later: Sequence[View]
+    comparison: Comparison,
+    judgement: Judgement,
+    candidates_of: CandidatesOf,
+    later: Sequence[Comparison],
 ) -> Judgement:
     """Name the slip behind a wrong answer.
 
     Args:
-        view: of the answer.
+        comparison: of the answer.
         judgement: that it is wrong.
         candidates_of: the wrong methods of each quantity.
         later: the answers whose formulas use this one.
@@ -49,46 +52,48 @@ def diagnose(
     Returns:
         The judgement with the slip that explains the answer, itself where none does.
     """
-    if view.quantity.kind is Kind.CHOICE:
-        return _with_wrong_rule(view, judgement, candidates_of(view.quantity.id))
-    if view.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
+    if comparison.quantity.kind is Kind.CHOICE:
+        return _with_wrong_rule(comparison, judgement, candidates_of(comparison.quantity.id))
+    if comparison.quantity.kind not in {Kind.FORMULA, Kind.PICK}:
         return judgement
-    other_size = _with_other_size(view, judgement)
+    other_size = _with_other_size(comparison, judgement)
     if other_size is not None:
         return other_size
     weighed = [
         with_later_answers(one, later)
-        for one in (weigh(view, candidate) for candidate in candidates_of(view.quantity.id))
+        for one in (
+            weigh(comparison, candidate) for candidate in candidates_of(comparison.quantity.id)
+        )
         if one.weight > 0
     ]
-    for earlier in _unwritten(view, Kind.FORMULA):
-        weighed += _weigh_earlier(view, earlier, candidates_of(earlier))
-    explanation = conclude(view, weighed)
+    for earlier in _unwritten(comparison, Kind.FORMULA):
+        weighed += _weigh_earlier(comparison, earlier, candidates_of(earlier))
+    explanation = conclude(comparison, weighed)
     if explanation is None:
         return judgement
-    if explanation.likeliest.of == view.quantity.id:
-        return _with_slip(view, judgement, explanation)
-    return _with_earlier_slip(view, judgement, explanation)
+    if explanation.likeliest.of == comparison.quantity.id:
+        return _with_slip(comparison, judgement, explanation)
+    return _with_earlier_slip(comparison, judgement, explanation)
 
 
 def _with_wrong_rule(
-    view: View, judgement: Judgement, candidates: tuple[Candidate, ...]
+    comparison: Comparison, judgement: Judgement, candidates: tuple[Candidate, ...]
 ) -> Judgement:
     """Name the slip by which a decision is exactly what its wrong rule asks for.
 
     Nothing is named where several rules lead to that size: a series has few entries.
     """
-    choice = view.quantity.choice
+    choice = comparison.quantity.choice
     if choice is None or not candidates:
         return judgement
-    scale = factor(view.quantity.unit)
-    needed = np.array([view.at_own(one.formula).value for one in candidates]) * scale
-    rounding = reference_rounding(view.quantity, view.plan.convention)
-    taken = choose(needed, choice, rounding, view.plan).tolist()
+    scale = factor(comparison.quantity.unit)
+    needed = np.array([comparison.at_own(one.formula).value for one in candidates]) * scale
+    rounding = reference_rounding(comparison.quantity, comparison.plan.convention)
+    taken = choose(needed, choice, rounding, comparison.plan).tolist()
     met = [
         one
         for one, size in zip(candidates, taken, strict=True)
-        if same_size(view.value * scale, size)
+        if same_size(comparison.value * scale, size)
     ]
     if len(met) != 1:
         return judgement
@@ -98,7 +103,7 @@ def _with_wrong_rule(
     )
 
 
-def _with_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
+def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explanation) -> Judgement:
     likeliest = explanation.likeliest.candidate
     return replace(
         judgement,
@@ -106,19 +111,19 @@ def _with_slip(view: View, judgement: Judgement, explanation: Explanation) -> Ju
         credit=likeliest.credit,
         slip=likeliest.id,
         tied=tuple(one.candidate.id for one in explanation.tied),
-        message=_said(view, explanation),
+        message=_said(comparison, explanation),
     )
 
 
-def _said(view: View, explanation: Explanation) -> Message:
+def _said(comparison: Comparison, explanation: Explanation) -> Message:
     hint = explanation.likeliest.candidate.hint
     for other in explanation.tied:
-        if other.of != view.quantity.id:
+        if other.of != comparison.quantity.id:
             return message(
                 "One of two known slips. {hint} Or, in a step that you left blank, {title}: "
                 "{other}",
                 hint=hint,
-                title=view.plan.quantities[other.of].title,
+                title=comparison.plan.quantities[other.of].title,
                 other=other.candidate.hint,
             )
         return message(
@@ -127,8 +132,8 @@ def _said(view: View, explanation: Explanation) -> Message:
     return message("A known slip: {hint}", hint=hint)
 
 
-def _said_of_earlier(view: View, explanation: Explanation) -> Message:
-    title = view.plan.quantities[explanation.likeliest.of].title
+def _said_of_earlier(comparison: Comparison, explanation: Explanation) -> Message:
+    title = comparison.plan.quantities[explanation.likeliest.of].title
     hint = explanation.likeliest.candidate.hint
     for other in explanation.tied:
         return message(
@@ -136,7 +141,7 @@ def _said_of_earlier(view: View, explanation: Explanation) -> Message:
             "one, {step}: {other}",
             title=title,
             hint=hint,
-            step=view.plan.quantities[other.of].title,
+            step=comparison.plan.quantities[other.of].title,
             other=other.candidate.hint,
         )
     return message(
@@ -146,37 +151,39 @@ def _said_of_earlier(view: View, explanation: Explanation) -> Message:
     )
 
 
-def _with_earlier_slip(view: View, judgement: Judgement, explanation: Explanation) -> Judgement:
+def _with_earlier_slip(
+    comparison: Comparison, judgement: Judgement, explanation: Explanation
+) -> Judgement:
     """The slip was made in a step that is blank and earns nothing there; it costs once."""
     likeliest = explanation.likeliest
     return replace(
         judgement,
         outcome=Outcome.CARRIED,
         against=Against.OWN_INPUTS,
-        credit=view.policy.carried_credit,
+        credit=comparison.policy.carried_credit,
         slip=likeliest.candidate.id,
         tied=tuple(one.candidate.id for one in explanation.tied),
         roots=(likeliest.of,),
-        message=_said_of_earlier(view, explanation),
+        message=_said_of_earlier(comparison, explanation),
     )
 
 
-def _with_other_size(view: View, judgement: Judgement) -> Judgement | None:
+def _with_other_size(comparison: Comparison, judgement: Judgement) -> Judgement | None:
     """Accept what follows from another sound size that the student did not write down."""
-    for name in _unwritten(view, Kind.CHOICE):
-        sizes = sound_sizes(view, name)
+    for name in _unwritten(comparison, Kind.CHOICE):
+        sizes = sound_sizes(comparison, name)
         if not sizes:
             continue
-        here = _carried_here(view, name, np.asarray(sizes)) / factor(view.quantity.unit)
+        here = _carried_here(comparison, name, np.asarray(sizes)) / factor(comparison.quantity.unit)
         for size, value in zip(sizes, here.tolist(), strict=True):
-            if view.fits(_spread_as(view.follows, value).nearest(view.value)):
-                title = view.plan.quantities[name].title
-                declared = size / factor(view.plan.quantities[name].unit)
+            if comparison.fits(_spread_as(comparison.follows, value).nearest(comparison.value)):
+                title = comparison.plan.quantities[name].title
+                declared = size / factor(comparison.plan.quantities[name].unit)
                 return replace(
                     judgement,
                     outcome=Outcome.CARRIED,
                     against=Against.OWN_INPUTS,
-                    credit=view.policy.carried_credit,
+                    credit=comparison.policy.carried_credit,
                     message=message(
                         "Follows if {title} was chosen as {value}, which you did not write down.",
                         title=title,
@@ -186,48 +193,56 @@ def _with_other_size(view: View, judgement: Judgement) -> Judgement | None:
     return None
 
 
-def _unwritten(view: View, kind: Kind) -> Iterator[str]:
+def _unwritten(comparison: Comparison, kind: Kind) -> Iterator[str]:
     """Yield the quantities of a kind that lead to this one through no number of the student's."""
-    waiting = list(view.plan.inputs[view.quantity.id])
+    waiting = list(comparison.plan.inputs[comparison.quantity.id])
     seen: set[str] = set()
     while waiting:
         name = waiting.pop()
-        if name in seen or name in view.own.known:
+        if name in seen or name in comparison.follow_through.known:
             continue
         seen.add(name)
-        if view.plan.quantities[name].kind is kind:
+        if comparison.plan.quantities[name].kind is kind:
             yield name
-        waiting += view.plan.inputs[name]
+        waiting += comparison.plan.inputs[name]
 
 
-def _weigh_earlier(view: View, name: str, candidates: tuple[Candidate, ...]) -> list[Weighed]:
+def _weigh_earlier(
+    comparison: Comparison, name: str, candidates: tuple[Candidate, ...]
+) -> list[Weighed]:
     """Weigh wrong methods of an earlier step by what they make of this answer."""
     if not candidates:
         return []
-    unit = view.plan.quantities[name].unit
-    values = view.own.evaluation.values
+    unit = comparison.plan.quantities[name].unit
+    values = comparison.follow_through.evaluation.values
     results = [
-        float(evaluate_formula(one.formula, unit, values, view.plan.columns)) for one in candidates
+        float(evaluate_formula(one.formula, unit, values, comparison.plan.columns))
+        for one in candidates
     ]
-    here = _carried_here(view, name, np.asarray(results)) / factor(view.quantity.unit)
+    here = _carried_here(comparison, name, np.asarray(results)) / factor(comparison.quantity.unit)
     return [
-        Weighed(name, candidate, value, _UNWRITTEN * candidate.prior * density(view, spread))
+        Weighed(name, candidate, value, _UNWRITTEN * candidate.prior * density(comparison, spread))
         for candidate, value in zip(candidates, here.tolist(), strict=True)
-        for spread in [_spread_as(view.follows, value)]
+        for spread in [_spread_as(comparison.follows, value)]
         if np.isfinite(value)
     ]
 
 
-def _carried_here(view: View, name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _carried_here(
+    comparison: Comparison, name: str, values: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Return what this answer would be, SI, for each value of an earlier quantity."""
-    known: Mapping[str, float | NDArray[np.float64]] = {**view.own.known, name: values}
-    computed = evaluate(view.plan, known).computed[view.quantity.id]
+    known: Mapping[str, float | NDArray[np.float64]] = {
+        **comparison.follow_through.known,
+        name: values,
+    }
+    computed = evaluate(comparison.plan, known).computed[comparison.quantity.id]
     return np.broadcast_to(computed, values.shape)
 
 
-def _spread_as(follows: Range, value: float) -> Range:
+def _spread_as(follows: ExpectedRange, value: float) -> ExpectedRange:
     """Return a range that is as wide, in proportion, as what follows from the right method."""
     if follows.value == 0 or not np.isfinite(follows.value):
-        return Range(value, value, value)
+        return ExpectedRange(value, value, value)
     down, up = sorted((follows.low / follows.value * value, follows.high / follows.value * value))
-    return Range(value, min(down, value), max(up, value))
+    return ExpectedRange(value, min(down, value), max(up, value))

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from gripcourse.formula.tree import Formula, Name, walk
-from gripcourse.grading.comparison import Range, View
+from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.policy.slips import SlipPolicy
 from gripcourse.slips.model import Candidate
@@ -66,66 +66,73 @@ class Explanation:
     probability: float
 
 
-def weigh(view: View, candidate: Candidate) -> Weighed:
+def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
     """Weigh a wrong method of the answer's own formula against what was typed."""
-    own = view.near_own(candidate.formula)
-    met = _FROM_OWN * _met(view, own)
-    if view.has_own_inputs(candidate.formula):
-        reference = view.at_reference(candidate.formula)
-        met += _FROM_REFERENCE * _met(view, Range(reference, reference, reference))
+    follow_through = comparison.near_own(candidate.formula)
+    met = _FROM_OWN * _met(comparison, follow_through)
+    if comparison.has_own_inputs(candidate.formula):
+        reference = comparison.at_reference(candidate.formula)
+        met += _FROM_REFERENCE * _met(comparison, ExpectedRange(reference, reference, reference))
     else:
         met += _FROM_REFERENCE / _FROM_OWN * met
-    if met == 0 and abs(view.value - own.value) <= _HABITS_MOVE * abs(own.value):
+    if met == 0 and abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(
+        follow_through.value
+    ):
         met = _FROM_HABIT * max(
-            (_met(view, view.near_own(one)) for one in _with_habits(view, candidate.formula)),
+            (
+                _met(comparison, comparison.near_own(one))
+                for one in _with_habits(comparison, candidate.formula)
+            ),
             default=0.0,
         )
-    return Weighed(view.quantity.id, candidate, own.value, candidate.prior * met)
+    return Weighed(comparison.quantity.id, candidate, follow_through.value, candidate.prior * met)
 
 
-def with_later_answers(found: Weighed, later: Sequence[View]) -> Weighed:
+def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
     """Let what was computed on from an answer speak for a method or against it.
 
     Who carries on the number in the calculator shows its digits in the next answers, and they tell
     methods apart that the typed number cannot.
     """
     weight = found.weight
-    for view in later[:_LATER]:
-        typed = density(view, view.follows) if math.isfinite(view.expected) else 0.0
+    for comparison in later[:_LATER]:
+        typed = (
+            density(comparison, comparison.follows) if math.isfinite(comparison.expected) else 0.0
+        )
         if typed > 0:
-            exact = density(view, view.following(found.of, found.value))
+            exact = density(comparison, comparison.following(found.of, found.value))
             weight *= _CARRIED_TYPED + _CARRIED_EXACT * exact / typed
     return replace(found, weight=weight)
 
 
-def _met(view: View, result: Range) -> float:
-    return density(view, result) if math.isfinite(result.value) else 0.0
+def _met(comparison: Comparison, result: ExpectedRange) -> float:
+    return density(comparison, result) if math.isfinite(result.value) else 0.0
 
 
-def _with_habits(view: View, formula: Formula) -> Iterator[Formula]:
+def _with_habits(comparison: Comparison, formula: Formula) -> Iterator[Formula]:
     """Yield a formula with the constants that it uses as people shorten them, one at a time."""
-    for name, values in view.policy.habits.items():
+    for name, values in comparison.policy.habits.items():
         if name in formula.names or any(part == Name(name) for part in walk(formula.tree)):
             for value in values:
                 tree = renamed(formula.tree, {name: number(value)})
                 yield Formula("", tree, formula.units)
 
 
-def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
+def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation | None:
     """Name the wrong method behind an answer.
 
     Args:
-        view: of the answer, which is wrong.
+        comparison: of the answer, which is wrong.
         weighed: all the methods that were thought of.
 
     Returns:
         The method, or two that explain the answer equally well; None where it is not explained.
     """
-    policy = view.policy.slips
+    policy = comparison.policy.slips
     met = [one for one in weighed if one.weight > 0]
     if not met:
         return None
-    total = sum(one.weight for one in met) + unexplained(view) * policy.unexplained
+    total = sum(one.weight for one in met) + unexplained(comparison) * policy.unexplained
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
     best = groups[0]
     if _weight_of(best) / total >= policy.certain:
@@ -138,39 +145,39 @@ def conclude(view: View, weighed: Sequence[Weighed]) -> Explanation | None:
     return Explanation(groups[0][0], (groups[1][0],), both / total)
 
 
-def density(view: View, result: Range) -> float:
+def density(comparison: Comparison, result: ExpectedRange) -> float:
     """Return how densely typed numbers lie at an answer, for people who compute this result."""
-    if view.value == 0:
+    if comparison.value == 0:
         return 0.0  # it has no last digit, and says nothing about where it comes from
-    rounded = without_zeros(view.answer, view.policy)
-    as_typed = _as_typed(view, result)
+    rounded = without_zeros(comparison.answer, comparison.policy)
+    as_typed = _as_typed(comparison, result)
     if rounded == 0:
         return as_typed
     # Zeros end a number by rounding, or by chance: each with one in ten.
-    by_chance = (1 - _ROUND_NUMBERS) * view.answer.half_unit / rounded
+    by_chance = (1 - _ROUND_NUMBERS) * comparison.answer.half_unit / rounded
     share = _ROUND_NUMBERS / (_ROUND_NUMBERS + by_chance)
-    return share * _density(view, result, rounded) + (1 - share) * as_typed
+    return share * _density(comparison, result, rounded) + (1 - share) * as_typed
 
 
-def _as_typed(view: View, result: Range) -> float:
-    value = view.value
+def _as_typed(comparison: Comparison, result: ExpectedRange) -> float:
+    value = comparison.value
     finest = _FINEST * abs(value)
-    fine = max(typed_half_unit(view.answer, view.policy), finest)
-    coarse = max(view.answer.half_unit, finest)
+    fine = max(typed_half_unit(comparison.answer, comparison.policy), finest)
+    coarse = max(comparison.answer.half_unit, finest)
     if coarse <= fine:
-        return _density(view, result, fine)
+        return _density(comparison, result, fine)
     return (
-        _ZEROS_LOST * _density(view, result, fine)
-        + _EXACT * _density(view, result, max(finest, _SHORTEST * coarse))
-        + _COARSE * _density(view, result, coarse)
+        _ZEROS_LOST * _density(comparison, result, fine)
+        + _EXACT * _density(comparison, result, max(finest, _SHORTEST * coarse))
+        + _COARSE * _density(comparison, result, coarse)
     )
 
 
-def _density(view: View, result: Range, half_unit: float) -> float:
-    distance = abs(view.value - result.nearest(view.value))
+def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) -> float:
+    distance = abs(comparison.value - result.nearest(comparison.value))
     width = result.high - result.low
-    cut = 2 * half_unit * view.policy.last_digit
-    slack = 1e-9 * abs(view.value)
+    cut = 2 * half_unit * comparison.policy.last_digit
+    slack = 1e-9 * abs(comparison.value)
     if distance <= half_unit + slack:
         return _ROUNDED / (width + 2 * half_unit)
     if distance <= cut + slack:
@@ -178,16 +185,18 @@ def _density(view: View, result: Range, half_unit: float) -> float:
     return 0.0
 
 
-def unexplained(view: View) -> float:
+def unexplained(comparison: Comparison) -> float:
     """Return how densely wrong numbers that nothing explains lie at an answer.
 
     They scatter log-normally about the right one; either sign may be wrong too.
     """
-    size = abs(view.value)
-    right = abs(view.reference if math.isfinite(view.reference) else view.expected)
+    size = abs(comparison.value)
+    right = abs(
+        comparison.reference if math.isfinite(comparison.reference) else comparison.expected
+    )
     if size == 0 or right == 0 or not math.isfinite(right):
         return 1.0 / (size or 1.0)
-    spread = view.policy.slips.spread
+    spread = comparison.policy.slips.spread
     away = math.log(size / right) / spread
     return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
 

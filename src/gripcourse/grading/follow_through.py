@@ -25,7 +25,7 @@ _EXACT = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
 
 
 @dataclass(frozen=True, slots=True)
-class Own:
+class FollowThrough:
     """What follows from a student's own numbers, in SI.
 
     Attributes:
@@ -54,7 +54,7 @@ def follow(
     answers: Mapping[str, Answer],
     reference: Mapping[str, float],
     policy: Policy,
-) -> Own:
+) -> FollowThrough:
     """Evaluate a plan at a student's own numbers.
 
     Args:
@@ -91,7 +91,7 @@ def follow(
         if plan.quantities[name].kind not in _EXACT and not plan.quantities[name].integer
     }
     known = inputs | kept | stand_in
-    return Own(
+    return FollowThrough(
         known=known,
         evaluation=evaluation,
         moved=_moved(plan, evaluation, known, reaches),
@@ -104,7 +104,7 @@ def range_of(moved: NDArray[np.float64]) -> tuple[float, float]:
     """Return the lowest and the highest value that the moved numbers lead to.
 
     Args:
-        moved: of shape (1 + 2n,) as in `Own.moved`, or () where no typed number matters.
+        moved: of shape (1 + 2n,) as in `FollowThrough.moved`, or () where no typed number matters.
 
     Returns:
         The ends of the range, which holds the value as typed; NaN where that is NaN. An end of a

@@ -11,7 +11,13 @@ from dataclasses import replace
 from typing import Final
 
 from gripcourse.grading.model import Outcome
-from gripcourse.grading.submission_case import Case, Judged, explain, judge_answer, with_answers
+from gripcourse.grading.submission_case import (
+    GradingCase,
+    JudgedAnswer,
+    explain,
+    judge_answer,
+    with_answers,
+)
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
@@ -20,7 +26,7 @@ from gripcourse.submission.model import Answer
 _DEPENDING: Final = frozenset({Outcome.WRONG, Outcome.SLIP, Outcome.CARRIED})
 
 
-def as_meant(case: Case, judged: Sequence[Judged]) -> list[Judged]:
+def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
     """Judge again what does not follow from the numbers as written.
 
     Args:
@@ -35,7 +41,7 @@ def as_meant(case: Case, judged: Sequence[Judged]) -> list[Judged]:
         new = {
             one.quantity.id: answer
             for one in seen
-            if one.quantity.id not in known and (answer := _meant(case, one)) is not None
+            if one.quantity.id not in known and (answer := _intended(case, one)) is not None
         }
         if not new:
             break
@@ -49,19 +55,19 @@ def as_meant(case: Case, judged: Sequence[Judged]) -> list[Judged]:
     return found
 
 
-def _meant(case: Case, judged: Judged) -> Answer | None:
+def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:
     """Return what was meant where the slip was one of writing."""
-    view, slip = judged.view, judged.judgement.slip
-    if view is None or judged.judgement.outcome is not Outcome.SLIP:
+    comparison, slip = judged.comparison, judged.judgement.slip
+    if comparison is None or judged.judgement.outcome is not Outcome.SLIP:
         return None
     for candidate in case.candidates_of(judged.quantity.id):
         if candidate.id == slip and candidate.kind in OF_WRITING:
-            written = view.at_own(candidate.formula).value
-            ratio = view.expected / written if written else math.nan
+            written = comparison.at_own(candidate.formula).value
+            ratio = comparison.expected / written if written else math.nan
             if not math.isfinite(ratio) or ratio == 0:
                 return None
-            half_unit = view.answer.half_unit * abs(ratio)
-            return replace(view.answer, value=view.value * ratio, half_unit=half_unit)
+            half_unit = comparison.answer.half_unit * abs(ratio)
+            return replace(comparison.answer, value=comparison.value * ratio, half_unit=half_unit)
     return None
 
 
@@ -78,7 +84,9 @@ def _earliest(plan: Plan, names: Collection[str]) -> list[str]:
     return found
 
 
-def _again(case: Case, judged: Sequence[Judged], known: Collection[str]) -> list[Judged]:
+def _again(
+    case: GradingCase, judged: Sequence[JudgedAnswer], known: Collection[str]
+) -> list[JudgedAnswer]:
     return explain(
         case,
         [
@@ -90,9 +98,12 @@ def _again(case: Case, judged: Sequence[Judged], known: Collection[str]) -> list
     )
 
 
-def _may_be_better(judged: Judged) -> bool:
-    return judged.view is not None and judged.judgement.outcome in {Outcome.WRONG, Outcome.SLIP}
+def _may_be_better(judged: JudgedAnswer) -> bool:
+    return judged.comparison is not None and judged.judgement.outcome in {
+        Outcome.WRONG,
+        Outcome.SLIP,
+    }
 
 
-def _worth(judged: Judged) -> tuple[float, bool]:
+def _worth(judged: JudgedAnswer) -> tuple[float, bool]:
     return judged.judgement.credit, judged.judgement.outcome is not Outcome.WRONG

@@ -10,15 +10,15 @@ from dataclasses import replace
 
 from gripcourse.course.model import Quantity
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
-from gripcourse.grading.comparison import View
+from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import flags_of
-from gripcourse.grading.intended import as_meant
+from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
-    Case,
-    Judged,
+    GradingCase,
+    JudgedAnswer,
     explain,
     is_unexplained,
     judge_answer,
@@ -53,7 +53,7 @@ def judge(
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
     case = make_case(submission, issued, plan, policy, methods)
     judged = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
-    judged = as_meant(case, explain(case, judged))
+    judged = as_intended(case, explain(case, judged))
     substituted = substitutions(_still_wrong(case, judged))
     judged = [_substituted(case, one, by_answer(substituted)) for one in judged]
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
@@ -88,17 +88,19 @@ def _in_order(plan: Plan) -> list[Quantity]:
     return sorted((*plan.answered, *plan.manual), key=lambda one: sections[one.section])
 
 
-def _still_wrong(case: Case, judged: Sequence[Judged]) -> list[View]:
+def _still_wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Comparison]:
     """Return the answers that nothing explains yet, in order of calculation."""
     views = {
-        one.quantity.id: one.view
+        one.quantity.id: one.comparison
         for one in judged
-        if one.view is not None and is_unexplained(case, one)
+        if one.comparison is not None and is_unexplained(case, one)
     }
     return [views[name] for name in case.plan.quantities if name in views]
 
 
-def _substituted(case: Case, judged: Judged, found: Mapping[str, Substitution]) -> Judged:
+def _substituted(
+    case: GradingCase, judged: JudgedAnswer, found: Mapping[str, Substitution]
+) -> JudgedAnswer:
     """A number that was used wrongly costs the first answer that it spoils, and no other."""
     one = found.get(judged.quantity.id)
     if one is None:
@@ -124,10 +126,10 @@ def _substituted(case: Case, judged: Judged, found: Mapping[str, Substitution]) 
     return replace(judged, judgement=judgement)
 
 
-def _finding(case: Case, judged: Judged, roots: Mapping[str, set[str]]) -> Finding:
+def _finding(case: GradingCase, judged: JudgedAnswer, roots: Mapping[str, set[str]]) -> Finding:
     quantity, answer, judgement = judged.quantity, judged.answer, judged.judgement
     available = case.points[quantity.id]
-    follows = None if judged.view is None else judged.view.follows
+    follows = None if judged.comparison is None else judged.comparison.follows
     reference = _declared(case, quantity, case.reference.get(quantity.id))
     met = reference if judgement.outcome is Outcome.CORRECT else judgement.expected
     figures = figures_remark(quantity, answer, case.policy, met) if answer is not None else None
@@ -161,21 +163,25 @@ def _finding(case: Case, judged: Judged, roots: Mapping[str, set[str]]) -> Findi
     )
 
 
-def _inputs(case: Case, judged: Judged) -> dict[str, float]:
+def _inputs(case: GradingCase, judged: JudgedAnswer) -> dict[str, float]:
     """Return what the worked line substitutes, in declared units."""
-    own = case.own if judged.view is None else judged.view.own
+    follow_through = (
+        case.follow_through if judged.comparison is None else judged.comparison.follow_through
+    )
     names = case.plan.inputs[judged.quantity.id]
-    return from_si(case.plan, {name: own.evaluation.values[name] for name in names})
+    return from_si(case.plan, {name: follow_through.evaluation.values[name] for name in names})
 
 
-def _sorted(case: Case, names: set[str]) -> tuple[str, ...]:
+def _sorted(case: GradingCase, names: set[str]) -> tuple[str, ...]:
     return tuple(name for name in case.plan.quantities if name in names)
 
 
-def _reading_remarks(case: Case, quantity: Quantity, answer: Answer | None) -> tuple[Message, ...]:
+def _reading_remarks(
+    case: GradingCase, quantity: Quantity, answer: Answer | None
+) -> tuple[Message, ...]:
     if answer is None:
         return ()
-    if quantity.id in case.own.not_carried and answer.unit_fits:
+    if quantity.id in case.follow_through.not_carried and answer.unit_fits:
         not_carried = message(
             "Later answers were not followed from this value: it is outside what is possible."
         )
@@ -183,7 +189,7 @@ def _reading_remarks(case: Case, quantity: Quantity, answer: Answer | None) -> t
     return answer.remarks
 
 
-def _declared(case: Case, quantity: Quantity, value: float | None) -> float | None:
+def _declared(case: GradingCase, quantity: Quantity, value: float | None) -> float | None:
     if value is None or math.isnan(value):
         return None
     return from_si(case.plan, {quantity.id: value})[quantity.id]

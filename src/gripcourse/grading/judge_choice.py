@@ -5,84 +5,90 @@ import math
 import numpy as np
 
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
-from gripcourse.grading.comparison import Judgement, View
+from gripcourse.grading.comparison import Comparison, Judgement
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 
 
-def judge_choice_answer(view: View) -> Judgement:
+def judge_choice_answer(comparison: Comparison) -> Judgement:
     """Judge a decision: sound by the reference, by the student's own numbers, or as printed."""
-    judgement = _judge_size(view)
-    return judgement if view.answer.unit_fits else _with_wrong_unit(judgement, view)
+    judgement = _judge_size(comparison)
+    return judgement if comparison.answer.unit_fits else _with_wrong_unit(judgement, comparison)
 
 
-def _with_wrong_unit(judgement: Judgement, view: View) -> Judgement:
+def _with_wrong_unit(judgement: Judgement, comparison: Comparison) -> Judgement:
     """The right size with a unit that measures something else earns what the policy says."""
     if judgement.outcome not in {Outcome.CORRECT, Outcome.CARRIED}:
         return judgement
     said = message("The number is right, the unit is not.")
-    credit = view.policy.wrong_unit_credit
-    return _conclude(view, Outcome.WRONG, Against.NOTHING, credit, said)
+    credit = comparison.policy.wrong_unit_credit
+    return _conclude(comparison, Outcome.WRONG, Against.NOTHING, credit, said)
 
 
-def _judge_size(view: View) -> Judgement:
-    formula = view.plan.reference_formula(view.quantity.id)
+def _judge_size(comparison: Comparison) -> Judgement:
+    formula = comparison.plan.reference_formula(comparison.quantity.id)
     if formula is None:
-        return _conclude(view, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
-    scale = factor(view.quantity.unit)
-    chosen = view.value * scale
-    required = view.at_reference(formula) * scale
-    reference_values = {name: np.asarray(v) for name, v in view.reference_values.items()}
-    if judge_choice(view.plan, view.quantity, chosen, required, reference_values).sound:
+        return _conclude(comparison, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
+    scale = factor(comparison.quantity.unit)
+    chosen = comparison.value * scale
+    required = comparison.at_reference(formula) * scale
+    reference_values = {name: np.asarray(v) for name, v in comparison.reference_values.items()}
+    if judge_choice(comparison.plan, comparison.quantity, chosen, required, reference_values).sound:
         said = message("A sound decision.")
-        return _conclude(view, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
-    own_required = view.at_own(formula)
+        return _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
+    own_required = comparison.at_own(formula)
     # What is needed is known as finely as the earlier numbers were typed.
     verdicts = [
-        judge_choice(view.plan, view.quantity, chosen, end * scale, view.own.evaluation.values)
+        judge_choice(
+            comparison.plan,
+            comparison.quantity,
+            chosen,
+            end * scale,
+            comparison.follow_through.evaluation.values,
+        )
         for end in (own_required.value, own_required.low, own_required.high)
     ]
-    own = verdicts[0]
+    follow_through = verdicts[0]
     # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
-    picked = same_size(chosen, view.expected * scale)
+    picked = same_size(chosen, comparison.expected * scale)
     if picked or any(verdict.sound for verdict in verdicts):
         said = message("A sound decision for your own earlier numbers.")
-        credit = view.policy.carried_credit
-        return _conclude(view, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
-    return _judge_printed(view, chosen, own_required.value * scale) or _conclude(
-        view,
+        credit = comparison.policy.carried_credit
+        return _conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
+    return _judge_printed(comparison, chosen, own_required.value * scale) or _conclude(
+        comparison,
         Outcome.WRONG,
         Against.NOTHING,
         0.0,
-        own.fault or message("The required value cannot be told from your numbers."),
+        follow_through.fault or message("The required value cannot be told from your numbers."),
     )
 
 
-def _judge_printed(view: View, chosen: float, required: float) -> Judgement | None:
-    printed = printed_choice(view.plan, view.quantity, required)
-    credit = view.policy.printed_credit
+def _judge_printed(comparison: Comparison, chosen: float, required: float) -> Judgement | None:
+    printed = printed_choice(comparison.plan, comparison.quantity, required)
+    credit = comparison.policy.printed_credit
     if printed is None or credit is None or not same_size(chosen, printed):
         return None
-    erratum = next(one for one in view.quantity.as_printed if one.rounding is not None)
+    erratum = next(one for one in comparison.quantity.as_printed if one.rounding is not None)
     remark = message(
         "As the source prints it (erratum {erratum}): {note}",
         erratum=erratum.erratum,
         note=erratum.note,
     )
     said = message("Accepted as the source prints it.")
-    return _conclude(view, Outcome.CORRECT, Against.PRINTED, credit, said, (remark,))
+    return _conclude(comparison, Outcome.CORRECT, Against.PRINTED, credit, said, (remark,))
 
 
 def _conclude(
-    view: View,
+    comparison: Comparison,
     outcome: Outcome,
     against: Against,
     credit: float,
     said: Message,
     remarks: tuple[Message, ...] = (),
 ) -> Judgement:
-    expected = view.expected
+    expected = comparison.expected
     return Judgement(
         outcome=outcome,
         against=against,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.grading.comparison import View
+from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.follow_through import follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
@@ -34,7 +34,7 @@ class State(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class AnswerCheck:
     """What is said about one answer: its state in a sentence, and remarks on how it was read."""
 
     quantity: str
@@ -54,8 +54,8 @@ _SAID = {
 }
 
 
-def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[Check, ...]:
-    """Check a workbook against itself: its own given values, the student's own numbers.
+def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[AnswerCheck, ...]:
+    """AnswerCheck a workbook against itself: its own given values, the student's own numbers.
 
     Args:
         submission: what was read.
@@ -64,28 +64,28 @@ def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[Chec
     """
     # Nothing is known here that the workbook does not hold, so nothing can be told from the answer.
     unknown = dict.fromkeys(plan.quantities, math.nan)
-    own = follow(plan, submission.givens, submission.answers, unknown, policy)
+    follow_through = follow(plan, submission.givens, submission.answers, unknown, policy)
     carried = {
         name
         for name, answer in submission.answers.items()
-        if answer.reading is Reading.READ and name not in own.not_carried
+        if answer.reading is Reading.READ and name not in follow_through.not_carried
     }
 
-    def check(quantity: Quantity) -> Check:
+    def check(quantity: Quantity) -> AnswerCheck:
         answer = submission.answers[quantity.id]
         state = _state_as_read(answer)
         if state is State.READ and _rests_on_own(plan, quantity, carried):
-            view = View(
+            comparison = Comparison(
                 plan=plan,
                 policy=policy,
                 quantity=quantity,
                 answer=answer,
                 value=math.nan if answer.value is None else answer.value,
                 reference_values=unknown,
-                own=own,
+                follow_through=follow_through,
             )
-            state = _state_by_own_numbers(view)
-        return Check(quantity.id, state, answer, _SAID[state], answer.remarks)
+            state = _state_by_own_numbers(comparison)
+        return AnswerCheck(quantity.id, state, answer, _SAID[state], answer.remarks)
 
     return tuple(check(quantity) for quantity in plan.answered)
 
@@ -108,11 +108,11 @@ def _rests_on_own(plan: Plan, quantity: Quantity, carried: AbstractSet[str]) -> 
     return bool(earlier) and carried >= set(earlier)
 
 
-def _state_by_own_numbers(view: View) -> State:
-    if not math.isfinite(view.expected):
+def _state_by_own_numbers(comparison: Comparison) -> State:
+    if not math.isfinite(comparison.expected):
         return State.READ
-    is_choice = view.quantity.kind is Kind.CHOICE
-    judgement = judge_choice_answer(view) if is_choice else judge_value(view)
+    is_choice = comparison.quantity.kind is Kind.CHOICE
+    judgement = judge_choice_answer(comparison) if is_choice else judge_value(comparison)
     follows = judgement.outcome in {Outcome.CORRECT, Outcome.CARRIED} or (
         judgement.against is Against.PRINTED
     )

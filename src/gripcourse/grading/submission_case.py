@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Kind, Quantity
-from gripcourse.grading.comparison import Judgement, View
+from gripcourse.grading.comparison import Comparison, Judgement
 from gripcourse.grading.diagnose import CandidatesOf, diagnose
-from gripcourse.grading.follow_through import Own, follow
+from gripcourse.grading.follow_through import FollowThrough, follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import Against, Outcome
@@ -20,7 +20,7 @@ from gripcourse.variants.model import Issued
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class GradingCase:
     """What the answers of a submission are compared with.
 
     Attributes:
@@ -38,19 +38,19 @@ class Case:
     given: Mapping[str, float]
     answers: Mapping[str, Answer]
     reference: Mapping[str, float]
-    own: Own
+    follow_through: FollowThrough
     points: Mapping[str, float]
     candidates_of: CandidatesOf
     is_own: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Judged:
+class JudgedAnswer:
     """One quantity with what was concluded; `view` is None where there is no value to look at."""
 
     quantity: Quantity
     answer: Answer | None
-    view: View | None
+    comparison: Comparison | None
     judgement: Judgement
 
 
@@ -60,7 +60,7 @@ def make_case(
     plan: Plan,
     policy: Policy,
     candidates_of: CandidatesOf,
-) -> Case:
+) -> GradingCase:
     """Lay a submission on the table; see `judge` for the arguments."""
     given = issued.variant.given
     reference = {
@@ -69,28 +69,28 @@ def make_case(
     # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
     is_own = submission.identity.student in {"", issued.student.id}
     answers = submission.answers if is_own else {}
-    own = follow(plan, given, answers, reference, policy)
-    return Case(
+    follow_through = follow(plan, given, answers, reference, policy)
+    return GradingCase(
         plan=plan,
         policy=policy,
         given=given,
         answers=answers,
         reference=reference,
-        own=own,
+        follow_through=follow_through,
         points=points_of(plan, policy),
         candidates_of=candidates_of,
         is_own=is_own,
     )
 
 
-def with_answers(case: Case, answers: Mapping[str, Answer]) -> Case:
+def with_answers(case: GradingCase, answers: Mapping[str, Answer]) -> GradingCase:
     """Return the case where these answers are followed instead of those of the same ids."""
     followed = {**case.answers, **answers}
-    own = follow(case.plan, case.given, followed, case.reference, case.policy)
-    return replace(case, answers=followed, own=own)
+    follow_through = follow(case.plan, case.given, followed, case.reference, case.policy)
+    return replace(case, answers=followed, follow_through=follow_through)
 
 
-def judge_answer(case: Case, quantity: Quantity, answer: Answer | None) -> Judged:
+def judge_answer(case: GradingCase, quantity: Quantity, answer: Answer | None) -> JudgedAnswer:
     """Judge one answer by its value; a wrong one is not explained yet."""
     if quantity.kind is Kind.MANUAL:
         judgement = _without_value(Outcome.MANUAL, message("Marked by hand."))
@@ -100,53 +100,55 @@ def judge_answer(case: Case, quantity: Quantity, answer: Answer | None) -> Judge
         judgement = _without_value(Outcome.UNREADABLE, message("The answer could not be read."))
     else:
         return _viewed(case, quantity, answer, answer.value)
-    return Judged(quantity, answer, None, judgement)
+    return JudgedAnswer(quantity, answer, None, judgement)
 
 
-def explain(case: Case, judged: Sequence[Judged]) -> list[Judged]:
+def explain(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
     """Name the slips behind wrong answers; a unit that does not fit explains itself."""
-    views = {one.quantity.id: one.view for one in judged if one.view is not None}
+    views = {one.quantity.id: one.comparison for one in judged if one.comparison is not None}
     return [
-        replace(one, judgement=_diagnosed(case, one.view, one.judgement, views))
-        if one.view is not None and is_unexplained(case, one)
+        replace(one, judgement=_diagnosed(case, one.comparison, one.judgement, views))
+        if one.comparison is not None and is_unexplained(case, one)
         else one
         for one in judged
     ]
 
 
-def is_unexplained(case: Case, judged: Judged) -> bool:
+def is_unexplained(case: GradingCase, judged: JudgedAnswer) -> bool:
     """Tell whether an answer is wrong and nothing says why yet."""
     wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
-    return wrong and judged.view is not None and judged.view.answer.unit_fits
+    return wrong and judged.comparison is not None and judged.comparison.answer.unit_fits
 
 
 def _diagnosed(
-    case: Case, view: View, judgement: Judgement, views: Mapping[str, View]
+    case: GradingCase, comparison: Comparison, judgement: Judgement, views: Mapping[str, Comparison]
 ) -> Judgement:
-    name = view.quantity.id
+    name = comparison.quantity.id
     later = [
         other
         for user, other in views.items()
         if name in case.plan.inputs[user] and other.quantity.kind is Kind.FORMULA
     ]
-    return diagnose(view, judgement, case.candidates_of, later)
+    return diagnose(comparison, judgement, case.candidates_of, later)
 
 
-def _viewed(case: Case, quantity: Quantity, answer: Answer, value: float) -> Judged:
-    view = View(
+def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float) -> JudgedAnswer:
+    comparison = Comparison(
         plan=case.plan,
         policy=case.policy,
         quantity=quantity,
         answer=answer,
         value=value,
         reference_values=case.reference,
-        own=case.own,
+        follow_through=case.follow_through,
     )
-    if not view.has_reference:
+    if not comparison.has_reference:
         said = message("There is no reference value for this variant; a person decides.")
-        return Judged(quantity, answer, view, _without_value(Outcome.NOT_JUDGED, said))
-    judgement = judge_choice_answer(view) if quantity.kind is Kind.CHOICE else judge_value(view)
-    return Judged(quantity, answer, view, judgement)
+        return JudgedAnswer(quantity, answer, comparison, _without_value(Outcome.NOT_JUDGED, said))
+    judgement = (
+        judge_choice_answer(comparison) if quantity.kind is Kind.CHOICE else judge_value(comparison)
+    )
+    return JudgedAnswer(quantity, answer, comparison, judgement)
 
 
 def _without_value(outcome: Outcome, said: Message) -> Judgement:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.grading.comparison import View
+from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import unexplained
 from gripcourse.grading.rounding import typed_half_unit
 from gripcourse.text.units import factor
@@ -51,12 +51,12 @@ class Substitution:
 class _Span:
     """What one answer leaves of an input: from … to, SI."""
 
-    view: View
+    comparison: Comparison
     low: float
     high: float
 
 
-def substitutions(wrong: Sequence[View]) -> tuple[Substitution, ...]:
+def substitutions(wrong: Sequence[Comparison]) -> tuple[Substitution, ...]:
     """Find the numbers that explain several wrong answers each, the most certain first.
 
     Args:
@@ -66,7 +66,11 @@ def substitutions(wrong: Sequence[View]) -> tuple[Substitution, ...]:
         Substitutions that share no answer.
     """
     # A zero has no last digit: it would leave an input no range, and fit any by chance.
-    open_views = [view for view in wrong if view.quantity.kind is Kind.FORMULA and view.value]
+    open_views = [
+        comparison
+        for comparison in wrong
+        if comparison.quantity.kind is Kind.FORMULA and comparison.value
+    ]
     if len(open_views) < _LEAST_ANSWERS:
         return ()
     found = sorted(_all(open_views), key=lambda one: (-len(one.explains), -one.odds))
@@ -87,36 +91,42 @@ def _with_tie(best: Substitution, found: Sequence[Substitution], tie: float) -> 
     return Substitution(best.quantity, best.value, best.explains, best.odds, rival.quantity)
 
 
-def _all(views: Sequence[View]) -> Iterator[Substitution]:
-    names = dict.fromkeys(name for view in views for name in view.plan.inputs[view.quantity.id])
+def _all(views: Sequence[Comparison]) -> Iterator[Substitution]:
+    names = dict.fromkeys(
+        name for comparison in views for name in comparison.plan.inputs[comparison.quantity.id]
+    )
     for name in names:
-        spans = [span for view in views for span in _spans(view, name)]
+        spans = [span for comparison in views for span in _spans(comparison, name)]
         found = _common(name, spans, _PRIOR / len(names))
         if found is not None:
             yield found
 
 
-def _spans(view: View, name: str) -> Iterator[_Span]:
+def _spans(comparison: Comparison, name: str) -> Iterator[_Span]:
     """Yield the ranges of an input in which an answer's formula gives the answer as typed."""
-    right = float(view.own.evaluation.values[name])
-    formula = view.plan.reference_formula(view.quantity.id)
-    if formula is None or name not in view.plan.inputs[view.quantity.id] or right == 0:
+    right = float(comparison.follow_through.evaluation.values[name])
+    formula = comparison.plan.reference_formula(comparison.quantity.id)
+    if formula is None or name not in comparison.plan.inputs[comparison.quantity.id] or right == 0:
         return
-    if not math.isfinite(right) or view.plan.quantities[name].kind is Kind.VERDICT:
+    if not math.isfinite(right) or comparison.plan.quantities[name].kind is Kind.VERDICT:
         return
     tried = right * _SPAN
-    values = {**view.own.evaluation.values, name: tried}
-    results = evaluate_formula(formula, view.quantity.unit, values, view.plan.columns)
-    size = factor(view.quantity.unit)
-    typed = view.value * size
-    half = max(typed_half_unit(view.answer, view.policy) * size, _FINEST * abs(typed))
+    values = {**comparison.follow_through.evaluation.values, name: tried}
+    results = evaluate_formula(formula, comparison.quantity.unit, values, comparison.plan.columns)
+    size = factor(comparison.quantity.unit)
+    typed = comparison.value * size
+    half = max(typed_half_unit(comparison.answer, comparison.policy) * size, _FINEST * abs(typed))
     away = np.broadcast_to(results, tried.shape) - typed
     for place in np.flatnonzero(np.sign(away[:-1]) * np.sign(away[1:]) < 0).tolist():
-        yield _between(view, tried, away, place, half)
+        yield _between(comparison, tried, away, place, half)
 
 
 def _between(
-    view: View, tried: NDArray[np.float64], away: NDArray[np.float64], place: int, half: float
+    comparison: Comparison,
+    tried: NDArray[np.float64],
+    away: NDArray[np.float64],
+    place: int,
+    half: float,
 ) -> _Span:
     """Return the range round a crossing, on the straight line between two tried values."""
     first, second = float(tried[place]), float(tried[place + 1])
@@ -125,7 +135,7 @@ def _between(
     root = first - before / slope
     # The line bends between tried values; its sagitta is far below their distance.
     reach = abs(half / slope) + 1e-4 * (second - first)
-    return _Span(view, root - reach, root + reach)
+    return _Span(comparison, root - reach, root + reach)
 
 
 def _common(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
@@ -133,7 +143,9 @@ def _common(name: str, spans: Sequence[_Span], prior: float) -> Substitution | N
     best: Substitution | None = None
     for start in spans:
         inside = {
-            span.view.quantity.id: span for span in spans if span.low <= start.low <= span.high
+            span.comparison.quantity.id: span
+            for span in spans
+            if span.low <= start.low <= span.high
         }
         if len(inside) < _LEAST_ANSWERS or (best and len(inside) < len(best.explains)):
             continue
@@ -144,23 +156,26 @@ def _common(name: str, spans: Sequence[_Span], prior: float) -> Substitution | N
 
 
 def _substitution(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
-    view = spans[0].view
+    comparison = spans[0].comparison
     low = max(span.low for span in spans)
     high = min(span.high for span in spans)
-    right = abs(float(view.own.evaluation.values[name]))
+    right = abs(float(comparison.follow_through.evaluation.values[name]))
     value = (low + high) / 2
     if value * right <= 0:
         return None
-    odds = prior * _scatter(value, right, view.policy.slips.spread) * (high - low)
+    odds = prior * _scatter(value, right, comparison.policy.slips.spread) * (high - low)
     for span in spans:
-        half = max(typed_half_unit(span.view.answer, view.policy), _FINEST * abs(span.view.value))
-        odds *= 1 / (2 * half) / (unexplained(span.view) or math.inf)
-    certain = view.policy.slips.certain
+        half = max(
+            typed_half_unit(span.comparison.answer, comparison.policy),
+            _FINEST * abs(span.comparison.value),
+        )
+        odds *= 1 / (2 * half) / (unexplained(span.comparison) or math.inf)
+    certain = comparison.policy.slips.certain
     if odds < certain / (1 - certain) or math.isclose(value, right, rel_tol=1e-3):
         return None
-    unit = factor(view.plan.quantities[name].unit)
-    order = list(view.plan.quantities)
-    explains = sorted((span.view.quantity.id for span in spans), key=order.index)
+    unit = factor(comparison.plan.quantities[name].unit)
+    order = list(comparison.plan.quantities)
+    explains = sorted((span.comparison.quantity.id for span in spans), key=order.index)
     return Substitution(name, value / unit, tuple(explains), odds, "")
 
 

@@ -10,14 +10,14 @@ from gripcourse.errors import Problem, TableError
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import (
-    Column,
+    TableColumn,
     declared_names,
     find_columns,
     plain,
     roster_vocabulary,
 )
 from gripcourse.variants.model import Student
-from gripcourse.variants.sheet import Row, Sheet, cell_place, read_sheet
+from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _ID = re.compile(r"[\w-][\w.-]*")
 # Names that Windows keeps for devices, whatever follows the dot: no folder can be called so.
@@ -61,10 +61,10 @@ def read_roster(path: Path) -> tuple[Student, ...]:
 @dataclass(frozen=True, slots=True)
 class _Reader:
     sheet: Sheet
-    columns: Mapping[str, Column]
+    columns: Mapping[str, TableColumn]
     problems: list[Problem]
 
-    def student(self, row: Row) -> Student:
+    def student(self, row: SheetRow) -> Student:
         """Read a row; what is wrong with it is recorded."""
         student = Student(
             # One letter can be written as one sign or as two, and folders would differ.
@@ -106,7 +106,7 @@ class _Reader:
                     message("Fix another one, or leave the cell blank for the next free one."),
                 )  # fmt: skip
 
-    def _check_id(self, row: Row, id_: str) -> None:
+    def _check_id(self, row: SheetRow, id_: str) -> None:
         if not id_:
             what = message("The student has no id.")
             self._add(row, "student", what, message("Write one: it names the student's folder."))
@@ -124,7 +124,7 @@ class _Reader:
                         most=_LONGEST_ID),
             )  # fmt: skip
 
-    def _language(self, row: Row) -> str:
+    def _language(self, row: SheetRow) -> str:
         written = self._cell(row, "language")
         if not written:
             return ""
@@ -135,10 +135,10 @@ class _Reader:
         self._add(row, "language", what, did_you_mean(written, LANGUAGES))
         return ""
 
-    def _cell(self, row: Row, id_: str) -> str:
+    def _cell(self, row: SheetRow, id_: str) -> str:
         column = self.columns.get(id_)
         return row.cells[column.position] if column is not None else ""
 
-    def _add(self, row: Row, id_: str, what: Message, remedy: Message) -> None:
+    def _add(self, row: SheetRow, id_: str, what: Message, remedy: Message) -> None:
         place = cell_place(row.number, self.columns[id_].name)
         self.problems.append(Problem(self.sheet.file, place, what, remedy))

@@ -15,7 +15,7 @@ import numpy as np
 
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import same_as_issued, same_as_typed
-from gripcourse.likeness.model import Chances, Evidence, Kind, Work
+from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import compare, rests_on
 from gripcourse.likeness.pool import Pool, chance_of, pool, where_right_is_shared
 from gripcourse.policy.model import LikenessRule
@@ -24,7 +24,10 @@ _LARGEST = 700.0  # logarithm of the largest odds that are told
 
 
 def find_evidence(
-    works: Sequence[Work], issued: IssuedValues, rule: LikenessRule, chances: Chances | None = None
+    works: Sequence[ComparedWork],
+    issued: IssuedValues,
+    rule: LikenessRule,
+    chances: Chances | None = None,
 ) -> tuple[Evidence, ...]:
     """Find what is alike beyond chance.
 
@@ -61,7 +64,7 @@ def other_variants(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterat
         students = (pooled.students[row], pooled.issued.owners[best[row]])
         names = rests_on(pooled, found, int(row), int(best[row]))
         odds = _odds(pooled, float(logs[row, best[row]]))
-        yield Evidence(Kind.OTHER_VARIANT, students, odds, names)
+        yield Evidence(NumberKind.OTHER_VARIANT, students, odds, names)
 
 
 def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
@@ -82,10 +85,10 @@ def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator
         others = dict.fromkeys(pooled.students[one] for one in strongest)
         names = rests_on(pooled, found, int(row), int(strongest[0]))
         odds = _odds(pooled, float(logs[row, strongest[0]]))
-        yield Evidence(Kind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
+        yield Evidence(NumberKind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
 
 
-def same_creators(works: Sequence[Work], rule: LikenessRule) -> Iterator[Evidence]:
+def same_creators(works: Sequence[ComparedWork], rule: LikenessRule) -> Iterator[Evidence]:
     """Yield the few students whose workbooks name one author; many share a computer room."""
     students: dict[str, dict[str, str]] = defaultdict(dict)
     for work in works:
@@ -98,7 +101,7 @@ def same_creators(works: Sequence[Work], rule: LikenessRule) -> Iterator[Evidenc
             for student, name in same.items():
                 others = (one for one in same if one != student)
                 odds = everybody / len(same)
-                yield Evidence(Kind.SAME_CREATOR, (student, *others), odds, (name,))
+                yield Evidence(NumberKind.SAME_CREATOR, (student, *others), odds, (name,))
 
 
 def _odds(pooled: Pool, log: float) -> float:

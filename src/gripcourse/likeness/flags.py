@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from gripcourse.grading.model import Flag
-from gripcourse.likeness.model import Evidence, Kind
+from gripcourse.likeness.model import Evidence, NumberKind
 from gripcourse.text.words import Message, message
 
 _STUDENTS: Final = 5  # that one flag names
@@ -44,10 +44,10 @@ def flags_by_student(found: Iterable[Evidence]) -> dict[str, tuple[Flag, ...]]:
 
 
 def _said(evidence: Evidence) -> Message:
-    others = _listed(evidence.students[1:], _STUDENTS)
-    names = _listed(evidence.rests_on, _QUANTITIES)
+    others = _names_text(evidence.students[1:], _STUDENTS)
+    names = _names_text(evidence.rests_on, _QUANTITIES)
     odds = odds_in_words(evidence.odds)
-    if evidence.kind is Kind.OTHER_VARIANT:
+    if evidence.kind is NumberKind.OTHER_VARIANT:
         return message(
             "Numbers that the student's own variant does not explain are those of the variant of "
             "{others}: {odds}, all comparisons counted. This rests on: {names}. It is evidence, "
@@ -56,7 +56,7 @@ def _said(evidence: Evidence) -> Message:
             odds=odds,
             names=names,
         )
-    if evidence.kind is Kind.SAME_ANSWERS:
+    if evidence.kind is NumberKind.SAME_ANSWERS:
         return message(
             "Numbers that the student's own variant does not explain are the same in the work of "
             "{others}: {odds}, all comparisons counted. This rests on: {names}. It is evidence, "
@@ -74,7 +74,7 @@ def _said(evidence: Evidence) -> Message:
     )
 
 
-def _listed(names: tuple[str, ...], most: int) -> Message:
+def _names_text(names: tuple[str, ...], most: int) -> Message:
     named = ", ".join(names[:most])
     if len(names) <= most:
         return message("{names}", names=named)

@@ -19,7 +19,7 @@ Ints = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers:
+class ComparedNumbers:
     """Typed numbers, one after another.
 
     Attributes:
@@ -36,7 +36,7 @@ class Numbers:
 
 
 @dataclass(frozen=True, slots=True)
-class Hits:
+class Matches:
     """Pairs of a number and an owner that has the same.
 
     Attributes:
@@ -58,23 +58,25 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
     return np.minimum(2 * half_unit, third)
 
 
-def same_as_issued(numbers: Numbers, values: Floats) -> Hits:
+def same_as_issued(numbers: ComparedNumbers, values: Floats) -> Matches:
     """Find the variants whose right values the numbers are, within one unit of the last digit."""
     reach = np.maximum(numbers.unit, _OWN_ROUNDING * np.abs(numbers.value))
-    return _hits(numbers, values, reach * (1 + _SAME), 1)
+    return _matches(numbers, values, reach * (1 + _SAME), 1)
 
 
-def same_as_typed(numbers: Numbers, rows: int, columns: int) -> Hits:
+def same_as_typed(numbers: ComparedNumbers, rows: int, columns: int) -> Matches:
     """Find the submissions in which the same was typed, but for rounding."""
     values = np.full((rows, columns), math.nan)
     values[numbers.row, numbers.column] = numbers.value
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    found = _hits(numbers, values, reach * (1 + _SAME), 2)  # the pair itself
+    found = _matches(numbers, values, reach * (1 + _SAME), 2)  # the pair itself
     other = numbers.row[found.number] != found.owner
-    return Hits(*(part[other] for part in (found.number, found.owner, found.share, found.window)))
+    return Matches(
+        *(part[other] for part in (found.number, found.owner, found.share, found.window))
+    )
 
 
-def density(numbers: Numbers, values: Floats) -> Floats:
+def density(numbers: ComparedNumbers, values: Floats) -> Floats:
     """Return the probability that a wrong number falls near each, per relative width.
 
     Wrong numbers spread as the right ones of all variants do: log-normally, and not too narrowly.
@@ -92,7 +94,7 @@ def density(numbers: Numbers, values: Floats) -> Floats:
     return result
 
 
-def _hits(numbers: Numbers, values: Floats, reach: Floats, apart: int) -> Hits:
+def _matches(numbers: ComparedNumbers, values: Floats, reach: Floats, apart: int) -> Matches:
     """Find for each number the rows of `values` within reach, by binary search.
 
     Args:
@@ -116,6 +118,6 @@ def _hits(numbers: Numbers, values: Floats, reach: Floats, apart: int) -> Hits:
         found.append((np.repeat(mine, count), owner, share))
     if not found:
         nothing = np.zeros(0, dtype=np.intp)
-        return Hits(nothing, nothing, np.zeros(0), np.zeros(0))
+        return Matches(nothing, nothing, np.zeros(0), np.zeros(0))
     number, owner, share = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    return Hits(number, owner, share, 2 * (reach / np.abs(numbers.value))[number])
+    return Matches(number, owner, share, 2 * (reach / np.abs(numbers.value))[number])

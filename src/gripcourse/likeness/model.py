@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 
-class Kind(StrEnum):
+class NumberKind(StrEnum):
     """What is alike; the codes of the flags."""
 
     OTHER_VARIANT = "other_variant"  # answers or given values are those of another's variant
@@ -32,7 +32,7 @@ class Typed:
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class ComparedWork:
     """One submission.
 
     Attributes:
@@ -58,7 +58,7 @@ class Evidence:
         rests_on: ids of the quantities, the strongest first; the author's name for a creator.
     """
 
-    kind: Kind
+    kind: NumberKind
     students: tuple[str, ...]
     odds: float
     rests_on: tuple[str, ...]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.matches import Floats, Hits
+from gripcourse.likeness.matches import Floats, Matches
 from gripcourse.likeness.pool import Pool
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
@@ -24,12 +24,12 @@ class Compared:
     """
 
     logs: Floats
-    hits: Hits
+    hits: Matches
     chance: Floats
 
 
 def compare(
-    pooled: Pool, hits: Hits, chance: Floats, present: NDArray[np.bool_], answers: int
+    pooled: Pool, hits: Matches, chance: Floats, present: NDArray[np.bool_], answers: int
 ) -> Compared:
     """Weigh every pair of a submission and an owner.
 
@@ -68,7 +68,7 @@ def rests_on(pooled: Pool, found: Compared, row: int, owner: int) -> tuple[str, 
     return tuple(pooled.issued.quantities[column] for column in columns)
 
 
-def _once_for_each_family(pooled: Pool, hits: Hits, chance: Floats) -> Floats:
+def _once_for_each_family(pooled: Pool, hits: Matches, chance: Floats) -> Floats:
     """Let proportional numbers count once for each pair: the strongest of them."""
     row = pooled.numbers.row[hits.number]
     column = pooled.numbers.column[hits.number]

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import Floats, Hits, Ints, Numbers, density, last_unit
-from gripcourse.likeness.model import Chances, Typed, Work
+from gripcourse.likeness.matches import ComparedNumbers, Floats, Ints, Matches, density, last_unit
+from gripcourse.likeness.model import Chances, ComparedWork, Typed
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
 _SAME_RATIO = 1e-3  # relative: as exactly as people type
@@ -34,12 +34,12 @@ class Pool:
     students: tuple[str, ...]
     own: Ints
     issued: IssuedValues
-    numbers: Numbers
+    numbers: ComparedNumbers
     explained: Flags
     slip: Floats
 
 
-def pool(works: Sequence[Work], issued: IssuedValues) -> Pool:
+def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> Pool:
     """Put the numbers of submissions side by side; all students own a row of issued values."""
     columns = issued.columns
     rows = {student: row for row, student in enumerate(issued.owners)}
@@ -55,7 +55,7 @@ def pool(works: Sequence[Work], issued: IssuedValues) -> Pool:
         students=tuple(work.student for work in works),
         own=np.array([rows[work.student] for work in works], dtype=np.intp),
         issued=issued,
-        numbers=Numbers(
+        numbers=ComparedNumbers(
             row=np.array([row for row, *_ in kept], dtype=np.intp),
             column=np.array([column for _, column, _ in kept], dtype=np.intp),
             value=value,
@@ -66,7 +66,7 @@ def pool(works: Sequence[Work], issued: IssuedValues) -> Pool:
     )
 
 
-def chance_of(pooled: Pool, hits: Hits, chances: Chances) -> Floats:
+def chance_of(pooled: Pool, hits: Matches, chances: Chances) -> Floats:
     """Return the probability of each hit without copying: 1 for what is explained."""
     near = density(pooled.numbers, pooled.issued.values)[hits.number] * hits.window
     wrong = np.maximum(np.maximum(near, hits.share), chances.least)
@@ -78,7 +78,7 @@ def chance_of(pooled: Pool, hits: Hits, chances: Chances) -> Floats:
     return result
 
 
-def where_right_is_shared(pooled: Pool, hits: Hits, chances: Chances) -> Floats:
+def where_right_is_shared(pooled: Pool, hits: Matches, chances: Chances) -> Floats:
     """Return how likely the same wrong method is, where it gives two students the same number."""
     numbers = pooled.numbers
     right = pooled.issued.values[pooled.own[numbers.row], numbers.column]

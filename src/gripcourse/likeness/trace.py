@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import Floats, Numbers, density, last_unit
+from gripcourse.likeness.matches import ComparedNumbers, Floats, density, last_unit
 
 _TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
 _LEAST = 1e-4  # nobody knows chance better than this
@@ -119,7 +119,7 @@ def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats
     away = np.where(np.isfinite(values), np.abs(values - value), np.inf) / reach
     best = np.argmin(away, axis=1)
     fits = away[np.arange(rows), best] <= 1 + _OWN_ROUNDING
-    numbers = Numbers(np.zeros(len(place), dtype=np.intp), place, value, unit)
+    numbers = ComparedNumbers(np.zeros(len(place), dtype=np.intp), place, value, unit)
     near = density(numbers, issued.values) * 2 * reach / np.abs(value)
     by_spread = np.isfinite(values) @ near
     by_count = (fits.sum() - 1) / max(rows, 1)

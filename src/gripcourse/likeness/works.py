@@ -3,14 +3,14 @@
 import math
 
 from gripcourse.grading.model import Finding, Outcome, Report
-from gripcourse.likeness.model import Typed, Work
+from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.variants.model import Issued
 
 _SAME = 1e-9  # relative: stored givens are decimal numbers
 _USED = "used:"  # a slip that names only the wrong number that was used says nothing of its origin
 
 
-def work_of(report: Report, issued: Issued, issuer: str) -> Work:
+def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
     """Return the numbers of a judged submission.
 
     Args:
@@ -36,7 +36,7 @@ def work_of(report: Report, issued: Issued, issuer: str) -> Work:
         and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
     )
     creator = "" if report.creator == issuer else report.creator
-    return Work(report.student, (*answers, *changed), creator)
+    return ComparedWork(report.student, (*answers, *changed), creator)
 
 
 def _is_explained(finding: Finding) -> bool:

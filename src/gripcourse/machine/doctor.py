@@ -19,7 +19,7 @@ from gripcourse.machine.fonts import (
     load_pango,
     missing_font,
 )
-from gripcourse.text.translations import Fault, catalogue_file, read_translations
+from gripcourse.text.translations import TranslationFault, catalogue_file, read_translations
 from gripcourse.text.words import LANGUAGES, Message, message
 
 PYTHON_NEEDED = (3, 11)
@@ -47,14 +47,14 @@ class Machine:
     pango: str
     subsetting: bool
     fonts: tuple[tuple[str, str], ...]
-    translations: tuple[tuple[str, tuple[Fault, ...]], ...]
+    translations: tuple[tuple[str, tuple[TranslationFault, ...]], ...]
     office: str | None
     folder: Path
     writable: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class MachineCheck:
     """The judgement on one thing.
 
     Attributes:
@@ -72,7 +72,7 @@ class Check:
     remedy: Message
 
 
-def checks(folder: Path) -> tuple[Check, ...]:
+def checks(folder: Path) -> tuple[MachineCheck, ...]:
     """Look at this machine and judge it; results would be written to `folder`."""
     return assess(look(folder))
 
@@ -97,7 +97,7 @@ def look(folder: Path) -> Machine:
     )
 
 
-def assess(machine: Machine) -> tuple[Check, ...]:
+def assess(machine: Machine) -> tuple[MachineCheck, ...]:
     """Judge what was observed; pure, the order is the order of the output."""
     return (
         _python(machine),
@@ -111,8 +111,8 @@ def assess(machine: Machine) -> tuple[Check, ...]:
     )
 
 
-def _python(machine: Machine) -> Check:
-    return Check(
+def _python(machine: Machine) -> MachineCheck:
+    return MachineCheck(
         name="python",
         ok=machine.python >= PYTHON_NEEDED,
         required=True,
@@ -121,8 +121,8 @@ def _python(machine: Machine) -> Check:
     )
 
 
-def _expat(machine: Machine) -> Check:
-    return Check(
+def _expat(machine: Machine) -> MachineCheck:
+    return MachineCheck(
         name="expat",
         ok=machine.expat >= EXPAT_NEEDED,
         required=True,
@@ -135,10 +135,10 @@ def _expat(machine: Machine) -> Check:
     )
 
 
-def _pango(machine: Machine) -> Check:
+def _pango(machine: Machine) -> MachineCheck:
     found = message("Pango lays out the text of PDF files")
     failed = message("Pango cannot be loaded: {reason}", reason=machine.pango)
-    return Check(
+    return MachineCheck(
         name="pango",
         ok=not machine.pango,
         required=True,
@@ -147,10 +147,10 @@ def _pango(machine: Machine) -> Check:
     )
 
 
-def _subsetting(machine: Machine) -> Check:
+def _subsetting(machine: Machine) -> MachineCheck:
     found = message("HarfBuzz cuts fonts to the letters that a document uses")
     failed = message("HarfBuzz for cutting fonts is missing: every PDF file takes twice as long")
-    return Check(
+    return MachineCheck(
         name="harfbuzz-subset",
         ok=machine.subsetting,
         required=True,
@@ -159,12 +159,12 @@ def _subsetting(machine: Machine) -> Check:
     )
 
 
-def _fonts(fonts: Iterable[tuple[str, str]]) -> Iterable[Check]:
+def _fonts(fonts: Iterable[tuple[str, str]]) -> Iterable[MachineCheck]:
     for wanted, used in fonts:
         found = message("Font {family}", family=wanted)
         failed = missing_font(wanted, used)
         ok = wanted == used
-        yield Check(
+        yield MachineCheck(
             name=f"font {wanted}",
             ok=ok,
             required=True,
@@ -173,12 +173,14 @@ def _fonts(fonts: Iterable[tuple[str, str]]) -> Iterable[Check]:
         )
 
 
-def _translations(found: Iterable[tuple[str, tuple[Fault, ...]]]) -> Iterable[Check]:
+def _translations(
+    found: Iterable[tuple[str, tuple[TranslationFault, ...]]],
+) -> Iterable[MachineCheck]:
     for language, faults in found:
         whole = message("Sentences in the language {language} are whole", language=language)
         for said in map(_translation_fault, faults or (None,)):
             place = message("{language}.po: {fault}", language=language, fault=said)
-            yield Check(
+            yield MachineCheck(
                 name=f"translation {language}",
                 ok=not faults,
                 required=True,
@@ -191,7 +193,7 @@ def _translations(found: Iterable[tuple[str, tuple[Fault, ...]]]) -> Iterable[Ch
             )
 
 
-def _translation_fault(fault: Fault | None) -> Message | None:
+def _translation_fault(fault: TranslationFault | None) -> Message | None:
     if fault is None:
         return None
     match fault.kind:
@@ -218,10 +220,10 @@ def _translation_fault(fault: Fault | None) -> Message | None:
     return said
 
 
-def _office(machine: Machine) -> Check:
+def _office(machine: Machine) -> MachineCheck:
     found = message("LibreOffice: {path}", path=machine.office)
     failed = message("LibreOffice is missing: only needed to recalculate workbooks and for tests")
-    return Check(
+    return MachineCheck(
         name="libreoffice",
         ok=machine.office is not None,
         required=False,
@@ -230,10 +232,10 @@ def _office(machine: Machine) -> Check:
     )
 
 
-def _folder(machine: Machine) -> Check:
+def _folder(machine: Machine) -> MachineCheck:
     found = message("Files can be written to {folder}", folder=machine.folder)
     failed = message("No file can be written to {folder}", folder=machine.folder)
-    return Check(
+    return MachineCheck(
         name="folder",
         ok=machine.writable,
         required=True,

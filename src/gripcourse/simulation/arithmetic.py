@@ -23,7 +23,7 @@ PI: Final = "π"
 """Where a student's own pi stands among the values; no quantity can be called so."""
 
 
-class Rounding(StrEnum):
+class DigitRounding(StrEnum):
     """What becomes of the figures that are not written."""
 
     ROUND = "round"

@@ -5,7 +5,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from gripcourse.simulation.arithmetic import DISPLAY, Hand, Rounding
+from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding, Hand
 from gripcourse.simulation.model import Behaviour, Carrying, Conduct, Mix
 from gripcourse.variants.model import Issued
 
@@ -37,10 +37,10 @@ def draw_behaviours(entries: Sequence[Issued], mix: Mix, seed: int) -> dict[str,
 
 def hand_of(behaviour: Behaviour) -> Hand:
     """Return how one student computes and writes."""
-    full = behaviour.rounding is Rounding.FULL
+    full = behaviour.rounding is DigitRounding.FULL
     return Hand(
         figures=np.asarray(DISPLAY if full else behaviour.figures),
-        cuts=np.asarray(behaviour.rounding is Rounding.TRUNCATE),
+        cuts=np.asarray(behaviour.rounding is DigitRounding.TRUNCATE),
         keeps=np.asarray(behaviour.carrying is Carrying.CALCULATOR),
         pi=np.asarray(behaviour.pi),
         constants={name: np.asarray(value) for name, value in behaviour.constants.items()},

@@ -12,7 +12,7 @@ from gripcourse.course.model import Choice, Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Call, Formula
 from gripcourse.simulation.arithmetic import PI, Array, Hand, with_own_pi
-from gripcourse.simulation.model import Done
+from gripcourse.simulation.model import ActionKind
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, reference_rounding
@@ -33,14 +33,14 @@ class Deviation:
         cell: how that value stands in that somebody's cell.
     """
 
-    done: Done
+    done: ActionKind
     candidate: Candidate | None = None
     copied: float = float("nan")
     cell: float | str | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class WorkedStep:
     """One answered quantity in its declared unit, shape (n,) or (); NaN where there is no value.
 
     Attributes:
@@ -56,7 +56,7 @@ class Step:
 class Calculation:
     """All steps of a student, and the numbers that the student went on with, in SI."""
 
-    steps: Mapping[str, Step]
+    steps: Mapping[str, WorkedStep]
     values: Mapping[str, Array]
 
 
@@ -72,7 +72,7 @@ def calculate(
         deviations: what is done otherwise than right, by quantity.
     """
     values: dict[str, Array] = {PI: hand.pi}
-    steps: dict[str, Step] = {}
+    steps: dict[str, WorkedStep] = {}
     for name in _order(plan, deviations):
         quantity = plan.quantities[name]
         if quantity.kind is Kind.MANUAL:
@@ -137,7 +137,7 @@ def _step(
     hand: Hand,
     values: Mapping[str, Array],
     deviation: Deviation | None,
-) -> tuple[Step, Array]:
+) -> tuple[WorkedStep, Array]:
     """Return a step, and the value that the students go on with, in the declared unit."""
     formula = plan.reference_formula(quantity.id)
     right = by_formula(plan, quantity, formula, values, hand)
@@ -147,25 +147,25 @@ def _step(
     if deviation.candidate is not None:
         instead = by_formula(plan, quantity, deviation.candidate.formula, values, hand)
     match deviation.done:
-        case Done.SLIP:
+        case ActionKind.SLIP:
             return _ended(quantity, hand, right, instead)
-        case Done.ROUNDED_DOWN if quantity.choice is not None:
+        case ActionKind.ROUNDED_DOWN if quantity.choice is not None:
             smaller = _next_smaller(plan, quantity.choice, right * factor(quantity.unit))
             return _ended(quantity, hand, right, smaller / factor(quantity.unit))
-        case Done.COPIED:
+        case ActionKind.COPIED:
             copied = np.asarray(deviation.copied)
-            return Step(right, copied), copied
-        case Done.BARE_UNIT:
+            return WorkedStep(right, copied), copied
+        case ActionKind.BARE_UNIT:
             # The student knows the right value and goes on with it.
             _, carried = _ended(quantity, hand, right, right)
-            return Step(right, _typed(quantity, instead, hand)), carried
+            return WorkedStep(right, _typed(quantity, instead, hand)), carried
         case _:
             return _ended(quantity, hand, right, right)
 
 
-def _ended(quantity: Quantity, hand: Hand, right: Array, value: Array) -> tuple[Step, Array]:
+def _ended(quantity: Quantity, hand: Hand, right: Array, value: Array) -> tuple[WorkedStep, Array]:
     typed = _typed(quantity, value, hand)
-    return Step(right, typed), hand.going_on_with(value, typed)
+    return WorkedStep(right, typed), hand.going_on_with(value, typed)
 
 
 def _typed(quantity: Quantity, value: Array, hand: Hand) -> Array:

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError, UsageError
 from gripcourse.issuing.signature import KEY_BYTES, sign
@@ -45,7 +45,9 @@ def make_classroom(
     variants = tuple(_drawn(course, policy, _spaces(course, scheme), count, seed))
     entries = issue_to_nobody(course, mix, variants, seed)
     register = {entry.student.id: entry for entry in entries}
-    return Classroom(Desk(course, policy, register), mix, draw_behaviours(entries, mix, seed))
+    return Classroom(
+        GradingContext(course, policy, register), mix, draw_behaviours(entries, mix, seed)
+    )
 
 
 def virtual_key(seed: int) -> bytes:

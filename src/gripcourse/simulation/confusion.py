@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.grading.model import Finding, Outcome, Report
-from gripcourse.simulation.model import Conduct, Deed, Done, Mix, Required, Work
+from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix, Required, SimulatedWork
 from gripcourse.simulation.rates import Rate
 
 
 @dataclass(frozen=True, slots=True)
-class Judged:
+class JudgedWork:
     """What a student did, and what the grader says; the trace of a failure of ours, or nothing."""
 
-    work: Work
+    work: SimulatedWork
     report: Report
     incident: str = ""
 
@@ -38,17 +38,17 @@ NAMES = frozenset({Said.NAMED, Said.TIED})
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class AnswerVerdict:
     """One answer: what was done and what was said."""
 
-    work: Work
-    deed: Deed
+    work: SimulatedWork
+    action: Action
     finding: Finding
     said: Said
 
 
 @dataclass(frozen=True, slots=True)
-class Evaluation:
+class GraderEvaluation:
     """How well the grader says what was done.
 
     Attributes:
@@ -62,10 +62,10 @@ class Evaluation:
     """
 
     students: int
-    table: Mapping[tuple[Done, Said], int]
+    table: Mapping[tuple[ActionKind, Said], int]
     rates: Mapping[str, Rate]
     by_kind: Mapping[str, Rate]
-    misses: tuple[Verdict, ...]
+    misses: tuple[AnswerVerdict, ...]
     tried: int
     hidden: int
     incidents: tuple[str, ...]
@@ -76,7 +76,7 @@ class Evaluation:
         return tuple(name for name, rate in self.rates.items() if not rate.reached)
 
 
-def evaluate(judged: Sequence[Judged], mix: Mix) -> Evaluation:
+def evaluate(judged: Sequence[JudgedWork], mix: Mix) -> GraderEvaluation:
     """Set what was done against what was said.
 
     Args:
@@ -84,14 +84,14 @@ def evaluate(judged: Sequence[Judged], mix: Mix) -> Evaluation:
         mix: what the grader is held to, and which flags mean copying.
     """
     verdicts = [one for each in judged for one in _verdicts(each)]
-    slips = [one for one in verdicts if one.deed.done is Done.SLIP]
-    return Evaluation(
+    slips = [one for one in verdicts if one.action.done is ActionKind.SLIP]
+    return GraderEvaluation(
         students=len(judged),
-        table=Counter((one.deed.done, one.said) for one in verdicts),
+        table=Counter((one.action.done, one.said) for one in verdicts),
         rates=dict(_rates(judged, verdicts, mix)),
         by_kind={
-            kind: _share([s for s in slips if s.deed.kind == kind], NAMES)
-            for kind in sorted({one.deed.kind for one in slips})
+            kind: _share([s for s in slips if s.action.kind == kind], NAMES)
+            for kind in sorted({one.action.kind for one in slips})
         },
         misses=tuple(one for one in verdicts if is_missed(one)),
         tried=sum(one.work.tried for one in judged),
@@ -100,47 +100,47 @@ def evaluate(judged: Sequence[Judged], mix: Mix) -> Evaluation:
     )
 
 
-def is_missed(one: Verdict) -> bool:
+def is_missed(one: AnswerVerdict) -> bool:
     """Tell whether the grader says something wrong about an answer."""
-    match one.deed.done:
-        case Done.RIGHT | Done.FOLLOWS:
+    match one.action.done:
+        case ActionKind.RIGHT | ActionKind.FOLLOWS:
             return one.said not in ACCEPTED
-        case Done.SLIP:
+        case ActionKind.SLIP:
             return one.said not in NAMES
-        case Done.BARE_UNIT | Done.WRONG_UNIT | Done.ROUNDED_DOWN:
+        case ActionKind.BARE_UNIT | ActionKind.WRONG_UNIT | ActionKind.ROUNDED_DOWN:
             return one.said in ACCEPTED
         case _:
             return False
 
 
-def _verdicts(judged: Judged) -> Iterator[Verdict]:
+def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
     """Yield a verdict per answer; another's workbook is judged as a whole."""
     findings = {one.quantity: one for one in judged.report.findings}
-    for deed in judged.work.deeds:
-        if judged.work.owner == judged.work.student and deed.quantity in findings:
-            finding = findings[deed.quantity]
-            yield Verdict(judged.work, deed, finding, _said(deed, finding))
+    for action in judged.work.actions:
+        if judged.work.owner == judged.work.student and action.quantity in findings:
+            finding = findings[action.quantity]
+            yield AnswerVerdict(judged.work, action, finding, _said(action, finding))
 
 
-def _said(deed: Deed, finding: Finding) -> Said:
+def _said(action: Action, finding: Finding) -> Said:
     if finding.outcome is not Outcome.SLIP:
         return Said(str(finding.outcome))
-    names = {deed.slip, *deed.twins} - {""}
+    names = {action.slip, *action.twins} - {""}
     if finding.slip in names:
         return Said.NAMED
     return Said.TIED if names.intersection(finding.tied) else Said.MISNAMED
 
 
 def _rates(
-    judged: Sequence[Judged], verdicts: Sequence[Verdict], mix: Mix
+    judged: Sequence[JudgedWork], verdicts: Sequence[AnswerVerdict], mix: Mix
 ) -> Iterator[tuple[str, Rate]]:
     required: Required = mix.required
     yield "incidents", Rate(sum(bool(one.incident) for one in judged), len(judged), at_most=0.0)
-    slips = [one for one in verdicts if one.deed.done is Done.SLIP]
-    right = [one for one in verdicts if one.deed.done is Done.RIGHT]
+    slips = [one for one in verdicts if one.action.done is ActionKind.SLIP]
+    right = [one for one in verdicts if one.action.done is ActionKind.RIGHT]
     honest = [one for one in right if one.work.behaviour.conduct is Conduct.HONEST]
     others = [one for one in right if one.work.behaviour.conduct is not Conduct.HONEST]
-    follows = [one for one in verdicts if one.deed.done is Done.FOLLOWS]
+    follows = [one for one in verdicts if one.action.done is ActionKind.FOLLOWS]
     refused = frozenset(Said) - ACCEPTED
     yield "honest_refused", _share(honest, refused, at_most=required.honest_refused)
     yield "slip_accepted", _share(slips, ACCEPTED, at_most=required.slip_accepted)
@@ -150,11 +150,16 @@ def _rates(
     yield "slip_tied", _share(slips, {Said.TIED})
     yield "other_refused", _share(others, refused)
     yield "follows_refused", _share(follows, refused)
-    for done in (Done.BARE_UNIT, Done.WRONG_UNIT, Done.ROUNDED_DOWN, Done.COPIED):
-        yield f"{done}_accepted", _share([v for v in verdicts if v.deed.done is done], ACCEPTED)
+    for done in (
+        ActionKind.BARE_UNIT,
+        ActionKind.WRONG_UNIT,
+        ActionKind.ROUNDED_DOWN,
+        ActionKind.COPIED,
+    ):
+        yield f"{done}_accepted", _share([v for v in verdicts if v.action.done is done], ACCEPTED)
 
 
-def _flag_rates(judged: Sequence[Judged], mix: Mix) -> Iterator[tuple[str, Rate]]:
+def _flag_rates(judged: Sequence[JudgedWork], mix: Mix) -> Iterator[tuple[str, Rate]]:
     """Yield how many copied works are flagged, and how many others.
 
     Whose work somebody else copied may be asked about it too: that is neither a hit nor a miss.
@@ -176,7 +181,7 @@ def _copies(report: Report, mix: Mix) -> bool:
 
 
 def _share(
-    verdicts: Sequence[Verdict],
+    verdicts: Sequence[AnswerVerdict],
     wanted: Iterable[Said],
     *,
     at_most: float | None = None,

@@ -12,8 +12,8 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import judge_read
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.packed import pack, unpack
-from gripcourse.simulation.confusion import Judged
-from gripcourse.simulation.model import Deed, Work
+from gripcourse.simulation.confusion import JudgedWork
+from gripcourse.simulation.model import Action, SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of
 from gripcourse.submission.model import Identity
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -25,7 +25,7 @@ _AT_A_TIME = 8  # students that a worker is handed
 
 def judge_in_memory(
     room: Classroom, workers: int, on_done: Callable[[], None] = lambda: None
-) -> tuple[Judged, ...]:
+) -> tuple[JudgedWork, ...]:
     """Let a cohort work and judge it, without writing or reading a file.
 
     Args:
@@ -37,27 +37,27 @@ def judge_in_memory(
     for one in _each(room, tuple(room.behaviours), workers):
         judged.append(one)
         on_done()
-    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.desk)
+    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.context)
     incidents = [one.incident for one in judged]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(
-        Judged(one.work, report, incident)
+        JudgedWork(one.work, report, incident)
         for one, report, incident in zip(judged, reports, incidents, strict=True)
     )
 
 
-def judge_one(student: str, room: Classroom) -> Judged:
+def judge_one(student: str, room: Classroom) -> JudgedWork:
     """Let one student work and judge the work."""
-    issued = room.desk.register[student]
+    issued = room.context.register[student]
     work = work_of(student, room)
-    raw = read_of(work, room.desk.register[work.owner])
+    raw = read_of(work, room.context.register[work.owner])
     try:
-        return Judged(work, judge_read(raw, issued, room.desk))
+        return JudgedWork(work, judge_read(raw, issued, room.context))
     except Exception:  # noqa: BLE001 (ours, as in a real batch: counted, and the others go on)
-        return Judged(work, incident_report(raw.file, "", issued), traceback.format_exc())
+        return JudgedWork(work, incident_report(raw.file, "", issued), traceback.format_exc())
 
 
-def read_of(work: Work, owner: Issued) -> RawWorkbook:
+def read_of(work: SimulatedWork, owner: Issued) -> RawWorkbook:
     """Return what would be read of the workbook that a student hands in.
 
     Args:
@@ -77,20 +77,20 @@ def read_of(work: Work, owner: Issued) -> RawWorkbook:
         ),
         creator=AUTHOR,
         givens={name: _cell(name, value) for name, value in owner.variant.given.items()},
-        answers=_cells(work.deeds),
+        answers=_cells(work.actions),
         remarks=(),
     )
 
 
-def _cells(deeds: Sequence[Deed]) -> Mapping[str, RawCell]:
-    return {deed.quantity: _cell(deed.quantity, deed.typed) for deed in deeds}
+def _cells(actions: Sequence[Action]) -> Mapping[str, RawCell]:
+    return {action.quantity: _cell(action.quantity, action.typed) for action in actions}
 
 
 def _cell(name: str, value: float | str | None) -> RawCell:
     return RawCell(value=value, number_format="General", error=False, formula="", cell=name)
 
 
-def _each(room: Classroom, students: Sequence[str], workers: int) -> Iterator[Judged]:
+def _each(room: Classroom, students: Sequence[str], workers: int) -> Iterator[JudgedWork]:
     if workers == 1:
         yield from (judge_one(student, room) for student in students)
         return
@@ -99,6 +99,6 @@ def _each(room: Classroom, students: Sequence[str], workers: int) -> Iterator[Ju
         yield from pool.map(job, students, chunksize=_AT_A_TIME)
 
 
-def _judge_packed(student: str, packed: bytes) -> Judged:
+def _judge_packed(student: str, packed: bytes) -> JudgedWork:
     room: Classroom = unpack(packed)
     return judge_one(student, room)

@@ -4,7 +4,7 @@ import csv
 import io
 from collections.abc import Sequence
 
-from gripcourse.simulation.confusion import Verdict
+from gripcourse.simulation.confusion import AnswerVerdict
 
 HEADS = (
     "student", "scheme", "conduct", "figures", "rounding", "carrying", "style", "quantity",
@@ -13,7 +13,7 @@ HEADS = (
 )  # fmt: skip
 
 
-def misses_csv(misses: Sequence[Verdict], schemes: dict[str, str]) -> str:
+def misses_csv(misses: Sequence[AnswerVerdict], schemes: dict[str, str]) -> str:
     """Write the misses as CSV, a row for each.
 
     Args:
@@ -27,11 +27,11 @@ def misses_csv(misses: Sequence[Verdict], schemes: dict[str, str]) -> str:
     return stream.getvalue()
 
 
-def _row(one: Verdict, scheme: str) -> tuple[object, ...]:
-    how, deed, found = one.work.behaviour, one.deed, one.finding
+def _row(one: AnswerVerdict, scheme: str) -> tuple[object, ...]:
+    how, action, found = one.work.behaviour, one.action, one.finding
     return (
         one.work.student, scheme, how.conduct, how.figures, how.rounding, how.carrying, how.style,
-        deed.quantity, deed.done, deed.slip, deed.kind, one.said, found.outcome, found.slip,
-        " ".join(found.tied), deed.typed, deed.right, found.reference, found.expected, found.low,
-        found.high, found.band,
+        action.quantity, action.done, action.slip, action.kind, one.said, found.outcome, found.slip,
+        " ".join(found.tied), action.typed, action.right, found.reference, found.expected,
+        found.low, found.high, found.band,
     )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import TypeVar
 from gripcourse.course.model import Course, Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
-from gripcourse.simulation.arithmetic import DISPLAY, Rounding
+from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
 from gripcourse.simulation.model import Carrying, Conduct, Mix, Required, Style
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
@@ -55,7 +55,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     mix = Mix(
         conduct=_named(table, "conduct", Conduct),
         figures={int(key): weight for key, weight in _numbered(table, "figures").items()},
-        rounding=_named(table, "rounding", Rounding),
+        rounding=_named(table, "rounding", DigitRounding),
         carrying=_named(table, "carrying", Carrying),
         style=_named(table, "style", Style),
         pi=_numbered(table, "pi"),
@@ -75,7 +75,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     return mix, problems
 
 
-_Named = TypeVar("_Named", Conduct, Rounding, Carrying, Style)
+_Named = TypeVar("_Named", Conduct, DigitRounding, Carrying, Style)
 
 
 def _named(table: Table, name: str, kind: type[_Named]) -> Mapping[_Named, float]:

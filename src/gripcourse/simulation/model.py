@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.simulation.arithmetic import Rounding
+from gripcourse.simulation.arithmetic import DigitRounding
 
 
 class Conduct(StrEnum):
@@ -60,7 +60,7 @@ class Behaviour:
 
     conduct: Conduct
     figures: int
-    rounding: Rounding
+    rounding: DigitRounding
     carrying: Carrying
     style: Style
     pi: float
@@ -69,7 +69,7 @@ class Behaviour:
     seed: int
 
 
-class Done(StrEnum):
+class ActionKind(StrEnum):
     """What was done for one answer."""
 
     RIGHT = "right"  # the right method, and nothing wrong before it
@@ -83,7 +83,7 @@ class Done(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Deed:
+class Action:
     """What was done for one answer.
 
     Attributes:
@@ -99,7 +99,7 @@ class Deed:
     """
 
     quantity: str
-    done: Done
+    done: ActionKind
     slip: str
     kind: str
     twins: tuple[str, ...]
@@ -109,14 +109,14 @@ class Deed:
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class SimulatedWork:
     """What one student did: the truth that the grader never sees.
 
     Attributes:
         student: id.
         owner: id of the student whose workbook is handed in.
         behaviour: how the student works.
-        deeds: one for each answer, in the order of the assignment.
+        actions: one for each answer, in the order of the assignment.
         tried: places that were tried for slips; each but the last had too small an effect.
         hidden: of these, places where the slip cannot be told from the right value.
     """
@@ -124,7 +124,7 @@ class Work:
     student: str
     owner: str
     behaviour: Behaviour
-    deeds: tuple[Deed, ...]
+    actions: tuple[Action, ...]
     tried: int
     hidden: int
 
@@ -161,7 +161,7 @@ class Mix:
 
     conduct: Mapping[Conduct, float]
     figures: Mapping[int, float]
-    rounding: Mapping[Rounding, float]
+    rounding: Mapping[DigitRounding, float]
     carrying: Mapping[Carrying, float]
     style: Mapping[Style, float]
     pi: Mapping[float, float]

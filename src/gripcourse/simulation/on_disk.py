@@ -11,14 +11,14 @@ from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
 from gripcourse.course.model import Course
 from gripcourse.issuing.register import Register, read_register, write_register
 from gripcourse.jobs.packed import pack, unpack
 from gripcourse.policy.model import Policy
-from gripcourse.simulation.confusion import Judged
-from gripcourse.simulation.model import Conduct, Work
+from gripcourse.simulation.confusion import JudgedWork
+from gripcourse.simulation.model import Conduct, SimulatedWork
 from gripcourse.simulation.record import read_truth, write_truth
 from gripcourse.simulation.student import Classroom, work_of
 from gripcourse.simulation.write import write_work
@@ -43,7 +43,7 @@ def submission_path(out: Path, student: str) -> Path:
 
 def write_cohort(
     room: Classroom, out: Path, workers: int, on_done: Callable[[], None] = lambda: None
-) -> tuple[Work, ...]:
+) -> tuple[SimulatedWork, ...]:
     """Let a cohort work and write what it hands in.
 
     Args:
@@ -55,7 +55,7 @@ def write_cohort(
     Raises:
         OSError: the folder cannot be written.
     """
-    register = Register(room.desk.course.id, tuple(room.desk.register.values()))
+    register = Register(room.context.course.id, tuple(room.context.register.values()))
     write_register(register_of(out), register)
     works = []
     for work in _each(room, out, workers):
@@ -71,7 +71,7 @@ def write_cohort(
 
 def grade_cohort(
     out: Path, course: Course, policy: Policy, workers: int, on_done: Callable[[], None]
-) -> tuple[Judged, ...]:
+) -> tuple[JudgedWork, ...]:
     """Grade a cohort's workbooks as any others, and put what was done beside what was said.
 
     Args:
@@ -87,13 +87,15 @@ def grade_cohort(
     register = read_register(register_of(out), course.id).by_student()
     works = read_truth(truth_path(out))
     files = [submission_path(out, work.student) for work in works]
-    graded = grade_files(files, Desk(course, policy, register), workers, lambda _: on_done())
+    graded = grade_files(
+        files, GradingContext(course, policy, register), workers, lambda _: on_done()
+    )
     return tuple(
-        Judged(work, one.report, one.incident) for work, one in zip(works, graded, strict=True)
+        JudgedWork(work, one.report, one.incident) for work, one in zip(works, graded, strict=True)
     )
 
 
-def _each(room: Classroom, out: Path, workers: int) -> Iterator[Work]:
+def _each(room: Classroom, out: Path, workers: int) -> Iterator[SimulatedWork]:
     students: Sequence[str] = tuple(room.behaviours)
     if workers == 1:
         yield from (_write_one(student, room, out) for student in students)
@@ -104,12 +106,12 @@ def _each(room: Classroom, out: Path, workers: int) -> Iterator[Work]:
         yield from pool.map(job, students, chunksize=_AT_A_TIME)
 
 
-def _write_packed(student: str, packed: bytes, out: Path) -> Work:
+def _write_packed(student: str, packed: bytes, out: Path) -> SimulatedWork:
     room: Classroom = unpack(packed)
     return _write_one(student, room, out)
 
 
-def _write_one(student: str, room: Classroom, out: Path) -> Work:
+def _write_one(student: str, room: Classroom, out: Path) -> SimulatedWork:
     """Write a student's workbook; one that is only copied is copied when all are there."""
     work = work_of(student, room)
     if work.behaviour.conduct is not Conduct.COPIED_WORKBOOK:

@@ -7,14 +7,22 @@ from pathlib import Path
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
-from gripcourse.simulation.arithmetic import Rounding
-from gripcourse.simulation.model import Behaviour, Carrying, Conduct, Deed, Done, Style, Work
+from gripcourse.simulation.arithmetic import DigitRounding
+from gripcourse.simulation.model import (
+    Action,
+    ActionKind,
+    Behaviour,
+    Carrying,
+    Conduct,
+    SimulatedWork,
+    Style,
+)
 from gripcourse.text.words import Message, message
 
 _FORMAT = 1
 
 
-def write_truth(path: Path, works: Sequence[Work]) -> None:
+def write_truth(path: Path, works: Sequence[SimulatedWork]) -> None:
     """Write what was done, a line for each student."""
     lines = (
         json.dumps({"format": _FORMAT, **asdict(work)}, ensure_ascii=False, allow_nan=False)
@@ -23,7 +31,7 @@ def write_truth(path: Path, works: Sequence[Work]) -> None:
     write_text(path, "".join(f"{line}\n" for line in lines))
 
 
-def read_truth(path: Path) -> tuple[Work, ...]:
+def read_truth(path: Path) -> tuple[SimulatedWork, ...]:
     """Read what was done.
 
     Raises:
@@ -40,19 +48,19 @@ def read_truth(path: Path) -> tuple[Work, ...]:
         raise _failure(path, what) from fault
 
 
-def _work(written: Mapping[str, object]) -> Work:
+def _work(written: Mapping[str, object]) -> SimulatedWork:
     if written["format"] != _FORMAT:
         raise ValueError(written["format"])
     fields = {name: value for name, value in written.items() if name != "format"}
-    deeds = fields["deeds"]
-    if not isinstance(deeds, list):
-        raise TypeError(deeds)
+    actions = fields["actions"]
+    if not isinstance(actions, list):
+        raise TypeError(actions)
     read = {
         **fields,
         "behaviour": _behaviour(fields["behaviour"]),
-        "deeds": tuple(_deed(one) for one in deeds),
+        "actions": tuple(_action(one) for one in actions),
     }
-    return Work(**read)  # type: ignore[arg-type]  # a field that is missing raises
+    return SimulatedWork(**read)  # type: ignore[arg-type]  # a field that is missing raises
 
 
 def _behaviour(written: object) -> Behaviour:
@@ -62,17 +70,19 @@ def _behaviour(written: object) -> Behaviour:
         **{
             **written,
             "conduct": Conduct(written["conduct"]),
-            "rounding": Rounding(written["rounding"]),
+            "rounding": DigitRounding(written["rounding"]),
             "carrying": Carrying(written["carrying"]),
             "style": Style(written["style"]),
         }
     )
 
 
-def _deed(written: object) -> Deed:
+def _action(written: object) -> Action:
     if not isinstance(written, dict):
         raise TypeError(written)
-    return Deed(**{**written, "done": Done(written["done"]), "twins": tuple(written["twins"])})
+    return Action(
+        **{**written, "done": ActionKind(written["done"]), "twins": tuple(written["twins"])}
+    )
 
 
 def _failure(path: Path, what: Message) -> UsageError:

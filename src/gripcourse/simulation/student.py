@@ -9,14 +9,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array
 from gripcourse.simulation.behaviour import hand_of
-from gripcourse.simulation.calculation import Calculation, Deviation, Step, calculate
+from gripcourse.simulation.calculation import Calculation, Deviation, WorkedStep, calculate
 from gripcourse.simulation.cells import cell_of, unfit_unit, with_unit
-from gripcourse.simulation.model import Behaviour, Conduct, Deed, Done, Mix, Style, Work
+from gripcourse.simulation.model import (
+    Action,
+    ActionKind,
+    Behaviour,
+    Conduct,
+    Mix,
+    SimulatedWork,
+    Style,
+)
 from gripcourse.simulation.places import (
     Effect,
     Ground,
@@ -29,7 +37,7 @@ from gripcourse.simulation.places import (
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.variants.model import Issued
 
-_TAINTING = frozenset({Done.SLIP, Done.ROUNDED_DOWN, Done.COPIED})
+_TAINTING = frozenset({ActionKind.SLIP, ActionKind.ROUNDED_DOWN, ActionKind.COPIED})
 """What makes the student's later numbers others than they should be."""
 
 
@@ -38,12 +46,12 @@ class Classroom:
     """Whom and what a virtual cohort consists of.
 
     Attributes:
-        desk: course, policy and what was issued.
+        context: course, policy and what was issued.
         mix: how students work.
         behaviours: what each does, by student id.
     """
 
-    desk: Desk
+    context: GradingContext
     mix: Mix
     behaviours: Mapping[str, Behaviour]
 
@@ -60,11 +68,11 @@ class _Student:
 
     @property
     def language(self) -> str:
-        return self.issued.student.language or self.room.desk.course.language
+        return self.issued.student.language or self.room.context.course.language
 
     @property
     def units(self) -> tuple[str, ...]:
-        return units_of(self.room.desk)
+        return units_of(self.room.context)
 
     def calculated(self, deviations: Mapping[str, Deviation]) -> Calculation:
         return calculate(self.plan, self.issued.variant.given, self.ground.hand, deviations)
@@ -80,13 +88,13 @@ class _Drawn:
     hidden: int
 
 
-def units_of(desk: Desk) -> tuple[str, ...]:
+def units_of(context: GradingContext) -> tuple[str, ...]:
     """Return the units that people take for each other."""
-    slip = desk.policy.slips.kinds.get(SlipKind.UNIT)
+    slip = context.policy.slips.kinds.get(SlipKind.UNIT)
     return slip.units if slip is not None else ()
 
 
-def work_of(student: str, room: Classroom) -> Work:
+def work_of(student: str, room: Classroom) -> SimulatedWork:
     """Let one student work.
 
     Args:
@@ -95,21 +103,21 @@ def work_of(student: str, room: Classroom) -> Work:
     """
     behaviour = room.behaviours[student]
     if behaviour.conduct is Conduct.COPIED_WORKBOOK:
-        deeds = work_of(behaviour.neighbour, room).deeds
-        return Work(student, behaviour.neighbour, behaviour, deeds, 0, 0)
+        actions = work_of(behaviour.neighbour, room).actions
+        return SimulatedWork(student, behaviour.neighbour, behaviour, actions, 0, 0)
     one = _seated(student, room)
     rng = np.random.default_rng(behaviour.seed)
     drawn = _draw_deviations(one, rng)
-    deeds = _deeds(one, drawn, rng)
-    return Work(student, student, behaviour, deeds, drawn.tried, drawn.hidden)
+    actions = _actions(one, drawn, rng)
+    return SimulatedWork(student, student, behaviour, actions, drawn.tried, drawn.hidden)
 
 
 def _seated(student: str, room: Classroom) -> _Student:
-    issued = room.desk.register[student]
-    plan = make_plan(room.desk.course, issued.variant.scheme, issued.variant.options)
+    issued = room.context.register[student]
+    plan = make_plan(room.context.course, issued.variant.scheme, issued.variant.options)
     behaviour = room.behaviours[student]
     hand = hand_of(behaviour)
-    ground = make_ground(plan, room.desk.policy, hand, issued.variant.given, room.mix.apart)
+    ground = make_ground(plan, room.context.policy, hand, issued.variant.given, room.mix.apart)
     return _Student(room, issued, plan, behaviour, ground)
 
 
@@ -128,7 +136,7 @@ def _draw_deviations(one: _Student, rng: np.random.Generator) -> _Drawn:
         effects = {
             effect(one.ground, name, done)
             for name, deviation in proposed.items()
-            if deviation.done is not Done.WRONG_UNIT
+            if deviation.done is not ActionKind.WRONG_UNIT
         }
         if effects <= {Effect.APART}:
             return _Drawn(proposed, done, tried, hidden)
@@ -138,7 +146,7 @@ def _draw_deviations(one: _Student, rng: np.random.Generator) -> _Drawn:
 
 def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation]:
     """Draw what a student may do, whatever it comes to; nothing for who does everything right."""
-    plan, policy = one.plan, one.room.desk.policy
+    plan, policy = one.plan, one.room.context.policy
     match one.behaviour.conduct:
         case Conduct.SLIP:
             return _slips(one, 1, rng)
@@ -147,21 +155,21 @@ def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation
         case Conduct.BARE_UNIT:
             unit = {str(SlipKind.UNIT): 1.0}
             slip = draw_slip(plan, policy, unit if SlipKind.UNIT in policy.slips.kinds else {}, rng)
-            return {} if slip is None else {slip[0]: Deviation(Done.BARE_UNIT, slip[1])}
+            return {} if slip is None else {slip[0]: Deviation(ActionKind.BARE_UNIT, slip[1])}
         case Conduct.WRONG_UNIT:
             computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
-            return {str(rng.choice(computed)): Deviation(Done.WRONG_UNIT)} if computed else {}
+            return {str(rng.choice(computed)): Deviation(ActionKind.WRONG_UNIT)} if computed else {}
         case Conduct.ROUNDED_DOWN:
             sizes = [one.id for one in plan.answered if one.kind is Kind.CHOICE]
-            return {str(rng.choice(sizes)): Deviation(Done.ROUNDED_DOWN)} if sizes else {}
+            return {str(rng.choice(sizes)): Deviation(ActionKind.ROUNDED_DOWN)} if sizes else {}
         case _:
             return {}
 
 
 def _slips(one: _Student, count: int, rng: np.random.Generator) -> Mapping[str, Deviation]:
-    policy = one.room.desk.policy
+    policy = one.room.context.policy
     drawn = [draw_slip(one.plan, policy, slip_kinds(policy), rng) for _ in range(count)]
-    return {slip[0]: Deviation(Done.SLIP, slip[1]) for slip in drawn if slip is not None}
+    return {slip[0]: Deviation(ActionKind.SLIP, slip[1]) for slip in drawn if slip is not None}
 
 
 def _copied(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation]:
@@ -169,13 +177,15 @@ def _copied(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation]:
     neighbour = work_of(one.behaviour.neighbour, one.room)
     asked = {quantity.id for quantity in one.plan.answered}
     return {
-        deed.quantity: Deviation(Done.COPIED, copied=deed.value, cell=deed.typed)
-        for deed in neighbour.deeds
-        if deed.quantity in asked and deed.value is not None and rng.random() < one.room.mix.copied
+        action.quantity: Deviation(ActionKind.COPIED, copied=action.value, cell=action.typed)
+        for action in neighbour.actions
+        if action.quantity in asked
+        and action.value is not None
+        and rng.random() < one.room.mix.copied
     }
 
 
-def _deeds(one: _Student, drawn: _Drawn, rng: np.random.Generator) -> tuple[Deed, ...]:
+def _actions(one: _Student, drawn: _Drawn, rng: np.random.Generator) -> tuple[Action, ...]:
     tainted = _tainted(one.plan, drawn.deviations)
     leaves_blanks = one.behaviour.conduct is Conduct.BLANKS
     blank = {
@@ -187,22 +197,22 @@ def _deeds(one: _Student, drawn: _Drawn, rng: np.random.Generator) -> tuple[Deed
     return tuple(
         _blank(quantity, drawn.done)
         if quantity.id in blank
-        else _deed(one, quantity, drawn, tainted, rng)
+        else _action(one, quantity, drawn, tainted, rng)
         for quantity in one.plan.answered
     )
 
 
-def _deed(
+def _action(
     one: _Student,
     quantity: Quantity,
     drawn: _Drawn,
     tainted: Collection[str],
     rng: np.random.Generator,
-) -> Deed:
+) -> Action:
     step = drawn.done.steps[quantity.id]
     deviation = drawn.deviations.get(quantity.id)
     if deviation is None:
-        done = Done.FOLLOWS if quantity.id in tainted else Done.RIGHT
+        done = ActionKind.FOLLOWS if quantity.id in tainted else ActionKind.RIGHT
         return _told(quantity, done, step, _cell(one, quantity, float(step.typed)))
     candidate = deviation.candidate
     twins: tuple[str, ...] = ()
@@ -216,13 +226,15 @@ def _deed(
     )
 
 
-def _told(quantity: Quantity, done: Done, step: Step, cell: float | str | None) -> Deed:
-    return Deed(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
+def _told(
+    quantity: Quantity, done: ActionKind, step: WorkedStep, cell: float | str | None
+) -> Action:
+    return Action(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
 
 
-def _blank(quantity: Quantity, done: Calculation) -> Deed:
+def _blank(quantity: Quantity, done: Calculation) -> Action:
     right = _tidy(done.steps[quantity.id].right)
-    return Deed(quantity.id, Done.BLANK, "", "", (), None, right, None)
+    return Action(quantity.id, ActionKind.BLANK, "", "", (), None, right, None)
 
 
 def _tidy(value: Array) -> float | None:
@@ -240,12 +252,12 @@ def _deviating_cell(
     deviation = drawn.deviations[quantity.id]
     typed = float(drawn.done.steps[quantity.id].typed)
     match deviation.done:
-        case Done.COPIED:
+        case ActionKind.COPIED:
             return deviation.cell
-        case Done.WRONG_UNIT:
+        case ActionKind.WRONG_UNIT:
             unit = unfit_unit(quantity, one.units, rng)
             return with_unit(quantity, typed, unit or "", one.behaviour, one.language)
-        case Done.BARE_UNIT if one.behaviour.style is not Style.NUMBER:
+        case ActionKind.BARE_UNIT if one.behaviour.style is not Style.NUMBER:
             bare = replace(one.behaviour, style=Style.TEXT)
             return cell_of(quantity, typed, bare, one.language, one.units)
         case _:

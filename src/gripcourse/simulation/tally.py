@@ -23,7 +23,7 @@ _SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Tally:
+class AnswerTally:
     """Counts of one quantity; those by band are for the bands of the audit, narrowest first.
 
     Attributes:
@@ -51,8 +51,8 @@ class Tally:
     short_by: float
     widest: float
 
-    def __add__(self, other: "Tally") -> "Tally":
-        return Tally(
+    def __add__(self, other: "AnswerTally") -> "AnswerTally":
+        return AnswerTally(
             self.answers + other.answers,
             self.refused + other.refused,
             self.refused_by_band + other.refused_by_band,
@@ -66,7 +66,9 @@ class Tally:
         )
 
 
-def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence[float]) -> Tally:
+def tally_of(
+    honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence[float]
+) -> AnswerTally:
     """Count what bands do to the answers and the wrong methods of one quantity.
 
     Args:
@@ -75,9 +77,9 @@ def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence
         policy: the grader's.
         bands: relative tolerances to try, narrowest first.
     """
-    rule = Rule(honest, quantity, policy, honest.expected(quantity))
+    rule = TallyRule(honest, quantity, policy, honest.expected(quantity))
     coarsest = honest.coarsest()
-    strict = Rule(coarsest, quantity, policy, coarsest.expected(quantity))
+    strict = TallyRule(coarsest, quantity, policy, coarsest.expected(quantity))
     typed = honest.typed[quantity.id]
     asked = np.isfinite(typed) & np.isfinite(honest.reference[quantity.id])
     now = tolerance_of(quantity, policy).relative
@@ -87,7 +89,7 @@ def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence
     relative = spread[sized] / np.abs(rule.expected.value[sized])
     refused = asked & ~rule.accepts(typed, now)
     bare = asked & ~rule.accepts(typed, bands[0], floor=0.0)
-    return Tally(
+    return AnswerTally(
         answers=int(asked.sum()),
         refused=int(refused.sum()),
         refused_by_band=np.array([(asked & ~rule.accepts(typed, one)).sum() for one in bands]),
@@ -107,7 +109,7 @@ def tally_of(honest: Honest, quantity: Quantity, policy: Policy, bands: Sequence
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class TallyRule:
     """The grader's rule for one quantity."""
 
     honest: Honest
@@ -147,7 +149,7 @@ def _within(typed: Array, right: Array, band: float, floor: float) -> NDArray[np
     return np.abs(typed - right) <= half_width * _SLACK
 
 
-def _slips(rule: Rule) -> tuple[list[tuple[Array, NDArray[np.bool_]]], int]:
+def _slips(rule: TallyRule) -> tuple[list[tuple[Array, NDArray[np.bool_]]], int]:
     """Return what is typed for each wrong method and which answers count, and how many are right.
 
     A wrong method that gives the very value of the right one is no wrong answer.

@@ -19,7 +19,7 @@ from gripcourse.policy.bands import tolerance_of
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.honest import hands_of, work_honestly
 from gripcourse.simulation.model import Mix
-from gripcourse.simulation.tally import Tally, tally_of
+from gripcourse.simulation.tally import AnswerTally, tally_of
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.model import Variant
 
@@ -31,7 +31,7 @@ Done: TypeAlias = Callable[[], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Audited:
+class AuditedBand:
     """The audit of one quantity.
 
     Attributes:
@@ -46,7 +46,7 @@ class Audited:
     """
 
     quantity: Quantity
-    tally: Tally
+    tally: AnswerTally
     now: Tolerance
     proposed: Tolerance
     by_absolute: bool
@@ -60,12 +60,12 @@ class Audited:
 
 
 @dataclass(frozen=True, slots=True)
-class Audit:
+class ToleranceAudit:
     """The audit of a course: how many variants and ways of working, and each quantity."""
 
     variants: int
     ways: int
-    quantities: tuple[Audited, ...]
+    quantities: tuple[AuditedBand, ...]
 
     @property
     def refuses(self) -> bool:
@@ -99,7 +99,7 @@ def audit_tolerances(
     variants: Sequence[Variant],
     workers: int,
     on_done: Done = lambda: None,
-) -> Audit:
+) -> ToleranceAudit:
     """Let honest students answer variants and try every wrong method.
 
     Args:
@@ -110,30 +110,30 @@ def audit_tolerances(
         workers: how many processes; with one everything happens in this one.
         on_done: called as the work goes on.
     """
-    desk = _Desk(course, policy, mix, frozenset())
+    context = _Desk(course, policy, mix, frozenset())
     first = {
         quantity.id: _audited(quantity, tally, policy, mix)
-        for quantity, tally in _counted(desk, variants, workers, on_done)
+        for quantity, tally in _counted(context, variants, workers, on_done)
     }
     # What an absolute tolerance lets through is known only once it is proposed.
     absolute = {name: one.proposed for name, one in first.items() if one.by_absolute}
     tried = replace(policy, tolerances={**policy.tolerances, **absolute})
-    second = replace(desk, policy=tried, only=frozenset(absolute))
+    second = replace(context, policy=tried, only=frozenset(absolute))
     prices = {
         quantity.id: tally.accepted / tally.slips if tally.slips else math.nan
         for quantity, tally in (_counted(second, variants, workers) if absolute else ())
     }
     audited = (replace(one, price=prices.get(name, one.price)) for name, one in first.items())
-    return Audit(len(variants), hands_of(mix).figures.size, tuple(audited))
+    return ToleranceAudit(len(variants), hands_of(mix).figures.size, tuple(audited))
 
 
 def _counted(
-    desk: _Desk, variants: Sequence[Variant], workers: int, on_done: Done = lambda: None
-) -> Iterator[tuple[Quantity, Tally]]:
+    context: _Desk, variants: Sequence[Variant], workers: int, on_done: Done = lambda: None
+) -> Iterator[tuple[Quantity, AnswerTally]]:
     """Yield what was counted of each quantity over all compositions."""
-    tallies: dict[str, tuple[Quantity, Tally]] = {}
+    tallies: dict[str, tuple[Quantity, AnswerTally]] = {}
     groups = list(_groups(variants))
-    for group, counted in zip(groups, _each(desk, groups, workers), strict=True):
+    for group, counted in zip(groups, _each(context, groups, workers), strict=True):
         for quantity, tally in counted:
             before = tallies.get(quantity.id)
             tallies[quantity.id] = (quantity, tally if before is None else before[1] + tally)
@@ -143,32 +143,32 @@ def _counted(
 
 
 def _each(
-    desk: _Desk, groups: Sequence[_Group], workers: int
-) -> Iterator[list[tuple[Quantity, Tally]]]:
+    context: _Desk, groups: Sequence[_Group], workers: int
+) -> Iterator[list[tuple[Quantity, AnswerTally]]]:
     if workers == 1:
-        yield from (_count(group, desk) for group in groups)
+        yield from (_count(group, context) for group in groups)
         return
     with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        yield from pool.map(partial(_count_packed, packed=pack(desk)), groups)
+        yield from pool.map(partial(_count_packed, packed=pack(context)), groups)
 
 
-def _count_packed(group: _Group, packed: bytes) -> list[tuple[Quantity, Tally]]:
-    desk: _Desk = unpack(packed)
-    return _count(group, desk)
+def _count_packed(group: _Group, packed: bytes) -> list[tuple[Quantity, AnswerTally]]:
+    context: _Desk = unpack(packed)
+    return _count(group, context)
 
 
-def _count(group: _Group, desk: _Desk) -> list[tuple[Quantity, Tally]]:
-    plan = make_plan(desk.course, group.scheme, group.options)
+def _count(group: _Group, context: _Desk) -> list[tuple[Quantity, AnswerTally]]:
+    plan = make_plan(context.course, group.scheme, group.options)
     asked = [
         one
         for one in plan.answered
-        if one.kind is Kind.FORMULA and (not desk.only or one.id in desk.only)
+        if one.kind is Kind.FORMULA and (not context.only or one.id in context.only)
     ]
     if not asked:
         return []
     given = [one.given for one in group.variants]
-    honest = work_honestly(plan, given, hands_of(desk.mix), desk.policy)
-    return [(one, tally_of(honest, one, desk.policy, desk.mix.bands)) for one in asked]
+    honest = work_honestly(plan, given, hands_of(context.mix), context.policy)
+    return [(one, tally_of(honest, one, context.policy, context.mix.bands)) for one in asked]
 
 
 def _groups(variants: Sequence[Variant]) -> Iterator[_Group]:
@@ -181,7 +181,7 @@ def _groups(variants: Sequence[Variant]) -> Iterator[_Group]:
             yield _Group(scheme, dict(options), group[start : start + _AT_A_TIME])
 
 
-def _audited(quantity: Quantity, tally: Tally, policy: Policy, mix: Mix) -> Audited:
+def _audited(quantity: Quantity, tally: AnswerTally, policy: Policy, mix: Mix) -> AuditedBand:
     now = tolerance_of(quantity, policy)
     declared = quantity.tolerance.relative if quantity.tolerance is not None else 0.0
     sound = [place for place, refused in enumerate(tally.refused_by_band) if not refused]
@@ -198,7 +198,7 @@ def _audited(quantity: Quantity, tally: Tally, policy: Policy, mix: Mix) -> Audi
     else:
         proposed = replace(now, absolute=round_up(tally.short_by))
         accepted = tally.accepted
-    return Audited(
+    return AuditedBand(
         quantity=quantity,
         tally=tally,
         now=now,
@@ -217,7 +217,7 @@ def round_up(value: float) -> float:
     )
 
 
-def to_write(one: Audited, policy: Policy) -> Tolerance:
+def to_write(one: AuditedBand, policy: Policy) -> Tolerance:
     """Return what a policy says for a proposal.
 
     The floor of the unit stays where it is written: only an absolute part of its own counts.

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.machine.files import replacing
-from gripcourse.simulation.model import Work
+from gripcourse.simulation.model import SimulatedWork
 from gripcourse.simulation.student import Classroom
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Words
@@ -17,7 +17,7 @@ Typed: TypeAlias = Mapping[str, float | str]
 """What a student types, by quantity id: numbers, or text."""
 
 
-def write_work(work: Work, room: Classroom, target: Path) -> None:
+def write_work(work: SimulatedWork, room: Classroom, target: Path) -> None:
     """Issue a student's workbook and fill it in.
 
     Args:
@@ -25,10 +25,10 @@ def write_work(work: Work, room: Classroom, target: Path) -> None:
         room: the cohort that the student belongs to.
         target: file to write.
     """
-    course, issued = room.desk.course, room.desk.register[work.student]
+    course, issued = room.context.course, room.context.register[work.student]
     plan = make_plan(course, issued.variant.scheme, issued.variant.options)
     words = Words(issued.student.language or course.language)
-    typed = {deed.quantity: deed.typed for deed in work.deeds if deed.typed is not None}
+    typed = {action.quantity: action.typed for action in work.actions if action.typed is not None}
     fill(io.BytesIO(answer_workbook(plan, issued, course, words)), typed, target)
 
 

@@ -6,7 +6,7 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.submission.raw import RawCell, RawWorkbook
-from gripcourse.submission.understand import shown, understand
+from gripcourse.submission.understand import cell_text, understand
 from gripcourse.text.number_reading import NumberRead, read_number
 from gripcourse.text.words import Message, message
 
@@ -65,7 +65,7 @@ def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
             quantity=quantity.id,
             reading=Reading.READ,
             value=understood.value,
-            typed=shown(cell),
+            typed=cell_text(cell),
             cell=cell.cell,
             half_unit=understood.half_unit,
             unit=understood.unit,
@@ -76,7 +76,7 @@ def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
         )
     if understood is None:
         return _without_value(quantity, Reading.BLANK, "", cell.cell, ())
-    return _without_value(quantity, Reading.UNREADABLE, shown(cell), cell.cell, (understood,))
+    return _without_value(quantity, Reading.UNREADABLE, cell_text(cell), cell.cell, (understood,))
 
 
 def _without_value(

@@ -41,10 +41,10 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
         return None
     if isinstance(cell.value, str) and not cell.value.strip():
         return None
-    return _spoiled(cell) or _value(quantity, cell)
+    return _damaged(cell) or _value(quantity, cell)
 
 
-def _spoiled(cell: RawCell) -> Message | None:
+def _damaged(cell: RawCell) -> Message | None:
     """Tell what the spreadsheet program made of a cell that is no number any more."""
     value = cell.value
     if cell.formula and value is None:
@@ -56,7 +56,7 @@ def _spoiled(cell: RawCell) -> Message | None:
         return message(
             "The formula in the cell {cell} gives the error {error}.",
             cell=cell.cell,
-            error=shown(cell),
+            error=cell_text(cell),
         )
     if isinstance(value, date):  # a `datetime` is one too
         return about_date(value)
@@ -80,7 +80,7 @@ def _value(quantity: Quantity, cell: RawCell) -> Understood | Message:
             return _NO_NUMBER
 
 
-def shown(cell: RawCell) -> str:
+def cell_text(cell: RawCell) -> str:
     """Return what the cell shows, as one short line; a computed number with all its digits."""
     value = cell.value
     if cell.formula and value is None:

@@ -24,7 +24,7 @@ Kind = Literal["unreadable", "empty", "plural", "lost", "invented", "braces"]
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class TranslationFault:
     """Something wrong with a catalogue.
 
     Attributes:
@@ -39,7 +39,7 @@ class Fault:
     detail: str
 
 
-_EMPTY = Fault("empty", 0, "")
+_EMPTY = TranslationFault("empty", 0, "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class Translations:
     """A catalogue without the sentences that cannot be used, and what is wrong with it."""
 
     catalogue: gettext.NullTranslations
-    faults: tuple[Fault, ...]
+    faults: tuple[TranslationFault, ...]
 
 
 def catalogue_file(language: str) -> "Traversable":
@@ -78,7 +78,7 @@ def read_translations(source: "Traversable", language: str) -> Translations:
         compiled.seek(0)
         return Translations(gettext.GNUTranslations(compiled), faults)
     except (PoFileError, ValueError, LookupError, OSError) as error:
-        fault = Fault("unreadable", 0, str(error).rstrip("."))
+        fault = TranslationFault("unreadable", 0, str(error).rstrip("."))
         return Translations(gettext.NullTranslations(), (fault,))
 
 
@@ -90,7 +90,7 @@ def places(text: str) -> frozenset[str] | None:
         return None
 
 
-def _leave_out(catalogue: "Catalog") -> Iterator[Fault]:
+def _leave_out(catalogue: "Catalog") -> Iterator[TranslationFault]:
     """Take the sentences that cannot be used out of a catalogue and name them."""
     for entry in list(catalogue):
         if not entry.id or not entry.string:
@@ -104,22 +104,22 @@ def _leave_out(catalogue: "Catalog") -> Iterator[Fault]:
             yield from found
 
 
-def _faults(wanted: frozenset[str], forms: Sequence[str], line: int) -> Iterator[Fault]:
+def _faults(wanted: frozenset[str], forms: Sequence[str], line: int) -> Iterator[TranslationFault]:
     for form in forms:
         found = places(form)
         if found is None:
-            yield Fault("braces", line, form)
+            yield TranslationFault("braces", line, form)
             continue
         if lost := wanted - found:
-            yield Fault("lost", line, ", ".join(sorted(lost)))
+            yield TranslationFault("lost", line, ", ".join(sorted(lost)))
         if invented := found - wanted:
-            yield Fault("invented", line, ", ".join(sorted(invented)))
+            yield TranslationFault("invented", line, ", ".join(sorted(invented)))
 
 
-def _plural_faults(catalogue: "Catalog", language: str) -> Iterator[Fault]:
+def _plural_faults(catalogue: "Catalog", language: str) -> Iterator[TranslationFault]:
     """Name a catalogue that counts otherwise than its language."""
     from babel.messages.plurals import get_plural
 
     usual = get_plural(language)
     if catalogue.num_plurals != usual.num_plurals:
-        yield Fault("plural", 0, str(usual))
+        yield TranslationFault("plural", 0, str(usual))

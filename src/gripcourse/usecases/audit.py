@@ -10,7 +10,7 @@ from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
-from gripcourse.variants.audit import Audit, audit
+from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 
@@ -18,16 +18,16 @@ CERTIFICATE = "certificate.pdf"
 
 
 @dataclass(frozen=True, slots=True)
-class Audited:
+class WrittenAudit:
     """What was found out about a table, and where it was written."""
 
     table: Path
-    audit: Audit
+    audit: VariantAudit
     written: tuple[Path, ...]
 
 
-def audit_table(course: Course, table: Path, out: Path, words: Words, today: date) -> Audited:
-    """Audit a table and write the certificate and its numbers into a folder.
+def audit_table(course: Course, table: Path, out: Path, words: Words, today: date) -> WrittenAudit:
+    """VariantAudit a table and write the certificate and its numbers into a folder.
 
     Args:
         course: whose variants they are.
@@ -40,11 +40,14 @@ def audit_table(course: Course, table: Path, out: Path, words: Words, today: dat
         GripcourseError: the table cannot be read, or holds variants that cannot be solved; every
             row is named.
     """
-    from gripcourse.documents.report.certificate import Source, certificate  # noqa: PLC0415 (matplotlib)
+    from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
+        CertificateSource,
+        certificate,
+    )
 
     policy = load_policy(course)
     found = audit(course, policy, read_table(table, course), load_spaces(course))
-    source = Source(table.name, hashlib.sha256(table.read_bytes()).hexdigest())
+    source = CertificateSource(table.name, hashlib.sha256(table.read_bytes()).hexdigest())
     sections = [section.id for section in course.sections]
     files = {
         name: text.encode("utf-8-sig")
@@ -53,4 +56,4 @@ def audit_table(course: Course, table: Path, out: Path, words: Words, today: dat
     files[CERTIFICATE] = certificate(found, source, course, policy, words, today)
     for name, content in files.items():
         write_bytes(out / name, content)
-    return Audited(table, found, tuple(out / name for name in files))
+    return WrittenAudit(table, found, tuple(out / name for name in files))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
-from gripcourse.grading.self_check import Check, self_check
+from gripcourse.grading.self_check import AnswerCheck, self_check
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
@@ -15,16 +15,16 @@ from gripcourse.text.words import Message, message
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class CheckedWorkbook:
     """What is said about a workbook before the deadline."""
 
     plan: Plan
-    checks: tuple[Check, ...]
+    checks: tuple[AnswerCheck, ...]
     remarks: tuple[Message, ...]
 
 
-def check_file(file: Path, course: Course, policy: Policy) -> Checked:
-    """Check a workbook against itself.
+def check_file(file: Path, course: Course, policy: Policy) -> CheckedWorkbook:
+    """AnswerCheck a workbook against itself.
 
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
@@ -48,7 +48,7 @@ def check_file(file: Path, course: Course, policy: Policy) -> Checked:
         named = [replace(problem, file=str(file)) for problem in error.problems]
         raise UsageError(named) from error
     submission = interpret(raw, plan.quantities.values())
-    return Checked(plan, self_check(submission, plan, policy), submission.remarks)
+    return CheckedWorkbook(plan, self_check(submission, plan, policy), submission.remarks)
 
 
 def _refusal(file: Path, what: Message, remedy: Message) -> UsageError:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.grades import grades_csv
@@ -32,7 +32,7 @@ REPORTS = "reports"
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class GradingOutcome:
     """What a batch came to.
 
     Attributes:
@@ -71,28 +71,28 @@ def find_files(paths: Iterable[Path]) -> list[Path]:
 
 
 def grade(
-    files: Sequence[Path], desk: Desk, workers: int, on_done: Callable[[Path], None]
+    files: Sequence[Path], context: GradingContext, workers: int, on_done: Callable[[Path], None]
 ) -> tuple[Graded, ...]:
     """Grade files; see `cohort.run.grade_files`."""
-    return grade_files(files, desk, min(workers, len(files)), on_done)
+    return grade_files(files, context, min(workers, len(files)), on_done)
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     graded: Sequence[Graded],
-    desk: Desk,
+    context: GradingContext,
     out: Path,
     graded_on: date,
     workers: int,
     on_done: Callable[[Path], None],
     *,
     lay_out: LayOut = student_pdf,
-) -> Outcome:
+) -> GradingOutcome:
     """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
 
     A report that cannot be laid out is an incident of that student; the others are written. So it
     is with the cohort report: grades are never lost for it.
     """
-    printing = Printing(desk.course, desk.policy, graded_on)
+    printing = Printing(context.course, context.policy, graded_on)
     plain = [one.report for one in graded]
     outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
@@ -107,7 +107,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, desk, out, graded_on)
+    failed = write_grades(reports, context, out, graded_on)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -117,19 +117,21 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         (out / INCIDENTS).unlink(missing_ok=True)
     cohort = None if failed is not None else out / COHORT_PDF
     needs_person = cohort is None or any(one.flags for one in reports)
-    return Outcome(tuple(reports), written, cohort, needs_person)
+    return GradingOutcome(tuple(reports), written, cohort, needs_person)
 
 
-def write_grades(reports: Sequence[Report], desk: Desk, out: Path, graded_on: date) -> Lost | None:
+def write_grades(
+    reports: Sequence[Report], context: GradingContext, out: Path, graded_on: date
+) -> Lost | None:
     """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
 
     Returns:
         Why the cohort report could not be laid out, None where it was.
     """
-    groups = {name: issued.student.group for name, issued in desk.register.items()}
+    groups = {name: issued.student.group for name, issued in context.register.items()}
     grades_csv(reports, out / GRADES_CSV, groups)
-    write_text(out / GRADES_JSON, json_text(reports, Words(desk.course.language)))
-    printing = Printing(desk.course, desk.policy, graded_on)
+    write_text(out / GRADES_JSON, json_text(reports, Words(context.course.language)))
+    printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
         cohort_pdf, [tuple(reports)], printing, workers=1, seconds=printing.seconds
     )

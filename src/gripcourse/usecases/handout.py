@@ -42,7 +42,7 @@ class Handout:
 
 
 @dataclass(frozen=True, slots=True)
-class Desk:
+class IssuingContext:
     """What all students' documents are made from.
 
     Attributes:
@@ -71,14 +71,14 @@ def workbook_path(out: Path, student: str) -> Path:
 
 
 def issue(
-    desk: Desk, entries: Sequence[Issued], progress: Progress = lambda _: None
+    context: IssuingContext, entries: Sequence[Issued], progress: Progress = lambda _: None
 ) -> tuple[Handout, ...]:
     """Write the documents of students, one after the other.
 
     Each file appears whole or not at all. A document that fails is named and the others go on.
 
     Args:
-        desk: what the documents are made from.
+        context: what the documents are made from.
         entries: of the register, with the values that were issued.
         progress: called after each student.
 
@@ -87,30 +87,30 @@ def issue(
     """
     handouts = []
     for entry in entries:
-        handouts.append(issue_one(desk, entry))
+        handouts.append(issue_one(context, entry))
         progress(handouts[-1])
     return tuple(handouts)
 
 
-def issue_one(desk: Desk, entry: Issued) -> Handout:
+def issue_one(context: IssuingContext, entry: Issued) -> Handout:
     """Write the documents of one student; what fails is said in the handout."""
     student = entry.student.id
-    words = Words(entry.student.language or desk.course.language)
+    words = Words(entry.student.language or context.course.language)
     try:
-        plan = desk.plan(entry.variant.scheme, entry.variant.options)
+        plan = context.plan(entry.variant.scheme, entry.variant.options)
         reasons = why_infeasible(plan, entry.variant.given)
     except Exception as fault:  # noqa: BLE001 - one student's fault must not stop the others
-        return Handout(student, (), (_fault(student, desk.out / student, fault),))
+        return Handout(student, (), (_fault(student, context.out / student, fault),))
     if reasons:
         return Handout(student, (), reasons)
-    sheet, workbook = sheet_path(desk.out, student), workbook_path(desk.out, student)
+    sheet, workbook = sheet_path(context.out, student), workbook_path(context.out, student)
 
     def write_sheet() -> None:
-        write_bytes(sheet, assignment_sheet(entry, plan, desk.policy, desk.course, words))
+        write_bytes(sheet, assignment_sheet(entry, plan, context.policy, context.course, words))
 
     def write_workbook() -> None:
         with replacing(workbook) as temporary:
-            write_answer_workbook(temporary, plan, entry, desk.course, words)
+            write_answer_workbook(temporary, plan, entry, context.course, words)
 
     files: list[Path] = []
     faults: list[Message] = []

@@ -18,14 +18,20 @@ from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Message, message
-from gripcourse.usecases.handout import Desk, Handout, issue_one, sheet_path, workbook_path
+from gripcourse.usecases.handout import (
+    Handout,
+    IssuingContext,
+    issue_one,
+    sheet_path,
+    workbook_path,
+)
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 
 # A student's documents take about a second; a hundred times as much are no documents any more.
 SECONDS_PER_STUDENT = 120.0
 
-IssueOne: TypeAlias = Callable[[Desk, Issued], Handout]
+IssueOne: TypeAlias = Callable[[IssuingContext, Issued], Handout]
 """Writes one student's documents; it must be found by its name in another process."""
 
 _log = logging.getLogger(__name__)
@@ -91,36 +97,36 @@ def issue_order(
     write_register(register_path(course.root), extended.register)
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
-    desk = Desk(course, policy, partial(make_plan, course), order.out)
-    return Issuing(_write(desk, entries, workers, on_done, issue_one), extended.notes)
+    context = IssuingContext(course, policy, partial(make_plan, course), order.out)
+    return Issuing(_write(context, entries, workers, on_done, issue_one), extended.notes)
 
 
 def _write(
-    desk: Desk,
+    context: IssuingContext,
     entries: Sequence[Issued],
     workers: int,
     on_done: Callable[[str], None],
     issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
     done: dict[int, Handout] = {}
-    shared = (issue_one, desk)
+    shared = (issue_one, context)
     jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
     for number, handout in jobs:
         entry = entries[number]
-        done[number] = _lost(desk, entry, handout) if isinstance(handout, Lost) else handout
+        done[number] = _lost(context, entry, handout) if isinstance(handout, Lost) else handout
         on_done(entry.student.id)
     return tuple(done[number] for number in range(len(entries)))
 
 
-def _issue(entry: Issued, shared: tuple[IssueOne, Desk]) -> Handout:
-    issue_one, desk = shared
-    return issue_one(desk, entry)
+def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:
+    issue_one, context = shared
+    return issue_one(context, entry)
 
 
-def _lost(desk: Desk, entry: Issued, lost: Lost) -> Handout:
+def _lost(context: IssuingContext, entry: Issued, lost: Lost) -> Handout:
     """Name what failed on our side; what was finished before stays, nothing half-written does."""
     student = entry.student.id
-    for path in (sheet_path(desk.out, student), workbook_path(desk.out, student)):
+    for path in (sheet_path(context.out, student), workbook_path(context.out, student)):
         discard_unfinished(path)
     _log.error("documents of student %s: %s", student, lost.trace)
     said = message(

@@ -6,10 +6,10 @@ from datetime import datetime
 from functools import cache
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import GradebookError, Problem, UsageError
-from gripcourse.gradebook.enter import Draft, Fault, Standing, mark_of
-from gripcourse.gradebook.model import Attempt, Entry, Mark, latest_judged, latest_marks
+from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_judged, latest_marks
 from gripcourse.gradebook.opening import exists
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
@@ -22,7 +22,7 @@ from gripcourse.variants.sheet import cell_place
 
 
 @dataclass(frozen=True, slots=True)
-class Item:
+class ManualItem:
     """A kept mark and the points of its item: what it came to."""
 
     mark: Mark
@@ -44,7 +44,7 @@ class Marking:
         empty: how many rows of a table gave nothing.
     """
 
-    items: tuple[Item, ...]
+    items: tuple[ManualItem, ...]
     unchanged: int
     empty: int
 
@@ -94,7 +94,9 @@ def read_lines(written: Iterable[str]) -> dict[str, float]:
     return lines
 
 
-def enter_mark(draft: Draft, desk: Desk, place: str, marker: str, now: datetime) -> Marking:
+def enter_mark(
+    draft: Draft, context: GradingContext, place: str, marker: str, now: datetime
+) -> Marking:
     """Enter one mark.
 
     Raises:
@@ -102,7 +104,7 @@ def enter_mark(draft: Draft, desk: Desk, place: str, marker: str, now: datetime)
         UsageError: with all that is wrong with the draft.
     """
     book = existing_gradebook(place)
-    marks, faults = _marks([draft], desk, book, marker, now)
+    marks, faults = _marks([draft], context, book, marker, now)
     if faults:
         raise UsageError(
             Problem("", _option(fault.field), fault.what, fault.remedy) for _, fault in faults
@@ -110,7 +112,9 @@ def enter_mark(draft: Draft, desk: Desk, place: str, marker: str, now: datetime)
     return _kept(marks, book)
 
 
-def enter_table(path: Path, desk: Desk, place: str, marker: str, now: datetime) -> Marking:
+def enter_table(
+    path: Path, context: GradingContext, place: str, marker: str, now: datetime
+) -> Marking:
     """Enter a table of marks, whole or not at all.
 
     Raises:
@@ -119,9 +123,9 @@ def enter_table(path: Path, desk: Desk, place: str, marker: str, now: datetime) 
         UsageError: with all that is wrong, by row and column.
     """
     book = existing_gradebook(place)
-    lines = {line for rubric in desk.policy.rubrics.values() for line in rubric.by_id}
+    lines = {line for rubric in context.policy.rubrics.values() for line in rubric.by_id}
     table = read_marks(path, lines)
-    marks, faults = _marks([one.draft for one in table.rows], desk, book, marker, now)
+    marks, faults = _marks([one.draft for one in table.rows], context, book, marker, now)
     if faults:
         raise UsageError(
             Problem(
@@ -136,12 +140,12 @@ def enter_table(path: Path, desk: Desk, place: str, marker: str, now: datetime) 
 
 
 def _marks(
-    drafts: Sequence[Draft], desk: Desk, book: Gradebook, marker: str, now: datetime
-) -> tuple[list[Mark], list[tuple[int, Fault]]]:
+    drafts: Sequence[Draft], context: GradingContext, book: Gradebook, marker: str, now: datetime
+) -> tuple[list[Mark], list[tuple[int, EntryFault]]]:
     """Make the marks of drafts, and what is wrong with them by number of the draft."""
-    standing = _standings({one.student for one in drafts}, desk, book)
+    standing = _standings({one.student for one in drafts}, context, book)
     marks: list[Mark] = []
-    faults: list[tuple[int, Fault]] = []
+    faults: list[tuple[int, EntryFault]] = []
     for number, draft in enumerate(drafts):
         mark, found = mark_of(draft, standing(draft.student), marker, now)
         faults += [(number, fault) for fault in found]
@@ -150,12 +154,14 @@ def _marks(
     return marks, faults
 
 
-def _standings(students: set[str], desk: Desk, book: Gradebook) -> Callable[[str], Standing]:
+def _standings(
+    students: set[str], context: GradingContext, book: Gradebook
+) -> Callable[[str], Standing]:
     attempts = latest_judged(book.attempts(students))
-    entries: dict[str, list[Entry]] = {}
+    entries: dict[str, list[GradebookEntry]] = {}
     for entry in book.entries(students):
         entries.setdefault(entry.mark.student, []).append(entry)
-    known = frozenset({*desk.register, *attempts})
+    known = frozenset({*context.register, *attempts})
 
     @cache
     def standing(student: str) -> Standing:
@@ -164,18 +170,20 @@ def _standings(students: set[str], desk: Desk, book: Gradebook) -> Callable[[str
             known=known,
             attempt=attempt,
             marked=latest_marks(entries.get(student, ())),
-            rubrics=_rubrics(student, attempt, desk),
+            rubrics=_rubrics(student, attempt, context),
         )
 
     return standing
 
 
-def _rubrics(student: str, attempt: Attempt | None, desk: Desk) -> Mapping[str, Rubric]:
-    issued = desk.register.get(student)
+def _rubrics(
+    student: str, attempt: Attempt | None, context: GradingContext
+) -> Mapping[str, Rubric]:
+    issued = context.register.get(student)
     if attempt is None or issued is None:
         return {}
-    plan = make_plan(desk.course, issued.variant.scheme, issued.variant.options)
-    return {one.id: desk.policy.rubrics[one.rubric] for one in plan.manual}
+    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
+    return {one.id: context.policy.rubrics[one.rubric] for one in plan.manual}
 
 
 def _kept(marks: Sequence[Mark], book: Gradebook, empty: int = 0) -> Marking:
@@ -184,7 +192,7 @@ def _kept(marks: Sequence[Mark], book: Gradebook, empty: int = 0) -> Marking:
         (one.student, one.number): one for one in book.attempts({mark.student for mark in fresh})
     }
     items = tuple(
-        Item(mark, attempts[mark.student, mark.attempt].by_quantity[mark.quantity].max_points)
+        ManualItem(mark, attempts[mark.student, mark.attempt].by_quantity[mark.quantity].max_points)
         for mark in fresh
     )
     return Marking(items, unchanged=len(marks) - len(fresh), empty=empty)

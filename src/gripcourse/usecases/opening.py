@@ -2,13 +2,13 @@
 
 from pathlib import Path
 
-from gripcourse.batch.one_file import Desk
+from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.issuing.register import read_register, register_path
 from gripcourse.policy.load import load_policy
 
 
-def open_desk(root: Path) -> Desk:
+def open_grading(root: Path) -> GradingContext:
     """Load a course, its policy and its register.
 
     Raises:
@@ -17,4 +17,4 @@ def open_desk(root: Path) -> Desk:
     """
     course = load_course(root)
     register = read_register(register_path(course.root), course.id).by_student()
-    return Desk(course, load_policy(course), register)
+    return GradingContext(course, load_policy(course), register)

@@ -39,7 +39,7 @@ _SLIPPED = 1.37  # times the right value: no rounding, and no slip of any course
 
 
 @dataclass(frozen=True, slots=True)
-class Sample:
+class SampleDocument:
     """What the documents of a worked example are made from; spaces are those of all schemes."""
 
     course: Course
@@ -52,7 +52,7 @@ class Sample:
 
 def samples(
     course: Course, policy: Policy, spaces: Sequence[Space], words: Words, name: str = NAME
-) -> Iterator[Sample]:
+) -> Iterator[SampleDocument]:
     """Yield what can be printed of each scheme that has a worked example.
 
     Args:
@@ -71,10 +71,10 @@ def samples(
         variant = Variant("001", scheme.id, dict(plan.options), given)
         student = Student("s1", name, "", "", words.language, "")
         issued = Issued(student, variant, DAY, DAY, "0" * 64)
-        yield Sample(course, policy, tuple(spaces), plan, issued, words)
+        yield SampleDocument(course, policy, tuple(spaces), plan, issued, words)
 
 
-def printed_documents(sample: Sample) -> dict[str, Callable[[], Document]]:
+def printed_documents(sample: SampleDocument) -> dict[str, Callable[[], Document]]:
     """Return how each kind of PDF document is made, by a name for the kind."""
     made = {
         "assignment": lambda: assignment(sample),
@@ -91,13 +91,13 @@ def printed_documents(sample: Sample) -> dict[str, Callable[[], Document]]:
     return made
 
 
-def reference_documents(sample: Sample) -> dict[str, Document]:
+def reference_documents(sample: SampleDocument) -> dict[str, Document]:
     """Return the pages of the formula reference of the sample's scheme."""
     one = {sample.plan.scheme.id: sample.plan.scheme}
     return page_documents(replace(sample.course, schemes=one), sample.words)
 
 
-def sample_report(sample: Sample) -> Report:
+def sample_report(sample: SampleDocument) -> Report:
     """Judge answers of every sort in turn: right, wrong, blank, unreadable."""
     plan, issued = sample.plan, sample.issued
     values = solve_variant(plan, issued.variant.given)
@@ -112,13 +112,13 @@ def sample_report(sample: Sample) -> Report:
     return judge(submission, issued, plan, sample.policy)
 
 
-def refused_report(sample: Sample) -> Report:
+def refused_report(sample: SampleDocument) -> Report:
     """Report a file that is no workbook."""
     reason = message("Hand in the answer workbook that you were given.")
     return rejected_report(Rejected("s1.txt", "", reason), sample.issued)
 
 
-def assignment(sample: Sample) -> Document:
+def assignment(sample: SampleDocument) -> Document:
     """Make the assignment sheet."""
     one = sample
     return Document(
@@ -126,7 +126,7 @@ def assignment(sample: Sample) -> Document:
     )
 
 
-def student(sample: Sample, report: Report, reveal: Reveal) -> Document:
+def student(sample: SampleDocument, report: Report, reveal: Reveal) -> Document:
     """Make a student's report, before or after the reference is published."""
     from gripcourse.documents.report.student import STYLES, TEMPLATE, student_values
 
@@ -135,7 +135,7 @@ def student(sample: Sample, report: Report, reveal: Reveal) -> Document:
     return Document(TEMPLATE, STYLES, values | {"graded_on": DAY})
 
 
-def cohort(sample: Sample, reports: Sequence[Report]) -> Document:
+def cohort(sample: SampleDocument, reports: Sequence[Report]) -> Document:
     """Make the report on a batch."""
     from gripcourse.documents.report.cohort import STYLES, TEMPLATE, cohort_values
 
@@ -143,7 +143,7 @@ def cohort(sample: Sample, reports: Sequence[Report]) -> Document:
     return Document(TEMPLATE, STYLES, values | {"graded_on": DAY})
 
 
-def solution(sample: Sample) -> Document:
+def solution(sample: SampleDocument) -> Document:
     """Make the worked solution."""
     from gripcourse.documents.report.solution import STYLES, TEMPLATE, solution_values
 
@@ -154,9 +154,14 @@ def solution(sample: Sample) -> Document:
     )
 
 
-def certificate(sample: Sample) -> Document:
+def certificate(sample: SampleDocument) -> Document:
     """Make the certificate of a few variants that are drawn for it."""
-    from gripcourse.documents.report.certificate import STYLES, TEMPLATE, Source, certificate_values
+    from gripcourse.documents.report.certificate import (
+        STYLES,
+        TEMPLATE,
+        CertificateSource,
+        certificate_values,
+    )
 
     course, policy = sample.course, sample.policy
     spaces = sample.spaces
@@ -164,12 +169,12 @@ def certificate(sample: Sample) -> Document:
     drawn = draw(course, own, _DRAWN, _SEED).variants
     # The same numbers twice: nothing may be alike, and the certificate says where something is.
     found = audit(course, policy, (*drawn, replace(drawn[0], id="twin")), own)
-    source = Source("table.csv", "0" * 64)
+    source = CertificateSource("table.csv", "0" * 64)
     values = certificate_values(found, source, course, policy, sample.words)
     return Document(TEMPLATE, STYLES, values | {"day": DAY})
 
 
-def atlas(sample: Sample, name: str) -> Document:
+def atlas(sample: SampleDocument, name: str) -> Document:
     """Make an atlas of the course."""
     from gripcourse.documents.report.atlas import STYLES, TEMPLATE, atlas_values, plates
 

@@ -15,7 +15,7 @@ from gripcourse.text.number_reading import Unreadable, read_number
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
-from gripcourse.variants.explain import listed, with_unit
+from gripcourse.variants.explain import list_text, with_unit
 from gripcourse.variants.model import Variant
 
 
@@ -170,7 +170,7 @@ def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]
         inputs = plan.inputs[name]
         lost = quantity.kind is not Kind.MANUAL and math.isnan(values[name])
         if lost and not any(math.isnan(values[one]) for one in inputs):
-            used = listed(
+            used = list_text(
                 message(
                     "{name} = {value}", name=one, value=with_unit(values[one], plan.quantities[one])
                 )

@@ -9,7 +9,7 @@ from gripcourse.documents.pdf import Document, render_html, template_environment
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Words, message
-from gripcourse.usecases.samples import Sample, printed_documents, reference_documents
+from gripcourse.usecases.samples import SampleDocument, printed_documents, reference_documents
 
 # Jinja2 costs 40 ms to import: only who prints or judges a template pays.
 # ruff: noqa: PLC0415
@@ -69,7 +69,7 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
     return read, problems
 
 
-def sample_documents(sample: Sample) -> tuple[list[Document], list[Problem]]:
+def sample_documents(sample: SampleDocument) -> tuple[list[Document], list[Problem]]:
     """Return a document of every kind, and what keeps the others from being made."""
     makers: Mapping[str, Callable[[], Document | Mapping[str, Document]]] = {
         **printed_documents(sample),

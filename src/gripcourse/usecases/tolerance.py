@@ -11,7 +11,7 @@ from gripcourse.machine.files import write_text
 from gripcourse.policy.load import policy_path
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.mix import load_mix
-from gripcourse.simulation.tolerance import Audit, Audited, audit_tolerances, to_write
+from gripcourse.simulation.tolerance import AuditedBand, ToleranceAudit, audit_tolerances, to_write
 from gripcourse.simulation.tolerance_policy import apply_tolerances
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
@@ -26,7 +26,7 @@ _HEADS = (
 
 
 @dataclass(frozen=True, slots=True)
-class Sample:
+class ToleranceSample:
     """What an audit looks at: the issued table, and variants drawn besides."""
 
     table: Path
@@ -34,7 +34,7 @@ class Sample:
     seed: int
 
 
-def variants_of(course: Course, sample: Sample) -> tuple[Variant, ...]:
+def variants_of(course: Course, sample: ToleranceSample) -> tuple[Variant, ...]:
     """Read the issued variants and draw further ones.
 
     Raises:
@@ -52,12 +52,12 @@ def audit(
     variants: Sequence[Variant],
     workers: int,
     on_done: Callable[[], None],
-) -> Audit:
-    """Audit the tolerances of a course; see `virtual.tolerance.audit_tolerances`."""
+) -> ToleranceAudit:
+    """ToleranceAudit the tolerances of a course; see `virtual.tolerance.audit_tolerances`."""
     return audit_tolerances(course, policy, load_mix(course), variants, workers, on_done)
 
 
-def apply(found: Audit, course: Course, policy: Policy) -> int:
+def apply(found: ToleranceAudit, course: Course, policy: Policy) -> int:
     """Write the proposed tolerances into the policy; return how many were changed.
 
     Raises:
@@ -70,7 +70,7 @@ def apply(found: Audit, course: Course, policy: Policy) -> int:
     return len(changed)
 
 
-def write_audit(found: Audit, path: Path) -> None:
+def write_audit(found: ToleranceAudit, path: Path) -> None:
     """Write the audit as CSV, a row per quantity."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
@@ -79,7 +79,7 @@ def write_audit(found: Audit, path: Path) -> None:
     write_text(path, stream.getvalue())
 
 
-def _row(one: Audited) -> tuple[object, ...]:
+def _row(one: AuditedBand) -> tuple[object, ...]:
     tally = one.tally
     return (
         one.quantity.id, one.quantity.unit, tally.answers, tally.refused, one.now.relative,

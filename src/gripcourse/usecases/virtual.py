@@ -10,7 +10,7 @@ from gripcourse.issuing.register import read_register
 from gripcourse.machine.files import write_text
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
-from gripcourse.simulation.confusion import Evaluation, evaluate
+from gripcourse.simulation.confusion import GraderEvaluation, evaluate
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
@@ -66,7 +66,7 @@ def simulate(
 
 def evaluate_folder(
     course: Course, policy: Policy, folder: Path, workers: int, on_done: Callable[[], None]
-) -> Evaluation:
+) -> GraderEvaluation:
     """Grade a cohort's workbooks, measure, and write every miss beside them.
 
     Args:
@@ -92,7 +92,7 @@ def evaluate_in_memory(
     misses: Path | None,
     workers: int,
     on_done: Callable[[], None],
-) -> Evaluation:
+) -> GraderEvaluation:
     """Make up a cohort, judge it without files, and measure.
 
     Args:
@@ -107,10 +107,10 @@ def evaluate_in_memory(
     room = make_classroom(course, policy, mix, cohort.count, cohort.seed, cohort.scheme)
     found = evaluate(judge_in_memory(room, workers, on_done), mix)
     if misses is not None:
-        _write_misses(misses, found, room.desk.register)
+        _write_misses(misses, found, room.context.register)
     return found
 
 
-def _write_misses(path: Path, found: Evaluation, register: Mapping[str, Issued]) -> None:
+def _write_misses(path: Path, found: GraderEvaluation, register: Mapping[str, Issued]) -> None:
     schemes = {name: issued.variant.scheme for name, issued in register.items()}
     write_text(path, misses_csv(found.misses, schemes))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.policy.bands import SLACK
-from gripcourse.variants.answers import Item, Rows, section_totals
+from gripcourse.variants.answers import AnswerItem, Rows, section_totals
 from gripcourse.variants.apart import Limits
 from gripcourse.variants.feasible import Array
 
@@ -56,7 +56,7 @@ class Accepted:
     totals: Array = field(default_factory=lambda: np.zeros((0, 0)))
     size: int = 0
 
-    def answers(self, items: Sequence[Item], count: int) -> Answers:
+    def answers(self, items: Sequence[AnswerItem], count: int) -> Answers:
         """Arrange the answers of `count` candidates; new quantities get a column."""
         layers = np.zeros((_LAYERS, count, len(items)))
         layers[_VALUE] = np.nan

@@ -41,7 +41,7 @@ class Group:
 
 
 @dataclass(frozen=True, slots=True)
-class Item:
+class AnswerItem:
     """One quantity in all variants that have it; every array of shape (k,).
 
     Attributes:
@@ -77,7 +77,7 @@ class Windows:
     last: Rows
 
 
-def windows_of(item: Item) -> Windows:
+def windows_of(item: AnswerItem) -> Windows:
     """Sort the values of an item; what fits a band is then a stretch of neighbours."""
     order = np.argsort(item.values, kind="stable")
     ascending = item.values[order]
@@ -87,7 +87,7 @@ def windows_of(item: Item) -> Windows:
     return Windows(item.rows[order], first, last)
 
 
-def count_fitting(item: Item) -> Rows:
+def count_fitting(item: AnswerItem) -> Rows:
     """Count for each entry of an item the other variants whose answer fits its band."""
     window = windows_of(item)
     return window.last - window.first - 1
@@ -145,9 +145,9 @@ def _key(scheme: str, options: Mapping[str, str]) -> tuple[str, tuple[tuple[str,
     return scheme, tuple(sorted(options.items()))
 
 
-def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[Item, ...]:
+def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[AnswerItem, ...]:
     """Gather the answers of some kinds of quantities over all groups, quantity by quantity."""
-    parts: dict[str, list[Item]] = {}
+    parts: dict[str, list[AnswerItem]] = {}
     schemes = {id_: number for number, id_ in enumerate(scheme_ids(groups))}
     for group in groups:
         points = points_of(group.plan, policy)
@@ -158,9 +158,9 @@ def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[Ite
     return tuple(_joined(found) for found in parts.values())
 
 
-def given_items(groups: Sequence[Group]) -> tuple[Item, ...]:
+def given_items(groups: Sequence[Group]) -> tuple[AnswerItem, ...]:
     """Gather the given numbers over all groups: one point each, equal only where the same."""
-    parts: dict[str, list[Item]] = {}
+    parts: dict[str, list[AnswerItem]] = {}
     schemes = {id_: number for number, id_ in enumerate(scheme_ids(groups))}
     for group in groups:
         scheme = schemes[group.plan.scheme.id]
@@ -171,7 +171,7 @@ def given_items(groups: Sequence[Group]) -> tuple[Item, ...]:
     return tuple(_joined(found) for found in parts.values())
 
 
-def mean_share(items: Sequence[Item], size: int) -> float:
+def mean_share(items: Sequence[AnswerItem], size: int) -> float:
     """Return which share of its points one variant gets with another's answers, on average."""
     if size < 2:  # noqa: PLR2004 (a single variant has no other)
         return 0.0
@@ -184,11 +184,11 @@ def mean_share(items: Sequence[Item], size: int) -> float:
 
 
 def scheme_ids(groups: Sequence[Group]) -> tuple[str, ...]:
-    """Return the schemes of a table, each once; `Item.schemes` counts in this order."""
+    """Return the schemes of a table, each once; `AnswerItem.schemes` counts in this order."""
     return tuple(dict.fromkeys(group.plan.scheme.id for group in groups))
 
 
-def section_totals(items: Sequence[Item], size: int, sections: int) -> Array:
+def section_totals(items: Sequence[AnswerItem], size: int, sections: int) -> Array:
     """Add up the points of items.
 
     Args:
@@ -207,17 +207,19 @@ def section_totals(items: Sequence[Item], size: int, sections: int) -> Array:
 
 def _part(
     group: Group, quantity: Quantity, points: Mapping[str, float], policy: Policy, scheme: int
-) -> Item:
+) -> AnswerItem:
     half_widths = bands(quantity, group.values[quantity.id], policy)
     return _item(group, quantity, points[quantity.id], half_widths, scheme)
 
 
-def _item(group: Group, quantity: Quantity, points: float, half_widths: Array, scheme: int) -> Item:
+def _item(
+    group: Group, quantity: Quantity, points: float, half_widths: Array, scheme: int
+) -> AnswerItem:
     values = group.values[quantity.id]
     there = np.isfinite(values)
     rows = group.rows[there]
     sections = [section.id for section in group.plan.course.sections]
-    return Item(
+    return AnswerItem(
         quantity.id,
         rows,
         values[there],
@@ -228,10 +230,10 @@ def _item(group: Group, quantity: Quantity, points: float, half_widths: Array, s
     )
 
 
-def _joined(parts: Sequence[Item]) -> Item:
+def _joined(parts: Sequence[AnswerItem]) -> AnswerItem:
     rows = np.concatenate([part.rows for part in parts])
     order = np.argsort(rows)
-    return Item(
+    return AnswerItem(
         parts[0].quantity,
         rows[order],
         np.concatenate([part.values for part in parts])[order],

@@ -13,7 +13,7 @@ import numpy as np
 
 from gripcourse.policy.bands import SLACK
 from gripcourse.policy.model import Policy
-from gripcourse.variants.answers import Item, Rows, Windows, windows_of
+from gripcourse.variants.answers import AnswerItem, Rows, Windows, windows_of
 from gripcourse.variants.feasible import Array
 
 # scipy.sparse costs 100 ms to import: only an audit pays.
@@ -96,7 +96,7 @@ class Chunk:
     points: "csr_array"
 
 
-def measure(items: Sequence[Item], totals: Array, limits: Limits) -> Apartness:
+def measure(items: Sequence[AnswerItem], totals: Array, limits: Limits) -> Apartness:
     """Measure how far the variants of a table are apart.
 
     Args:
@@ -129,7 +129,7 @@ def measure(items: Sequence[Item], totals: Array, limits: Limits) -> Apartness:
 
 
 def shared_points(
-    items: Sequence[Item], size: int, sections: int, budget: int = BUDGET
+    items: Sequence[AnswerItem], size: int, sections: int, budget: int = BUDGET
 ) -> Iterator[Chunk]:
     """Add up the points that variants share, chunk by chunk of those who get the answers.
 
@@ -159,7 +159,7 @@ def _stretches(work: Rows, budget: int) -> Iterator[tuple[int, int]]:
 
 
 def _chunk(
-    items: Sequence[Item],
+    items: Sequence[AnswerItem],
     windows: Sequence[Windows],
     start: int,
     stop: int,
@@ -179,7 +179,7 @@ def _chunk(
 
 
 def _coincidences(
-    item: Item, window: Windows, start: int, stop: int, sections: int
+    item: AnswerItem, window: Windows, start: int, stop: int, sections: int
 ) -> tuple[Rows, Rows, Array]:
     """List who gets whose answer right, and its points, for some of those who get answers."""
     low, high = np.searchsorted(item.rows, [start, stop])

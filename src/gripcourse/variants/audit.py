@@ -23,8 +23,8 @@ from gripcourse.variants.answers import (
 from gripcourse.variants.apart import Apartness, limits_of, measure
 from gripcourse.variants.explain import in_short
 from gripcourse.variants.fair import (
+    DifficultySpread,
     Margin,
-    Spread,
     Steps,
     near_steps,
     spreads_of,
@@ -42,7 +42,7 @@ COUNTED = 64  # variants that slips of all kinds are counted in, evenly taken fr
 
 
 @dataclass(frozen=True, slots=True)
-class Checked:
+class CheckedScheme:
     """One variant.
 
     Attributes:
@@ -86,7 +86,7 @@ class Beside:
 
 
 @dataclass(frozen=True, slots=True)
-class Audit:
+class VariantAudit:
     """Everything that was found out about a table.
 
     Attributes:
@@ -103,19 +103,19 @@ class Audit:
     """
 
     rules: VariantRules
-    variants: tuple[Checked, ...]
+    variants: tuple[CheckedScheme, ...]
     slips: tuple[SlipCount, ...]
     slips_counted: int
     steps: tuple[Steps, ...]
     ratio: float
     margins: tuple[Margin, ...]
-    spreads: tuple[Spread, ...]
+    spreads: tuple[DifficultySpread, ...]
     apart: Apartness
     beside: Beside
     pairs: tuple[Pair, ...]
 
     @property
-    def weak_items(self) -> tuple[Spread, ...]:
+    def weak_items(self) -> tuple[DifficultySpread, ...]:
         """Quantities that hardly differ in a scheme, the least different first."""
         weak = (one for one in self.spreads if one.equal > self.rules.weak_item)
         return tuple(sorted(weak, key=lambda one: (-one.equal, one.scheme, one.quantity)))
@@ -133,8 +133,8 @@ class Audit:
 
 def audit(
     course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
-) -> Audit:
-    """Audit a table.
+) -> VariantAudit:
+    """VariantAudit a table.
 
     Args:
         course: whose variants they are.
@@ -158,7 +158,7 @@ def audit(
     counted = _sample(variants)
     steps = steps_of(groups)
     edges = [near_steps(group, policy.variants.step_margin) for group in groups]
-    return Audit(
+    return VariantAudit(
         rules=policy.variants,
         variants=_checked(variants, groups, edges, policy, apart,
                           dict(zip(nearest, pairs, strict=False))),
@@ -199,16 +199,16 @@ def _checked(
     policy: Policy,
     apart: Apartness,
     nearest: Mapping[int, Pair],
-) -> tuple[Checked, ...]:
+) -> tuple[CheckedScheme, ...]:
     limits = limits_of(policy)
     above = apart.whole.share > limits.whole * SLACK
     for section in apart.sections:
         above |= section.share > limits.section * SLACK
-    found: dict[int, Checked] = {}
+    found: dict[int, CheckedScheme] = {}
     for group, near in zip(groups, edges, strict=True):
         slips = too_near(group, policy)
         for place, row in enumerate(group.rows):
-            found[int(row)] = Checked(
+            found[int(row)] = CheckedScheme(
                 variants[row],
                 tuple(in_short(group.plan, one) for one, at in group.refused.items() if at[place]),
                 tuple(key for key, at in slips.items() if at[place]),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gripcourse.variants.space import Case, Space
+from gripcourse.variants.space import Space, SpaceCase
 
 
 def counts_of(spaces: Sequence[Space], count: int, rng: np.random.Generator) -> list[int]:
@@ -15,7 +15,7 @@ def counts_of(spaces: Sequence[Space], count: int, rng: np.random.Generator) -> 
     return [wanted for one in spread for wanted in one]
 
 
-def _spread(cases: Sequence[Case], count: int, rng: np.random.Generator) -> list[int]:
+def _spread(cases: Sequence[SpaceCase], count: int, rng: np.random.Generator) -> list[int]:
     """Split a count among the combinations of options, each choice of an option alike often.
 
     There may be far more combinations than variants: which of them come is left to chance.

@@ -17,10 +17,10 @@ from gripcourse.errors import Problem, TableError
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import message
 from gripcourse.variants.counts import counts_of
-from gripcourse.variants.explain import in_short, listed
+from gripcourse.variants.explain import in_short, list_text
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
-from gripcourse.variants.space import Case, Space
+from gripcourse.variants.space import Space, SpaceCase
 from gripcourse.variants.tally import Refusal, Tally, by_count, summed
 
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
@@ -173,7 +173,7 @@ class _Search:
 
     course: Course
     space: Space
-    case: Case
+    case: SpaceCase
     further: Filter | None
 
     def find(self, wanted: int, seed: np.random.SeedSequence, most: int = _MOST_TRIED) -> _Found:
@@ -254,7 +254,7 @@ def _too_few(space: Space, wanted: int, found: _Found) -> TableError:
             "Of {tried} tried variants of '{scheme}' only {sound} can be handed out, {wanted} are"
             " wanted. Most often: {reasons}.",
             tried=found.tried, scheme=space.scheme, sound=len(found.rows), wanted=wanted,
-            reasons=listed(common) if common else "—",
+            reasons=list_text(common) if common else "—",
         ),
         message("Widen or move the ranges of these quantities, or loosen the constraints."),
     )])  # fmt: skip

@@ -11,7 +11,7 @@ from gripcourse.formula.tree import Formula, names
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
-from gripcourse.variants.feasible import Cause, Feasibility, Reason, reasons_infeasible
+from gripcourse.variants.feasible import Feasibility, Reason, RefusalCause, reasons_infeasible
 
 
 def why_infeasible(
@@ -45,9 +45,9 @@ def explain(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> M
     if quantity is None or reason.formula is not None:
         return _broken_rule(plan, feasibility, reason, row)
     value = _value(plan, feasibility, quantity.id, row)
-    if reason.cause is Cause.NO_VALUE:
+    if reason.cause is RefusalCause.NO_VALUE:
         return _no_value(plan, feasibility, quantity, row)
-    if reason.cause is Cause.NOT_WHOLE:
+    if reason.cause is RefusalCause.NOT_WHOLE:
         return message("{quantity} must be a whole number, not {value}.",
                        quantity=_named(quantity), value=value)  # fmt: skip
     low, high = quantity.bounds
@@ -67,20 +67,20 @@ def in_short(plan: Plan, reason: Reason) -> Message:
         return message("{rule} does not hold", rule=reason.formula.text if reason.formula else "")
     named = _named(quantity)
     match reason.cause:
-        case Cause.NO_VALUE if quantity.choice is not None:
+        case RefusalCause.NO_VALUE if quantity.choice is not None:
             return message("{quantity} is not in the catalogue", quantity=named)
-        case Cause.NO_VALUE:
+        case RefusalCause.NO_VALUE:
             return message("{quantity} has no value", quantity=named)
-        case Cause.BOUNDS:
+        case RefusalCause.BOUNDS:
             return message("{quantity} is out of bounds", quantity=named)
-        case Cause.NOT_WHOLE:
+        case RefusalCause.NOT_WHOLE:
             return message("{quantity} is no whole number", quantity=named)
         case _:
             rule = reason.formula.text if reason.formula else ""
             return message("{quantity}: {rule} does not hold", quantity=named, rule=rule)
 
 
-def listed(said: Iterable[Message]) -> Message:
+def list_text(said: Iterable[Message]) -> Message:
     """Join messages into one, separated by semicolons."""
     return reduce(lambda left, right: message("{left}; {right}", left=left, right=right), said)
 
@@ -133,7 +133,7 @@ def _broken_rule(plan: Plan, feasibility: Feasibility, reason: Reason, row: int)
 
 
 def _values(plan: Plan, feasibility: Feasibility, ids: Sequence[str], row: int) -> Message:
-    return listed(
+    return list_text(
         message("{name} = {value}", name=id_, value=_value(plan, feasibility, id_, row))
         for id_ in ids
     )

@@ -9,7 +9,7 @@ from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, from_si, reference_rounding
-from gripcourse.variants.answers import Group, Item, count_fitting, scheme_ids
+from gripcourse.variants.answers import AnswerItem, Group, count_fitting, scheme_ids
 from gripcourse.variants.feasible import Array, Mask
 
 
@@ -49,7 +49,7 @@ class Margin:
 
 
 @dataclass(frozen=True, slots=True)
-class Spread:
+class DifficultySpread:
     """How the answers to one quantity are spread over the variants of one scheme.
 
     Attributes:
@@ -103,7 +103,9 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
     }
 
 
-def spreads_of(groups: Sequence[Group], items: Sequence[Item]) -> tuple[Spread, ...]:
+def spreads_of(
+    groups: Sequence[Group], items: Sequence[AnswerItem]
+) -> tuple[DifficultySpread, ...]:
     """Describe the answers to each quantity, scheme by scheme."""
     ids = scheme_ids(groups)
     plans = {
@@ -167,10 +169,10 @@ def _choice(group: Group, quantity: Quantity, moved: dict[str, Array]) -> Array:
     return choose(required, quantity.choice, reference_rounding(quantity, plan.convention), plan)
 
 
-def _only(item: Item, scheme: int) -> Item:
+def _only(item: AnswerItem, scheme: int) -> AnswerItem:
     """Leave of an item the variants of one scheme."""
     own = item.schemes == scheme
-    return Item(
+    return AnswerItem(
         item.quantity,
         item.rows[own],
         item.values[own],
@@ -181,14 +183,14 @@ def _only(item: Item, scheme: int) -> Item:
     )
 
 
-def _spread(item: Item, plan: Plan) -> Spread:
+def _spread(item: AnswerItem, plan: Plan) -> DifficultySpread:
     size = len(item.rows)
     pairs = size * (size - 1)
 
     def declared(value: float) -> float:
         return from_si(plan, {item.quantity: value})[item.quantity]
 
-    return Spread(
+    return DifficultySpread(
         item.quantity,
         plan.scheme.id,
         size,

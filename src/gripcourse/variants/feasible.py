@@ -25,7 +25,7 @@ Array: TypeAlias = NDArray[np.float64]
 _SLACK = 1e-9  # relative; a bound that was converted between units is still met
 
 
-class Cause(StrEnum):
+class RefusalCause(StrEnum):
     """What is wrong with a quantity, or that a constraint is broken."""
 
     NO_VALUE = "no value"  # no entry in a catalogue, a root of a negative number, ...
@@ -47,7 +47,7 @@ class Reason:
         formula: the rule that is broken; None for bounds and missing values.
     """
 
-    cause: Cause
+    cause: RefusalCause
     quantity: str
     formula: Formula | None = field(hash=False)  # its units are a mapping, which has no hash
 
@@ -91,7 +91,7 @@ def reasons_infeasible(
     for quantity in plan.quantities.values():
         found |= _reasons_of(batch, quantity)
     for formula in constraints:
-        found[Reason(Cause.CONSTRAINT, "", formula)] = _broken(batch, formula)
+        found[Reason(RefusalCause.CONSTRAINT, "", formula)] = _broken(batch, formula)
     refused = {reason: where for reason, where in found.items() if where.any()}
     infeasible = np.zeros(size, dtype=np.bool_)
     for where in refused.values():
@@ -118,21 +118,23 @@ def _reasons_of(batch: _Batch, quantity: Quantity) -> dict[Reason, Mask]:
     values = batch.values(quantity.id)
     finite = np.isfinite(values)
     inputs = batch.plan.inputs.get(quantity.id, ())
-    found = {Reason(Cause.NO_VALUE, quantity.id, None): ~finite & _all_finite(batch, inputs)}
+    found = {Reason(RefusalCause.NO_VALUE, quantity.id, None): ~finite & _all_finite(batch, inputs)}
     if quantity.kind is Kind.VERDICT:
-        found[Reason(Cause.VERDICT, quantity.id, quantity.formula)] = values == 0.0
+        found[Reason(RefusalCause.VERDICT, quantity.id, quantity.formula)] = values == 0.0
         return found
     in_unit = values / factor(quantity.unit)
-    found[Reason(Cause.BOUNDS, quantity.id, None)] = finite & _outside(in_unit, quantity.bounds)
+    found[Reason(RefusalCause.BOUNDS, quantity.id, None)] = finite & _outside(
+        in_unit, quantity.bounds
+    )
     if quantity.integer:
         whole = np.abs(in_unit - np.round(in_unit)) <= _SLACK * np.maximum(np.abs(in_unit), 1.0)
-        found[Reason(Cause.NOT_WHOLE, quantity.id, None)] = finite & ~whole
+        found[Reason(RefusalCause.NOT_WHOLE, quantity.id, None)] = finite & ~whole
     if quantity.valid is not None:
         broken = _broken(batch, quantity.valid)
-        found[Reason(Cause.GUARD, quantity.id, quantity.valid)] = broken
+        found[Reason(RefusalCause.GUARD, quantity.id, quantity.valid)] = broken
     if quantity.choice is not None and quantity.choice.condition is not None:
         condition = quantity.choice.condition
-        found[Reason(Cause.CONDITION, quantity.id, condition)] = _broken(batch, condition)
+        found[Reason(RefusalCause.CONDITION, quantity.id, condition)] = _broken(batch, condition)
     return found
 
 

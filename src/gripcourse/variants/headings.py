@@ -28,7 +28,7 @@ _WITH_UNIT = (
 
 
 @dataclass(frozen=True, slots=True)
-class Column:
+class TableColumn:
     """A column that is understood.
 
     Attributes:
@@ -123,7 +123,7 @@ def given_quantities(course: Course) -> dict[str, Quantity]:
 
 def find_columns(
     sheet: Sheet, vocabulary: Vocabulary, problems: list[Problem]
-) -> dict[str, Column]:
+) -> dict[str, TableColumn]:
     """Return the columns of a sheet by id.
 
     Args:
@@ -131,7 +131,7 @@ def find_columns(
         vocabulary: what its columns may be called.
         problems: where unknown, ambiguous and doubled headings and unfit units are recorded.
     """
-    found: dict[str, Column] = {}
+    found: dict[str, TableColumn] = {}
     for position, heading in enumerate(sheet.header):
         column = column_name(position, sheet.header)
         key = message("column {column}", column=column)
@@ -153,7 +153,7 @@ def find_columns(
         unit = None
         if unit_text is not None and id_ in vocabulary.quantities:
             unit = _unit(sheet, key, unit_text, vocabulary.quantities[id_], problems)
-        found[id_] = Column(position, column, unit)
+        found[id_] = TableColumn(position, column, unit)
     return found
 
 

@@ -10,7 +10,7 @@ from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
 from gripcourse.solver.solve import evaluate
-from gripcourse.variants.answers import Group, Item, Rows
+from gripcourse.variants.answers import AnswerItem, Group, Rows
 from gripcourse.variants.feasible import Array, Mask
 
 
@@ -25,10 +25,10 @@ class Answered:
         given: the given numbers, one point each.
     """
 
-    computed: tuple[Item, ...]
-    sizes: tuple[Item, ...]
-    verdicts: tuple[Item, ...]
-    given: tuple[Item, ...]
+    computed: tuple[AnswerItem, ...]
+    sizes: tuple[AnswerItem, ...]
+    verdicts: tuple[AnswerItem, ...]
+    given: tuple[AnswerItem, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,14 +106,14 @@ def describe(
     )
 
 
-def _places(item: Item, size: int) -> Rows:
+def _places(item: AnswerItem, size: int) -> Rows:
     """Return the entry of each row of the table in an item, -1 where it has none."""
     places = np.full(size, -1, dtype=np.intp)
     places[item.rows] = np.arange(len(item.rows))
     return places
 
 
-def _equal(item: Item, own: Rows, other: Rows, size: int) -> tuple[Mask, Rows]:
+def _equal(item: AnswerItem, own: Rows, other: Rows, size: int) -> tuple[Mask, Rows]:
     """Tell for which pairs the other's answer fits, and return the entries of who gets it."""
     places = _places(item, size)
     mine, theirs = places[own], places[other]
@@ -122,7 +122,7 @@ def _equal(item: Item, own: Rows, other: Rows, size: int) -> tuple[Mask, Rows]:
     return (mine >= 0) & (theirs >= 0) & fits, mine
 
 
-def _share(items: Sequence[Item], own: Rows, other: Rows, size: int) -> Array:
+def _share(items: Sequence[AnswerItem], own: Rows, other: Rows, size: int) -> Array:
     got, total = np.zeros(len(own)), np.zeros(len(own))
     for item in items:
         same, entry = _equal(item, own, other, size)

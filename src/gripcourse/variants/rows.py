@@ -13,9 +13,9 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
-from gripcourse.variants.headings import Column, plain
+from gripcourse.variants.headings import TableColumn, plain
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sheet import Row, Sheet, cell_place
+from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,15 +32,15 @@ class RowReader:
 
     course: Course
     sheet: Sheet
-    columns: Mapping[str, Column]
+    columns: Mapping[str, TableColumn]
     absent: frozenset[str]
     problems: list[Problem]
     plans: dict[tuple[str, tuple[str, ...]], Plan] = field(default_factory=dict)
 
     def read(self) -> list[Variant]:
         """Return the variants of all rows that are right."""
-        rows: list[tuple[Row, Variant]] = []
-        seen: dict[str, Row] = {}
+        rows: list[tuple[SheetRow, Variant]] = []
+        seen: dict[str, SheetRow] = {}
         for row in self.sheet.rows:
             variant = self._variant(row, seen)
             if variant is not None:
@@ -48,7 +48,7 @@ class RowReader:
         self._refuse_infeasible(rows)
         return [variant for _, variant in rows]
 
-    def _variant(self, row: Row, seen: dict[str, Row]) -> Variant | None:
+    def _variant(self, row: SheetRow, seen: dict[str, SheetRow]) -> Variant | None:
         before = len(self.problems)
         id_ = self._id(row, seen)
         scheme = self._scheme(row)
@@ -64,7 +64,7 @@ class RowReader:
             return None
         return Variant(id_, scheme.id, options, {k: v for k, v in given.items() if v is not None})
 
-    def _id(self, row: Row, seen: dict[str, Row]) -> str:
+    def _id(self, row: SheetRow, seen: dict[str, SheetRow]) -> str:
         id_ = self._cell(row, "variant")
         if not id_:
             self._add(row, "variant", message("The variant has no name."), message("Write one."))
@@ -79,7 +79,7 @@ class RowReader:
         seen.setdefault(id_, row)
         return id_
 
-    def _scheme(self, row: Row) -> Scheme | None:
+    def _scheme(self, row: SheetRow) -> Scheme | None:
         written = self._cell(row, "scheme")
         if not written and "scheme" not in self.columns and len(self.course.schemes) == 1:
             return next(iter(self.course.schemes.values()))
@@ -94,11 +94,11 @@ class RowReader:
         self._add(row, "scheme", what, did_you_mean(written, self.course.schemes))
         return None
 
-    def _options(self, row: Row, scheme: Scheme) -> dict[str, str]:
+    def _options(self, row: SheetRow, scheme: Scheme) -> dict[str, str]:
         found = {option.id: self._option(row, option) for option in scheme.options}
         return {id_: choice for id_, choice in found.items() if choice is not None}
 
-    def _option(self, row: Row, option: Option) -> str | None:
+    def _option(self, row: SheetRow, option: Option) -> str | None:
         key = f"option:{option.id}"
         written = self._cell(row, key)
         for choice in option.choices:
@@ -118,7 +118,7 @@ class RowReader:
             self.plans[key] = make_plan(self.course, scheme.id, options)
         return self.plans[key]
 
-    def _given(self, row: Row, quantity: Quantity, plan: Plan) -> float | None:
+    def _given(self, row: SheetRow, quantity: Quantity, plan: Plan) -> float | None:
         written = self._cell(row, quantity.id)
         if not written:
             self._add(
@@ -144,7 +144,7 @@ class RowReader:
         self._check(row, quantity, value)
         return value
 
-    def _check(self, row: Row, quantity: Quantity, value: float) -> None:
+    def _check(self, row: SheetRow, quantity: Quantity, value: float) -> None:
         low, high = quantity.bounds
         if not low <= value <= high:
             self._add(
@@ -163,7 +163,7 @@ class RowReader:
                 message("Write a whole number."),
             )
 
-    def _refuse_unused(self, row: Row, plan: Plan) -> None:
+    def _refuse_unused(self, row: SheetRow, plan: Plan) -> None:
         """Refuse a number that the scheme would not use: it stands in the wrong row or column."""
         used = {quantity.id for quantity in plan.givens}
         used |= {"variant", "scheme", *(f"option:{id_}" for id_ in plan.options)}
@@ -177,8 +177,8 @@ class RowReader:
                     message("Clear the cell."),
                 )  # fmt: skip
 
-    def _refuse_infeasible(self, rows: list[tuple[Row, Variant]]) -> None:
-        groups: dict[tuple[str, tuple[str, ...]], list[tuple[Row, Variant]]] = {}
+    def _refuse_infeasible(self, rows: list[tuple[SheetRow, Variant]]) -> None:
+        groups: dict[tuple[str, tuple[str, ...]], list[tuple[SheetRow, Variant]]] = {}
         for row, variant in rows:
             key = (variant.scheme, tuple(variant.options.values()))
             groups.setdefault(key, []).append((row, variant))
@@ -204,11 +204,11 @@ class RowReader:
                     found.append((row.number, problem))
         self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
 
-    def _cell(self, row: Row, id_: str) -> str:
+    def _cell(self, row: SheetRow, id_: str) -> str:
         column = self.columns.get(id_)
         return row.cells[column.position] if column is not None else ""
 
-    def _add(self, row: Row, id_: str, what: Message, remedy: Message) -> None:
+    def _add(self, row: SheetRow, id_: str, what: Message, remedy: Message) -> None:
         if id_ in self.absent:
             return
         column = self.columns.get(id_)

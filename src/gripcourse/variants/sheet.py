@@ -17,7 +17,7 @@ _DELIMITERS = ("\t", ";", ",")
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class SheetRow:
     """A row as it stands in the file.
 
     Attributes:
@@ -43,7 +43,7 @@ class Sheet:
 
     file: str
     header: tuple[str, ...]
-    rows: tuple[Row, ...]
+    rows: tuple[SheetRow, ...]
     decimal_comma: bool
 
 
@@ -99,7 +99,7 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
 
 def _sheet(path: Path, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
     """Cut blank rows and columns off and number the rest."""
-    rows = [Row(number, row) for number, row in enumerate(cells, start=1) if any(row)]
+    rows = [SheetRow(number, row) for number, row in enumerate(cells, start=1) if any(row)]
     if not rows or rows[0].number != 1:
         raise _failure(
             path,
@@ -107,7 +107,7 @@ def _sheet(path: Path, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> 
             message("Put the headings into the first row of the first sheet."),
         )
     width = max(_width(row.cells) for row in rows)
-    padded = [Row(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
+    padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
     return Sheet(str(path), padded[0].cells, tuple(padded[1:]), decimal_comma)
 
 

@@ -22,7 +22,7 @@ _KEYS = ("scheme", "weight", "options", "given", "constraint")
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class SpaceCase:
     """One combination of options and what may be drawn for it.
 
     Attributes:
@@ -51,7 +51,7 @@ class Space:
 
     scheme: str
     weight: float
-    cases: tuple[Case, ...]
+    cases: tuple[SpaceCase, ...]
     file: str
 
 
@@ -133,7 +133,7 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
     return tuple(choice for choice in known if choice in listed or not listed)
 
 
-def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[Case, ...]:
+def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCase, ...]:
     ranges = table.named_tables("given")
     givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
     for id_, written in ranges.items():
@@ -164,14 +164,14 @@ def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[Case, .
     return tuple(_case(plan, read, [one for _, one in constraints]) for plan in plans)
 
 
-def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula]) -> Case:
+def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula]) -> SpaceCase:
     """Take from the ranges what counts for one combination of options."""
     chosen = {
         quantity.id: read[quantity.id].chosen(plan.options)
         for quantity in plan.givens
         if quantity.id in read
     }
-    return Case(
+    return SpaceCase(
         plan.options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},

@@ -18,7 +18,7 @@ from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.variants.cells import converted, number_text
 from gripcourse.variants.headings import (
-    Column,
+    TableColumn,
     find_columns,
     given_quantities,
     table_vocabulary,
@@ -108,7 +108,7 @@ def _units(course: Course) -> dict[tuple[str, str], str]:
 
 
 def _absent_columns(
-    sheet: Sheet, columns: Mapping[str, Column], course: Course, problems: list[Problem]
+    sheet: Sheet, columns: Mapping[str, TableColumn], course: Course, problems: list[Problem]
 ) -> frozenset[str]:
     """Name once each column that every variant of the course needs and the table lacks."""
     needed = [

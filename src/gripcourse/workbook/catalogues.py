@@ -9,7 +9,7 @@ from gripcourse.formula.tree import Call, walk
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
-from gripcourse.workbook.layout import Place
+from gripcourse.workbook.layout import CellPlace
 from gripcourse.workbook.style import Styles, set_page
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ _GAP: Final = 1  # empty columns between two tables
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class CatalogueTable:
     """A catalogue on the sheet: its first column and the columns that are used."""
 
     catalogue: Catalogue
@@ -33,7 +33,7 @@ class Tables:
     """The sheet: its name and its tables side by side."""
 
     sheet: str
-    tables: tuple[Table, ...]
+    tables: tuple[CatalogueTable, ...]
 
     @property
     def ranges(self) -> dict[str, tuple[str, str]]:
@@ -52,20 +52,20 @@ class Tables:
         """Row of the headings of the columns; one row per source and the ids stand above it."""
         return _SOURCES + len(self.tables) + 2
 
-    def _range(self, table: Table, index: int) -> str:
+    def _range(self, table: CatalogueTable, index: int) -> str:
         rows = len(next(iter(table.catalogue.columns.values())))
-        top = Place(self.sheet, self.header + 1, table.first + index)
-        bottom = Place(self.sheet, self.header + rows, table.first + index)
+        top = CellPlace(self.sheet, self.header + 1, table.first + index)
+        bottom = CellPlace(self.sheet, self.header + rows, table.first + index)
         return f"{top.reference}:{bottom.reference.rpartition('!')[2]}"
 
 
 def place_tables(plan: Plan, words: Words) -> Tables:
-    """Place the catalogues that a plan reads side by side."""
+    """CellPlace the catalogues that a plan reads side by side."""
     sheet = words.say(message("Catalogues"))
-    tables: list[Table] = []
+    tables: list[CatalogueTable] = []
     first = 0
     for catalogue in _used(plan).values():
-        tables.append(Table(catalogue, first))
+        tables.append(CatalogueTable(catalogue, first))
         first += len(catalogue.columns) + _GAP
     return Tables(sheet, tuple(tables))
 
@@ -107,7 +107,7 @@ def write_tables(book: "Workbook", tables: Tables, words: Words, styles: Styles)
 
 
 def _write_table(
-    sheet: "Worksheet", table: Table, header: int, words: Words, styles: Styles
+    sheet: "Worksheet", table: CatalogueTable, header: int, words: Words, styles: Styles
 ) -> None:
     catalogue = table.catalogue
     sheet.write_string(header - 1, table.first, catalogue.id, styles.heading)

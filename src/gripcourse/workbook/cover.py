@@ -12,10 +12,10 @@ from gripcourse.workbook.guidance import HOW_TO
 from gripcourse.workbook.layout import (
     COVER_TITLE,
     IDENTITY,
-    Column,
     Cover,
-    Layout,
-    Line,
+    SheetColumn,
+    SheetLine,
+    WorkbookLayout,
     quoted,
 )
 from gripcourse.workbook.style import Styles, row_height, set_page, write_symbol
@@ -25,22 +25,27 @@ if TYPE_CHECKING:
     from xlsxwriter.worksheet import Worksheet
 
 WIDTHS: Final = {
-    Column.NUMBER: 6,
-    Column.SYMBOL: 12,
-    Column.TITLE: 46,
-    Column.UNIT: 9,
-    Column.VALUE: 17,
-    Column.CHECK: 20,
+    SheetColumn.NUMBER: 6,
+    SheetColumn.SYMBOL: 12,
+    SheetColumn.TITLE: 46,
+    SheetColumn.UNIT: 9,
+    SheetColumn.VALUE: 17,
+    SheetColumn.CHECK: 20,
 }
 """Of the columns, in characters."""
 
-_TEXT_COLUMN: Final = Column.TITLE
+_TEXT_COLUMN: Final = SheetColumn.TITLE
 LOCKED: Final = {"select_locked_cells": True, "format_columns": True, "format_rows": True}
 """What a student may do with locked cells: look, copy, and change widths and heights."""
 
 
 def write_cover(
-    book: "Workbook", placed: Layout, plan: Plan, issued: Issued, words: Words, styles: Styles
+    book: "Workbook",
+    placed: WorkbookLayout,
+    plan: Plan,
+    issued: Issued,
+    words: Words,
+    styles: Styles,
 ) -> None:
     """Write the first sheet.
 
@@ -102,30 +107,32 @@ def _write_guidance(sheet: "Worksheet", cover: Cover, words: Words, styles: Styl
         row = cover.guidance + number
         sheet.write_string(row, 0, f"{number}.", styles.hint)
         text = words.say(sentence)
-        sheet.merge_range(row, Column.SYMBOL, row, Column.CHECK, "", styles.paragraph)
-        sheet.write_string(row, Column.SYMBOL, text, styles.paragraph)
-        width = sum(WIDTHS.values()) - WIDTHS[Column.NUMBER]
+        sheet.merge_range(row, SheetColumn.SYMBOL, row, SheetColumn.CHECK, "", styles.paragraph)
+        sheet.write_string(row, SheetColumn.SYMBOL, text, styles.paragraph)
+        width = sum(WIDTHS.values()) - WIDTHS[SheetColumn.NUMBER]
         sheet.set_row(row, row_height([(text, width)]))
 
 
-def _write_progress(sheet: "Worksheet", placed: Layout, words: Words, styles: Styles) -> None:
+def _write_progress(
+    sheet: "Worksheet", placed: WorkbookLayout, words: Words, styles: Styles
+) -> None:
     """Write how many cells of each section are filled in; spreadsheet programs keep it current."""
     row = placed.cover.progress
     sheet.write_string(row, 0, words.say(message("Filled in")), styles.heading)
     for offset, section in enumerate(placed.sheets, start=1):
         link = f"internal:{quoted(section.name)}!A1"
         title = section.section.title.of(words.language)
-        sheet.write_string(row + offset, Column.NUMBER, f"{section.number}.", styles.label)
-        sheet.write_url(row + offset, Column.SYMBOL, link, styles.label, title)
+        sheet.write_string(row + offset, SheetColumn.NUMBER, f"{section.number}.", styles.label)
+        sheet.write_url(row + offset, SheetColumn.SYMBOL, link, styles.label, title)
         if not section.answered:
             continue
         first, last = section.answered[0].place, section.answered[-1].place
         cells = f"{first.reference}:{last.reference.rpartition('!')[2]}"
         total = words.say(message("of {total}", total=len(section.answered)))
         sheet.write_formula(
-            row + offset, Column.UNIT, f"=COUNTA({cells})", styles.particular, value=0
+            row + offset, SheetColumn.UNIT, f"=COUNTA({cells})", styles.particular, value=0
         )
-        sheet.write_string(row + offset, Column.VALUE, total, styles.label)
+        sheet.write_string(row + offset, SheetColumn.VALUE, total, styles.label)
 
 
 def _write_givens(
@@ -138,9 +145,9 @@ def _write_givens(
 ) -> None:
     row = cover.given_header
     sheet.write_string(row - 1, 0, words.say(message("Given data")), styles.heading)
-    for column, heading in enumerate(headings(words)[: Column.CHECK - 1]):
+    for column, heading in enumerate(headings(words)[: SheetColumn.CHECK - 1]):
         sheet.write_string(row, column, heading, styles.head)
-    sheet.write_string(row, Column.VALUE, words.say(message("Value")), styles.head)
+    sheet.write_string(row, SheetColumn.VALUE, words.say(message("Value")), styles.head)
     for line in cover.givens:
         _write_given(sheet, line, issued.variant.given[line.quantity.id], styles)
         name = names.cell_name(names.GIVEN, line.quantity.id)
@@ -151,7 +158,7 @@ def _write_givens(
             _write_given(sheet, line, given, styles)
 
 
-def _write_given(sheet: "Worksheet", line: Line, value: float, styles: Styles) -> None:
+def _write_given(sheet: "Worksheet", line: SheetLine, value: float, styles: Styles) -> None:
     write_line(sheet, line, styles)
     sheet.write_number(line.place.row, line.place.column, value, styles.given)
 
@@ -168,11 +175,11 @@ def headings(words: Words) -> tuple[str, ...]:
     )
 
 
-def write_line(sheet: "Worksheet", line: Line, styles: Styles) -> None:
+def write_line(sheet: "Worksheet", line: SheetLine, styles: Styles) -> None:
     """Write what names a quantity: number, symbol, title, unit."""
     row = line.place.row
-    sheet.set_row(row, row_height([(line.title, WIDTHS[Column.TITLE])]))
-    sheet.write_string(row, Column.NUMBER, line.number, styles.number)
-    write_symbol(sheet, row, Column.SYMBOL, line.symbol, styles)
-    sheet.write_string(row, Column.TITLE, line.title, styles.text)
-    sheet.write_string(row, Column.UNIT, line.unit, styles.unit)
+    sheet.set_row(row, row_height([(line.title, WIDTHS[SheetColumn.TITLE])]))
+    sheet.write_string(row, SheetColumn.NUMBER, line.number, styles.number)
+    write_symbol(sheet, row, SheetColumn.SYMBOL, line.symbol, styles)
+    sheet.write_string(row, SheetColumn.TITLE, line.title, styles.text)
+    sheet.write_string(row, SheetColumn.UNIT, line.unit, styles.unit)

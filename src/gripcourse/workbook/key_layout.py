@@ -8,7 +8,7 @@ from typing import Final
 from gripcourse.course.model import Quantity
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
-from gripcourse.workbook.layout import Place
+from gripcourse.workbook.layout import CellPlace
 
 
 class KeyColumn(IntEnum):
@@ -40,9 +40,9 @@ class KeyLine:
     sheet: str
     row: int
 
-    def place(self, column: KeyColumn) -> Place:
+    def place(self, column: KeyColumn) -> CellPlace:
         """Return the cell of this row in a column."""
-        return Place(self.sheet, self.row, column)
+        return CellPlace(self.sheet, self.row, column)
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ _NOT_IN_SHEET_NAMES: Final = re.compile(r"[\[\]:*?/\\]")
 _SHORT_WORD: Final = 2  # letters of a word that must not end a shortened name
 
 
-class Column(IntEnum):
+class SheetColumn(IntEnum):
     """Columns of every table, counted from zero."""
 
     NUMBER = 0
@@ -45,7 +45,7 @@ SECTION_HEADER: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class CellPlace:
     """A cell; row and column count from zero."""
 
     sheet: str
@@ -64,7 +64,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class SheetLine:
     """The row of one quantity.
 
     Attributes:
@@ -80,7 +80,7 @@ class Line:
     symbol: str
     title: str
     unit: str
-    place: Place
+    place: CellPlace
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,8 +98,8 @@ class SectionSheet:
     name: str
     number: int
     section: Section
-    answered: tuple[Line, ...]
-    manual: tuple[Line, ...]
+    answered: tuple[SheetLine, ...]
+    manual: tuple[SheetLine, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,12 +118,12 @@ class Cover:
     guidance: int
     progress: int
     given_header: int
-    givens: tuple[Line, ...]
-    constants: tuple[Line, ...]
+    givens: tuple[SheetLine, ...]
+    constants: tuple[SheetLine, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
+class WorkbookLayout:
     """The whole workbook.
 
     Attributes:
@@ -134,21 +134,21 @@ class Layout:
 
     cover: Cover
     sheets: tuple[SectionSheet, ...]
-    meta: Mapping[str, Place]
+    meta: Mapping[str, CellPlace]
 
     @property
-    def answers(self) -> dict[str, Place]:
+    def answers(self) -> dict[str, CellPlace]:
         """Answer cells by the id of their quantity."""
         lines = (line for sheet in self.sheets for line in sheet.answered)
         return {line.quantity.id: line.place for line in lines}
 
     @property
-    def givens(self) -> dict[str, Place]:
+    def givens(self) -> dict[str, CellPlace]:
         """Cells of given values by the id of their quantity."""
         return {line.quantity.id: line.place for line in self.cover.givens}
 
 
-def layout(plan: Plan, words: Words) -> Layout:
+def layout(plan: Plan, words: Words) -> WorkbookLayout:
     """Lay out the answer workbook of a plan.
 
     Args:
@@ -157,10 +157,10 @@ def layout(plan: Plan, words: Words) -> Layout:
     """
     name = _sheet_name(words.say(message("Assignment")), ())
     sheets = tuple(_section_sheets(plan, words, name))
-    return Layout(
+    return WorkbookLayout(
         cover=_cover(plan, words, name, len(sheets)),
         sheets=sheets,
-        meta={field: Place(HIDDEN_SHEET, row, 1) for row, field in enumerate(FIELDS)},
+        meta={field: CellPlace(HIDDEN_SHEET, row, 1) for row, field in enumerate(FIELDS)},
     )
 
 
@@ -216,16 +216,16 @@ def _lines(
     words: Words,
     prefix: str = "",
     before: int = 0,
-) -> tuple[Line, ...]:
+) -> tuple[SheetLine, ...]:
     """Make rows one below the other, from row `first` on."""
     return tuple(
-        Line(
+        SheetLine(
             quantity=quantity,
             number=f"{prefix}{before + index + 1}",
             symbol=quantity.symbol.of(words.language),
             title=quantity.title.of(words.language),
             unit=unit_text(quantity.unit, words.language),
-            place=Place(sheet, first + index, Column.VALUE),
+            place=CellPlace(sheet, first + index, SheetColumn.VALUE),
         )
         for index, quantity in enumerate(quantities)
     )

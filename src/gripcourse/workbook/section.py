@@ -11,7 +11,7 @@ from gripcourse.variants.model import Issued
 from gripcourse.workbook import names
 from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN
-from gripcourse.workbook.layout import SECTION_HEADER, Column, Line, SectionSheet
+from gripcourse.workbook.layout import SECTION_HEADER, SectionSheet, SheetColumn, SheetLine
 from gripcourse.workbook.style import Styles, row_height, set_page
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
         (_TASK_ROW, task, styles.paragraph),
         (_HINT_ROW, words.say(DECIMAL_SIGN), styles.hint),
     ):
-        sheet.merge_range(row, 0, row, Column.CHECK, "", style)
+        sheet.merge_range(row, 0, row, SheetColumn.CHECK, "", style)
         sheet.write_string(row, 0, text, style)
         sheet.set_row(row, row_height([(text, sum(WIDTHS.values()))]))
     sheet.set_row(SECTION_HEADER, 22)
@@ -81,7 +81,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
         sheet.write_string(SECTION_HEADER, column, heading, styles.head)
 
 
-def _write_answer(sheet: "Worksheet", line: Line, words: Words, styles: Styles) -> None:
+def _write_answer(sheet: "Worksheet", line: SheetLine, words: Words, styles: Styles) -> None:
     """Write an empty answer cell with its rule, and the cell that checks its kind."""
     row, column = line.place.row, line.place.column
     sheet.write_blank(row, column, None, styles.answer)
@@ -89,10 +89,10 @@ def _write_answer(sheet: "Worksheet", line: Line, words: Words, styles: Styles) 
     rule = _yes_or_no(line, words) if verdict else _decimal(line, words)
     sheet.data_validation(row, column, row, column, rule)
     check = _verdict_check(line, words) if verdict else _number_check(line, words)
-    sheet.write_formula(row, Column.CHECK, check, styles.check, value="")
+    sheet.write_formula(row, SheetColumn.CHECK, check, styles.check, value="")
 
 
-def _decimal(line: Line, words: Words) -> dict[str, object]:
+def _decimal(line: SheetLine, words: Words) -> dict[str, object]:
     """Return the rule that a cell holds a number between the quantity's bounds."""
     low, high = _bounds(line)
     told = message("A number from {low} to {high} {unit}", low=low, high=high, unit=line.unit)
@@ -114,7 +114,7 @@ def _decimal(line: Line, words: Words) -> dict[str, object]:
     }
 
 
-def _yes_or_no(line: Line, words: Words) -> dict[str, object]:
+def _yes_or_no(line: SheetLine, words: Words) -> dict[str, object]:
     needed = words.say(message("Choose yes or no."))
     return {
         "validate": "list",
@@ -126,7 +126,7 @@ def _yes_or_no(line: Line, words: Words) -> dict[str, object]:
     }
 
 
-def _prompt(line: Line, text: str) -> dict[str, object]:
+def _prompt(line: SheetLine, text: str) -> dict[str, object]:
     """Return the note that a spreadsheet program shows beside the chosen cell."""
     return {
         "input_title": _cut(f"{line.number}  {line.symbol}".strip(), _LONGEST_PROMPT_TITLE),
@@ -138,7 +138,7 @@ def _answers(words: Words) -> tuple[str, str]:
     return words.say(message("yes")), words.say(message("no"))
 
 
-def _number_check(line: Line, words: Words) -> str:
+def _number_check(line: SheetLine, words: Words) -> str:
     cell = line.place.address
     low, high = _bounds(line)
     needed = _literal(words.say(message("a number is needed")))
@@ -147,14 +147,14 @@ def _number_check(line: Line, words: Words) -> str:
     return f'=IF(ISBLANK({cell}),"",IF(ISNUMBER({cell}),IF({inside},"",{beyond}),{needed}))'
 
 
-def _verdict_check(line: Line, words: Words) -> str:
+def _verdict_check(line: SheetLine, words: Words) -> str:
     cell = line.place.address
     yes, no = map(_literal, _answers(words))
     needed = _literal(words.say(message("yes or no is needed")))
     return f'=IF(ISBLANK({cell}),"",IF(OR({cell}={yes},{cell}={no}),"",{needed}))'
 
 
-def _bounds(line: Line) -> tuple[float, float]:
+def _bounds(line: SheetLine) -> tuple[float, float]:
     low, high = line.quantity.bounds
     return max(float(low), -_WIDEST), min(float(high), _WIDEST)
 

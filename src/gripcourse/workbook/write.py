@@ -15,7 +15,7 @@ from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued
 from gripcourse.workbook import names
 from gripcourse.workbook.cover import write_cover
-from gripcourse.workbook.layout import Layout, layout
+from gripcourse.workbook.layout import WorkbookLayout, layout
 from gripcourse.workbook.section import write_section
 from gripcourse.workbook.style import make_styles
 
@@ -59,7 +59,7 @@ def answer_workbook(plan: Plan, issued: Issued, course: Course, words: Words) ->
     return stream.getvalue()
 
 
-def _write_identity(book: "Workbook", placed: Layout, issued: Issued) -> None:
+def _write_identity(book: "Workbook", placed: WorkbookLayout, issued: Issued) -> None:
     """Say whose workbook it is: on a hidden sheet and in the document's properties."""
     fields = {
         names.STUDENT: issued.student.id,

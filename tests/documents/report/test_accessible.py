@@ -18,7 +18,7 @@ from gripcourse.course.model import Course
 from gripcourse.documents.pdf import render_pdf
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import Sample, printed_documents, samples
+from gripcourse.usecases.samples import SampleDocument, printed_documents, samples
 from gripcourse.variants.space import load_spaces
 
 REPOSITORY = Path(__file__).parents[3]
@@ -49,7 +49,7 @@ class Element:
 
 
 @pytest.fixture(scope="module")
-def sample(course: Course, policy: Policy) -> Sample:
+def sample(course: Course, policy: Policy) -> SampleDocument:
     spaces = load_spaces(course)
     found = samples(course, policy, spaces, Words(LANGUAGE), name="Оксана Їжакевич")
     return next(one for one in found if one.plan.scheme.id == "rack_parallelogram")
@@ -61,7 +61,7 @@ def kind(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture(scope="module")
-def reader(kind: str, sample: Sample) -> PdfReader:
+def reader(kind: str, sample: SampleDocument) -> PdfReader:
     document = printed_documents(sample)[kind]()
     return PdfReader(io.BytesIO(render_pdf(document, REPOSITORY / "templates", sample.words)))
 
@@ -92,7 +92,7 @@ def marks_and_shown(reader: PdfReader) -> Iterator[tuple[int, str | int | None]]
                 yield number, open_marks[-1] if open_marks else None
 
 
-def test_every_kind_that_is_printed_is_tried(sample: Sample) -> None:
+def test_every_kind_that_is_printed_is_tried(sample: SampleDocument) -> None:
     assert set(printed_documents(sample)) == set(KINDS)
 
 

@@ -9,20 +9,24 @@ from datetime import date
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.documents.report.certificate import Source, certificate, certificate_values
+from gripcourse.documents.report.certificate import (
+    CertificateSource,
+    certificate,
+    certificate_values,
+)
 from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.variants.audit import Audit, audit
+from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.space import load_spaces
 
-SOURCE = Source("autumn.csv", "ab" * 32)
+SOURCE = CertificateSource("autumn.csv", "ab" * 32)
 DAY = date(2026, 9, 1)
 
 
 @pytest.fixture(scope="module")
-def audited(course: Course, policy: Policy) -> Audit:
+def audited(course: Course, policy: Policy) -> VariantAudit:
     """Variants as they were drawn, and two of them alike."""
     spaces = [one for one in load_spaces(course) if one.scheme in {"screw", "wedge_roller"}]
     variants = draw(course, spaces, 8, 3).variants
@@ -30,13 +34,13 @@ def audited(course: Course, policy: Policy) -> Audit:
 
 
 @pytest.fixture(scope="module")
-def values(audited: Audit, course: Course, policy: Policy) -> dict[str, object]:
+def values(audited: VariantAudit, course: Course, policy: Policy) -> dict[str, object]:
     return certificate_values(audited, SOURCE, course, policy, Words("en"))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_certificate_names_the_table_and_the_day(
-    audited: Audit,
+    audited: VariantAudit,
     course: Course,
     policy: Policy,
     text_of: Callable[[bytes], str],
@@ -80,7 +84,7 @@ def test_the_worst_pair_comes_first(values: dict[str, object]) -> None:
 
 
 def test_a_sound_table_gets_a_clean_certificate(
-    audited: Audit, course: Course, policy: Policy, text_of: Callable[[bytes], str]
+    audited: VariantAudit, course: Course, policy: Policy, text_of: Callable[[bytes], str]
 ) -> None:
     sound = replace(audited, variants=tuple(
         replace(one, broken=(), slips=(), edges=(), above=False) for one in audited.variants
@@ -90,13 +94,13 @@ def test_a_sound_table_gets_a_clean_certificate(
     assert "Variants to look at" not in written
 
 
-def rows(audited: Audit, course: Course, name: str) -> list[dict[str, str]]:
+def rows(audited: VariantAudit, course: Course, name: str) -> list[dict[str, str]]:
     sections = [section.id for section in course.sections]
     text = audit_tables(audited, sections, Words("en"))[name]
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def test_every_variant_has_its_row(audited: Audit, course: Course) -> None:
+def test_every_variant_has_its_row(audited: VariantAudit, course: Course) -> None:
     found = rows(audited, course, "variants.csv")
     assert len(found) == len(audited.variants)
     twin = found[-1]
@@ -105,7 +109,7 @@ def test_every_variant_has_its_row(audited: Audit, course: Course) -> None:
     assert {row["passed"] for row in found} <= {"yes", "no"}
 
 
-def test_the_tables_hold_what_the_audit_found(audited: Audit, course: Course) -> None:
+def test_the_tables_hold_what_the_audit_found(audited: VariantAudit, course: Course) -> None:
     pairs = rows(audited, course, "pairs.csv")
     assert len(pairs) == len(audited.pairs)
     assert "grip_force" in pairs[0]["equal"].split("; ")

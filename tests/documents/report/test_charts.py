@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from gripcourse.documents.report.charts import Bar, Box, box_plot, facility_plot, score_plot
+from gripcourse.documents.report.charts import Bar, ChartBox, box_plot, facility_plot, score_plot
 from gripcourse.text.words import Words
 
 ENGLISH = Words("en")
@@ -55,5 +55,7 @@ def test_both_parts_of_a_facility_bar_are_named_beside_the_plot() -> None:
 
 
 def test_sections_stand_beside_their_boxes() -> None:
-    written = texts(box_plot([Box("Drive, $x$ and $y$", (0.2, 0.8)), Box("Grip", (1.0,))], ENGLISH))
+    written = texts(
+        box_plot([ChartBox("Drive, $x$ and $y$", (0.2, 0.8)), ChartBox("Grip", (1.0,))], ENGLISH)
+    )
     assert {"Drive, $x$ and $y$", "Grip", "score, %"} <= set(written)

@@ -9,7 +9,7 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.documents.report.cohort import cohort_report, cohort_values
 from gripcourse.documents.report.items import item_statistics
-from gripcourse.documents.report.quantities import Asked, quantity_groups
+from gripcourse.documents.report.quantities import AskedQuantity, quantity_groups
 from gripcourse.documents.report.totals import quantity_totals
 from gripcourse.grading.model import Flag, Outcome, Report
 from gripcourse.policy.model import Policy
@@ -124,7 +124,7 @@ def test_what_one_scheme_alone_asks_for_comes_after_what_several_do(
         findings=tuple(one for one in reports[1].findings if one.quantity != "drive_force"),
     )
     both = [reports[0], other]
-    asked = Asked(both, quantity_totals(both), item_statistics(both), {}, course)
+    asked = AskedQuantity(both, quantity_totals(both), item_statistics(both), {}, course)
     groups = quantity_groups(asked, Words("en"))
     assert groups[0].title.startswith("1. ")
     assert groups[-1].title == "Only rack with gear sectors and parallelogram"

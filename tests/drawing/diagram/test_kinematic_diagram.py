@@ -14,9 +14,9 @@ from ezdxf import recover
 from gripcourse.course.diagram_words import VOCABULARY
 from gripcourse.course.model import Course
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
-from gripcourse.drawing.diagram.layout import HIGHEST, SYMBOLS, WIDEST, Layout, lay_out
+from gripcourse.drawing.diagram.layout import HIGHEST, SYMBOLS, WIDEST, DiagramLayout, lay_out
 from gripcourse.drawing.diagram.letters import covered_length, lines_of
-from gripcourse.drawing.diagram.marks import Fill, Point, Ring, chain
+from gripcourse.drawing.diagram.marks import Fill, Point, RingMark, chain
 from gripcourse.solver.motion import coordinates, drive_at
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
@@ -36,7 +36,7 @@ class Drawn:
     name: str
     plan: Plan
     given: Mapping[str, float]
-    layout: Layout
+    layout: DiagramLayout
 
 
 @pytest.fixture(scope="module")
@@ -106,7 +106,7 @@ def test_every_word_of_the_vocabulary_is_drawn_and_used(course: Course) -> None:
 def test_joints_stand_where_the_solver_puts_them(drawn: tuple[Drawn, ...]) -> None:
     faults, tried = [], 0
     for one in drawn:
-        rings = [mark.centre for mark in one.layout.marks if isinstance(mark, Ring)]
+        rings = [mark.centre for mark in one.layout.marks if isinstance(mark, RingMark)]
         for name in joints(one.plan, {"pivot", "fixed_pivot", "roller"}):
             tried += 1
             faults += [f"{one.name} {name}" for place in expected_places(one, name)
@@ -134,7 +134,7 @@ def test_pins_in_slots_stand_where_the_solver_puts_them(drawn: tuple[Drawn, ...]
 def test_the_other_jaw_is_drawn_too(drawn: tuple[Drawn, ...]) -> None:
     for one in drawn:
         middle = one.layout.origin[1]
-        rings = [mark.centre for mark in one.layout.marks if isinstance(mark, Ring)]
+        rings = [mark.centre for mark in one.layout.marks if isinstance(mark, RingMark)]
         for name in joints(one.plan, {"fixed_pivot"}):
             x, y = next(expected_places(one, name))
             assert is_near((x, 2 * middle - y), rings), one.name

@@ -4,22 +4,22 @@ import math
 
 import pytest
 
-from gripcourse.drawing.diagram.letters import Box, covered_length, lines_of, write_letters
+from gripcourse.drawing.diagram.letters import LetterBox, covered_length, lines_of, write_letters
 from gripcourse.drawing.diagram.marks import (
-    Arc,
+    ArcMark,
     Fill,
     Letter,
     Mark,
     Path,
     Point,
-    Ring,
+    RingMark,
     circle,
     cut_under,
     mirrored,
 )
 from gripcourse.drawing.paper.document import LineKind
 
-SHEET = Box(-50, -50, 50, 50)
+SHEET = LetterBox(-50, -50, 50, 50)
 NOTHING = lines_of([])
 
 
@@ -53,7 +53,7 @@ def test_a_symbol_moves_away_from_a_line() -> None:
 
 
 def test_a_symbol_does_not_leave_the_sheet() -> None:
-    corner = Box(-50, -50, 0.5, 0.5)
+    corner = LetterBox(-50, -50, 0.5, 0.5)
     [written] = write_letters([Letter("F", ((0.0, 0.0),))], NOTHING, corner)
     assert corner.holds(written.box)
 
@@ -75,23 +75,23 @@ def test_the_first_of_free_places_is_taken() -> None:
     ],
 )
 def test_the_line_under_a_box_is_measured(line: Path, length: float) -> None:
-    assert covered_length(Box(0, 0, 4, 2), lines_of([line])) == pytest.approx(length)
+    assert covered_length(LetterBox(0, 0, 4, 2), lines_of([line])) == pytest.approx(length)
 
 
 def test_an_axis_under_a_symbol_counts_less() -> None:
-    box = Box(0, 0, 4, 2)
+    box = LetterBox(0, 0, 4, 2)
     axis = lines_of([path((-5, 1), (5, 1), line=LineKind.CENTRE)])
     assert 0 < covered_length(box, axis) < 4
 
 
 def test_a_rod_ends_at_the_ring_of_its_joint() -> None:
-    rod, ring = path((0, 0), (10, 0), under=True), Ring((0.0, 0.0), 1.0, LineKind.OUTLINE)
+    rod, ring = path((0, 0), (10, 0), under=True), RingMark((0.0, 0.0), 1.0, LineKind.OUTLINE)
     cut = [mark for mark in cut_under([rod, ring]) if isinstance(mark, Path)]
     assert [mark.points for mark in cut] == [((1.0, 0.0), (10.0, 0.0))]
 
 
 def test_a_rod_through_a_joint_is_cut_in_two() -> None:
-    rod, ring = path((0, 0), (10, 0), under=True), Ring((5.0, 0.0), 1.0, LineKind.OUTLINE)
+    rod, ring = path((0, 0), (10, 0), under=True), RingMark((5.0, 0.0), 1.0, LineKind.OUTLINE)
     cut = [mark for mark in cut_under([rod, ring]) if isinstance(mark, Path)]
     assert len(cut) == 2
     assert sum(math.dist(*mark.points) for mark in cut) == pytest.approx(8)
@@ -101,17 +101,17 @@ def test_a_rod_through_a_joint_is_cut_in_two() -> None:
     "mark",
     [
         path((0, 1), (2, 3)),
-        Arc((1.0, 2.0), 3.0, 0.4, 1.1, LineKind.THIN),
+        ArcMark((1.0, 2.0), 3.0, 0.4, 1.1, LineKind.THIN),
         circle((1.0, 2.0), 3.0, LineKind.THIN),
         Fill(((0.0, 1.0), (1.0, 1.0), (0.0, 2.0))),
-        Ring((1.0, 2.0), 1.0, LineKind.OUTLINE),
+        RingMark((1.0, 2.0), 1.0, LineKind.OUTLINE),
         Letter("F", ((1.0, 2.0),)),
     ],
 )
 def test_a_mirror_image_of_a_mirror_image_is_the_thing_itself(mark: Mark) -> None:
     assert mirrored(mark) != mark
     again = mirrored(mirrored(mark))
-    if isinstance(mark, Arc) and isinstance(again, Arc):
+    if isinstance(mark, ArcMark) and isinstance(again, ArcMark):
         assert again.start == pytest.approx(mark.start)
-        again = Arc(again.centre, again.radius, mark.start, again.sweep, again.line)
+        again = ArcMark(again.centre, again.radius, mark.start, again.sweep, again.line)
     assert again == mark

@@ -31,7 +31,7 @@ _ROUNDED: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class NamedValue:
     """A title in another language, with the symbol where that differs too."""
 
     language: str
@@ -50,7 +50,7 @@ class Link:
 
 
 @dataclass(frozen=True, slots=True)
-class Cited:
+class Citation:
     """A source: title of the work, its equation, a note."""
 
     work: str
@@ -59,7 +59,7 @@ class Cited:
 
 
 @dataclass(frozen=True, slots=True)
-class Brought:
+class BringingOption:
     """An option and the titles of its choices that bring a declaration."""
 
     option: str
@@ -67,7 +67,7 @@ class Brought:
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class EntryRule:
     """The rule of a decision.
 
     Attributes:
@@ -104,14 +104,14 @@ class Printed:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class ReferenceEntry:
     """One declaration, ready to print.
 
     Attributes:
         anchor, id: its place on the page and its name in declarations.
         kind, unit, bounds, tolerance: in words; empty where there is none.
         symbol, title, others: in the language of the page and in the others.
-        part, brought, changed: where it is declared (no part: the scheme, or the course itself),
+        part, when, changed: where it is declared (no part: the scheme, or the course itself),
             what brings it, whether the scheme changes it.
         of_course: whether the course declares it for all schemes.
         formula: what it says, None for given and manual quantities.
@@ -134,31 +134,31 @@ class Entry:
     tolerance: str
     symbol: Box | None
     title: str
-    others: tuple[Named, ...]
+    others: tuple[NamedValue, ...]
     part: str
-    brought: tuple[Brought, ...]
+    when: tuple[BringingOption, ...]
     changed: bool
     of_course: bool
     formula: Box | None
     entering: tuple[tuple[Box, str], ...]
     value: str
     guard: Box | None
-    rule: Rule | None
+    rule: EntryRule | None
     rubric: str
     explain: str
-    source: Cited
+    source: Citation
     inputs: tuple[Link, ...]
     users: tuple[Link, ...]
     slips: tuple[WrongMethod, ...]
     printed: tuple[Printed, ...]
 
 
-def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
+def entry_of(one: Occurrence, content: Content, words: Words) -> ReferenceEntry:
     """Put a declaration into words and boxes."""
     quantity, language = one.quantity, words.language
     symbols = symbols_for(one, content, language)
     formula = quantity.formula
-    return Entry(
+    return ReferenceEntry(
         anchor=one.anchor,
         id=quantity.id,
         kind=words.say(_KINDS[quantity.kind]),
@@ -169,7 +169,7 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
         title=quantity.title.of(language),
         others=_others(quantity, language),
         part=one.part,
-        brought=tuple(brought(each, language) for each in one.conditions),
+        when=tuple(bringing_option(each, language) for each in one.conditions),
         changed=one.changed,
         of_course=quantity.id in content.course.constants,
         formula=None if formula is None else statement(quantity, formula, symbols, language),
@@ -179,7 +179,7 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
         rule=_rule(quantity, symbols, words),
         rubric=quantity.rubric,
         explain="" if quantity.explain is None else quantity.explain.of(language),
-        source=cited(quantity.source, content.course, language),
+        source=citation(quantity.source, content.course, language),
         inputs=tuple(_links(_inputs(quantity), one, content, language)),
         users=tuple(_users(one, content, language)),
         slips=tuple(
@@ -194,18 +194,18 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> Entry:
     )
 
 
-def titles_elsewhere(title: Texts, language: str) -> tuple[Named, ...]:
+def titles_elsewhere(title: Texts, language: str) -> tuple[NamedValue, ...]:
     """Return a title in the languages that are not the page's."""
-    return tuple(Named(each, None, title.of(each)) for each in LANGUAGES if each != language)
+    return tuple(NamedValue(each, None, title.of(each)) for each in LANGUAGES if each != language)
 
 
-def cited(source: Source, course: Course, language: str) -> Cited:
+def citation(source: Source, course: Course, language: str) -> Citation:
     """Cite a source in full: an equation by its number in brackets."""
     equation = source.equation
     numbered = f"({equation})" if equation[:1].isdigit() else equation
     work = course.works.get(source.work)
     note = "" if source.note is None else source.note.of(language)
-    return Cited(source.work if work is None else work.title.of(language), numbered, note)
+    return Citation(source.work if work is None else work.title.of(language), numbered, note)
 
 
 def link_to(one: Occurrence, content: Content, language: str) -> Link:
@@ -215,17 +215,17 @@ def link_to(one: Occurrence, content: Content, language: str) -> Link:
     return Link(one.anchor, symbol_of(quantity, language), quantity.title.of(language), version)
 
 
-def brought(condition: Condition, language: str) -> Brought:
+def bringing_option(condition: Condition, language: str) -> BringingOption:
     """Name an option and those of its choices that bring a part."""
     choices = " / ".join(one.title.of(language) for one in condition.choices)
-    return Brought(condition.option.title.of(language), choices)
+    return BringingOption(condition.option.title.of(language), choices)
 
 
-def _others(quantity: Quantity, language: str) -> tuple[Named, ...]:
+def _others(quantity: Quantity, language: str) -> tuple[NamedValue, ...]:
     """Return titles in the other languages, with the symbols that are not the page's own."""
     own = quantity.symbol.of(language)
     return tuple(
-        Named(
+        NamedValue(
             each,
             symbol_of(quantity, each) if quantity.symbol.of(each) != own else None,
             quantity.title.of(each),
@@ -276,14 +276,14 @@ def _condition(formula: Formula | None, symbols: Symbols, language: str) -> Box 
     return None if formula is None else typeset(formula.tree, symbols, language)
 
 
-def _rule(quantity: Quantity, symbols: Symbols, words: Words) -> Rule | None:
+def _rule(quantity: Quantity, symbols: Symbols, words: Words) -> EntryRule | None:
     choice = quantity.choice
     if choice is None:
         return None
     steps = message("any larger entry is accepted")
     if choice.steps is not None:
         steps = message("accepted up to {steps} steps above it", steps=choice.steps)
-    return Rule(
+    return EntryRule(
         choice.column,
         choice.also,
         words.say(_ROUNDED[choice.rounding]),

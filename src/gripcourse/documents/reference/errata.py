@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from gripcourse.course.errata import Erratum
 from gripcourse.course.model import Course, Source
-from gripcourse.documents.reference.entry import Cited, cited
+from gripcourse.documents.reference.entry import Citation, citation
 from gripcourse.documents.reference.notation import symbol_of
 from gripcourse.documents.reference.occurrence import Content
 from gripcourse.formula.boxes import Box
@@ -23,18 +23,20 @@ class Version:
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class ReferenceErratum:
     """An erratum, ready to print; `reason` is why there is no version as printed."""
 
     id: str
-    source: Cited
+    source: Citation
     printed: str
     right: str
     versions: tuple[Version, ...]
     reason: str
 
 
-def faults_of(course: Course, contents: Iterable[Content], words: Words) -> tuple[Fault, ...]:
+def faults_of(
+    course: Course, contents: Iterable[Content], words: Words
+) -> tuple[ReferenceErratum, ...]:
     """Return the errata of a course in their order.
 
     Args:
@@ -46,11 +48,13 @@ def faults_of(course: Course, contents: Iterable[Content], words: Words) -> tupl
     return tuple(_fault(one, course, known, words) for one in course.errata.values())
 
 
-def _fault(erratum: Erratum, course: Course, contents: tuple[Content, ...], words: Words) -> Fault:
+def _fault(
+    erratum: Erratum, course: Course, contents: tuple[Content, ...], words: Words
+) -> ReferenceErratum:
     versions = tuple(_versions(erratum, contents, words.language))
-    return Fault(
+    return ReferenceErratum(
         erratum.id,
-        cited(Source(erratum.work, erratum.equation), course, words.language),
+        citation(Source(erratum.work, erratum.equation), course, words.language),
         erratum.printed.of(words.language),
         erratum.right.of(words.language),
         versions,

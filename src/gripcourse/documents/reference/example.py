@@ -7,7 +7,7 @@ from typing import Final
 
 from gripcourse.course.compose import part_ids
 from gripcourse.course.model import Convention, Kind, Quantity, WorkedExample
-from gripcourse.documents.reference.entry import Brought, Cited, Link, cited, link_to
+from gripcourse.documents.reference.entry import BringingOption, Citation, Link, citation, link_to
 from gripcourse.documents.reference.occurrence import Content, Occurrence
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
@@ -18,7 +18,7 @@ _GIVEN_FIGURES: Final = 12  # as it was given
 
 
 @dataclass(frozen=True, slots=True)
-class Datum:
+class ExampleDatum:
     """A given value."""
 
     link: Link
@@ -27,7 +27,7 @@ class Datum:
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class ExampleOutcome:
     """What one convention computes, what is published, and whether the example decided it."""
 
     computed: str
@@ -36,23 +36,23 @@ class Outcome:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class ExampleLine:
     """A computed quantity in both conventions; None where a convention does not compute it."""
 
     link: Link
     unit: str
-    corrected: Outcome
-    guide: Outcome
+    corrected: ExampleOutcome
+    guide: ExampleOutcome
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
     """A worked example, ready to print."""
 
-    source: Cited
-    options: tuple[Brought, ...]
-    given: tuple[Datum, ...]
-    lines: tuple[Line, ...]
+    source: Citation
+    options: tuple[BringingOption, ...]
+    given: tuple[ExampleDatum, ...]
+    lines: tuple[ExampleLine, ...]
 
 
 def example_of(content: Content, words: Words) -> Example | None:
@@ -65,11 +65,11 @@ def example_of(content: Content, words: Words) -> Example | None:
     values = {one: _values(plan, example) for one, plan in plans.items()}
     places = _places(content, plans[Convention.CORRECTED])
     return Example(
-        cited(example.source, content.course, words.language),
+        citation(example.source, content.course, words.language),
         _options(content, example, words),
         _given(plans[Convention.CORRECTED], content, places, words),
         tuple(
-            Line(
+            ExampleLine(
                 link_to(places[quantity.id], content, words.language),
                 unit_text(quantity.unit, words.language),
                 _outcome(quantity, Convention.CORRECTED, values, example, words),
@@ -90,9 +90,9 @@ def _places(content: Content, plan: Plan) -> dict[str, Occurrence]:
     return {one.quantity.id: one for one in content.occurrences if one.part in used}
 
 
-def _options(content: Content, example: WorkedExample, words: Words) -> tuple[Brought, ...]:
+def _options(content: Content, example: WorkedExample, words: Words) -> tuple[BringingOption, ...]:
     return tuple(
-        Brought(option.title.of(words.language), choice.title.of(words.language))
+        BringingOption(option.title.of(words.language), choice.title.of(words.language))
         for option in content.scheme.options
         for choice in option.choices
         if example.options.get(option.id) == choice.id
@@ -101,10 +101,10 @@ def _options(content: Content, example: WorkedExample, words: Words) -> tuple[Br
 
 def _given(
     plan: Plan, content: Content, places: Mapping[str, Occurrence], words: Words
-) -> tuple[Datum, ...]:
+) -> tuple[ExampleDatum, ...]:
     given = {} if content.scheme.example is None else content.scheme.example.given
     return tuple(
-        Datum(
+        ExampleDatum(
             link_to(places[quantity.id], content, words.language),
             words.number(given[quantity.id], _GIVEN_FIGURES),
             unit_text(quantity.unit, words.language),
@@ -120,9 +120,9 @@ def _outcome(
     values: Mapping[Convention, Mapping[str, float]],
     example: WorkedExample,
     words: Words,
-) -> Outcome:
+) -> ExampleOutcome:
     published = example.expected[convention].get(quantity.id)
-    return Outcome(
+    return ExampleOutcome(
         _written(quantity, values[convention].get(quantity.id, math.nan), words),
         "" if published is None else _written(quantity, published[0], words),
         quantity.id in example.chosen[convention],

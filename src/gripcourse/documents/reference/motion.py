@@ -23,7 +23,7 @@ _POSITIONS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class JointPlace:
     """A position of the drive: what it is called, and the drive's coordinate there."""
 
     title: str
@@ -56,7 +56,7 @@ class Motion:
     drive: Box
     unit: str
     coordinates: tuple[tuple[Box, str], ...]
-    places: tuple[Place, ...]
+    places: tuple[JointPlace, ...]
     jaw: Box
     jaws: Box
     ratios: tuple[Ratio, ...]
@@ -82,7 +82,7 @@ def motion_of(content: Content, words: Words) -> Motion | None:
             for one in motion.coordinates
         ),
         places=tuple(
-            Place(
+            JointPlace(
                 words.say(_POSITIONS[position]),
                 equation((drive, typeset(motion.at[position].tree, symbols, words.language))),
             )

@@ -10,11 +10,11 @@ from typing import Final
 from gripcourse.course.model import Course, Kind
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.reference.entry import (
-    Brought,
-    Entry,
+    BringingOption,
     Link,
-    Named,
-    brought,
+    NamedValue,
+    ReferenceEntry,
+    bringing_option,
     entry_of,
     link_to,
     titles_elsewhere,
@@ -38,12 +38,12 @@ _TABULATED: Final = frozenset({Kind.GIVEN, Kind.CONSTANT})
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class ReferenceChoice:
     """A choice of an option and the parts that it brings."""
 
     id: str
     title: str
-    others: tuple[Named, ...]
+    others: tuple[NamedValue, ...]
     parts: tuple[str, ...]
 
 
@@ -53,8 +53,8 @@ class Offered:
 
     id: str
     title: str
-    others: tuple[Named, ...]
-    choices: tuple[Choice, ...]
+    others: tuple[NamedValue, ...]
+    choices: tuple[ReferenceChoice, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,19 +62,19 @@ class Piece:
     """A shared part of a scheme: what brings it, and what it declares."""
 
     id: str
-    brought: tuple[Brought, ...]
+    when: tuple[BringingOption, ...]
     quantities: tuple[Link, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Chapter:
+class ReferenceChapter:
     """The quantities of a section: given numbers in a table, the rest one by one."""
 
     id: str
     title: str
-    others: tuple[Named, ...]
-    given: tuple[Entry, ...]
-    entries: tuple[Entry, ...]
+    others: tuple[NamedValue, ...]
+    given: tuple[ReferenceEntry, ...]
+    entries: tuple[ReferenceEntry, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class Listed:
 
     id: str
     title: str
-    others: tuple[Named, ...]
+    others: tuple[NamedValue, ...]
     options: tuple[str, ...]
     answered: int
 
@@ -174,7 +174,7 @@ def _options(content: Content, language: str) -> tuple[Offered, ...]:
             option.title.of(language),
             titles_elsewhere(option.title, language),
             tuple(
-                Choice(
+                ReferenceChoice(
                     choice.id,
                     choice.title.of(language),
                     titles_elsewhere(choice.title, language),
@@ -191,7 +191,7 @@ def _pieces(content: Content, language: str) -> tuple[Piece, ...]:
     return tuple(
         Piece(
             part.id,
-            tuple(brought(one, language) for one in conditions_of(content.scheme, part.id)),
+            tuple(bringing_option(one, language) for one in conditions_of(content.scheme, part.id)),
             tuple(
                 link_to(one, content, language)
                 for one in content.occurrences
@@ -202,7 +202,7 @@ def _pieces(content: Content, language: str) -> tuple[Piece, ...]:
     )
 
 
-def _chapters(content: Content, words: Words) -> tuple[Chapter, ...]:
+def _chapters(content: Content, words: Words) -> tuple[ReferenceChapter, ...]:
     """Arrange the quantities by section; what has none, the course's constants, comes first."""
     loose = [one for one in content.occurrences if not one.quantity.section]
     nameless = Texts({})
@@ -216,10 +216,10 @@ def _chapters(content: Content, words: Words) -> tuple[Chapter, ...]:
 
 def _chapter(
     identifier: str, title: Texts, inside: list[Occurrence], content: Content, words: Words
-) -> Chapter:
+) -> ReferenceChapter:
     entries = [(one.quantity.kind, entry_of(one, content, words)) for one in inside]
     entries.sort(key=lambda one: one[0] is Kind.MANUAL)  # a drawing is made of what is computed
-    return Chapter(
+    return ReferenceChapter(
         f"section-{identifier}",
         title.by_language.get(words.language, ""),
         titles_elsewhere(title, words.language) if title.by_language else (),

@@ -15,7 +15,7 @@ _FIGURES: Final = 9  # SI and back costs the last digits of a float
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class ReferenceTable:
     """A catalogue, ready to print.
 
     Attributes:
@@ -33,7 +33,7 @@ class Table:
     users: tuple[Link, ...]
 
 
-def tables_of(content: Content, words: Words) -> tuple[Table, ...]:
+def tables_of(content: Content, words: Words) -> tuple[ReferenceTable, ...]:
     """Return the catalogues that some declaration of a scheme reads."""
     users: dict[str, list[Link]] = {}
     for one in content.occurrences:
@@ -53,7 +53,7 @@ def _catalogues(quantity: Quantity) -> Iterator[str]:
     yield from (column.partition(".")[0] for column in columns)
 
 
-def _table(catalogue: Catalogue, users: tuple[Link, ...], words: Words) -> Table:
+def _table(catalogue: Catalogue, users: tuple[Link, ...], words: Words) -> ReferenceTable:
     columns = [
         [
             words.number(float(value) / factor(catalogue.units[name]), _FIGURES)
@@ -65,4 +65,4 @@ def _table(catalogue: Catalogue, users: tuple[Link, ...], words: Words) -> Table
         (name, unit_text(unit, words.language)) for name, unit in catalogue.units.items()
     )
     rows = tuple(zip(*columns, strict=True))
-    return Table(catalogue.id, catalogue.source.of(words.language), headings, rows, users)
+    return ReferenceTable(catalogue.id, catalogue.source.of(words.language), headings, rows, users)

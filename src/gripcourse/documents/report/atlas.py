@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from gripcourse.course.atlas import Atlas, AtlasFigure, AtlasRow
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
-from gripcourse.documents.report.charts import Line, line_plot
+from gripcourse.documents.report.charts import ChartLine, line_plot
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
@@ -39,7 +39,7 @@ class Plate:
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class AtlasCase:
     """A row of the table: number, title, both formulas, and what they give for the example."""
 
     number: int
@@ -122,7 +122,7 @@ def atlas_values(
 def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Words) -> str:
     along, curves = curve_values(figure, plan, known)
     lines = [
-        Line(str(one.number), _label(one.quantity, one.at, plan, words), curves[one.number])
+        ChartLine(str(one.number), _label(one.quantity, one.at, plan, words), curves[one.number])
         for one in figure.curves
     ]
     against = plan.quantities[figure.against]
@@ -145,10 +145,10 @@ def _plain(symbol: str) -> str:
     return symbol.replace("_max", "").replace("_", "")
 
 
-def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[Case]:
+def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[AtlasCase]:
     for row in atlas.rows:
         inclination, diameter = case_values(row, plan)
-        yield Case(
+        yield AtlasCase(
             row.number,
             row.title.of(words.language),
             _equation("w", row.inclination, plan, words),

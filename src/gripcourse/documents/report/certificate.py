@@ -20,8 +20,8 @@ from gripcourse.slips.model import DECLARED
 from gripcourse.text.amounts import amount_text, percent_text, points_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.apart import Shares
-from gripcourse.variants.audit import Audit, Checked
-from gripcourse.variants.fair import Spread, Steps
+from gripcourse.variants.audit import CheckedScheme, VariantAudit
+from gripcourse.variants.fair import DifficultySpread, Steps
 from gripcourse.variants.pairs import Pair
 from gripcourse.variants.slip_distance import SlipCount
 
@@ -34,7 +34,7 @@ _MOST_SHARE = 0.99  # of the pairs
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class CertificateSource:
     """The table that was audited: name of the file and SHA-256 of its bytes."""
 
     name: str
@@ -42,7 +42,7 @@ class Source:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class CertificateLine:
     """A line of the table of checks."""
 
     what: Message
@@ -52,7 +52,12 @@ class Line:
 
 
 def certificate(
-    audit: Audit, source: Source, course: Course, policy: Policy, words: Words, day: date
+    audit: VariantAudit,
+    source: CertificateSource,
+    course: Course,
+    policy: Policy,
+    words: Words,
+    day: date,
 ) -> bytes:
     """Make the certificate as a PDF file.
 
@@ -69,7 +74,7 @@ def certificate(
 
 
 def certificate_values(
-    audit: Audit, source: Source, course: Course, policy: Policy, words: Words
+    audit: VariantAudit, source: CertificateSource, course: Course, policy: Policy, words: Words
 ) -> dict[str, object]:
     """Return what the template needs but the day; see `certificate` for the arguments."""
     declared = _declared(audit, course, words)
@@ -110,38 +115,42 @@ def certificate_values(
     }  # fmt: skip
 
 
-def _checks(audit: Audit, words: Words) -> Iterator[Line]:
+def _checks(audit: VariantAudit, words: Words) -> Iterator[CertificateLine]:
     rules, apart = audit.rules, audit.apart
 
     def variants(found: int) -> str:
         return words.say(message("{count} of {all}", count=found, all=len(audit.variants)))
 
     broken = sum(bool(one.broken) for one in audit.variants)
-    yield Line(message("Variants that cannot be solved or break a constraint of their space"),
-               "0", variants(broken), not broken)  # fmt: skip
+    yield CertificateLine(
+        message("Variants that cannot be solved or break a constraint of their space"),
+        "0",
+        variants(broken),
+        not broken,
+    )
     near = sum(bool(one.slips) for one in audit.variants)
-    yield Line(
+    yield CertificateLine(
         message("Variants in which a slip gives the right result to within {bands} tolerances",
                 bands=rules.slip_bands),
         "0", variants(near), not near,
     )  # fmt: skip
     edges = sum(bool(one.edges) for one in audit.variants)
-    yield Line(
+    yield CertificateLine(
         message("Variants in which a size changes when an answer it is taken for moves by {share}",
                 share=percent_text(rules.step_margin, words)),
         "0", variants(edges), not edges,
     )  # fmt: skip
-    yield Line(message("Answers of the longest assignment over those of the shortest"),
+    yield CertificateLine(message("Answers of the longest assignment over those of the shortest"),
                words.number(rules.steps_ratio, 3), words.number(audit.ratio, 3),
                audit.alike_steps)  # fmt: skip
     whole = float(apart.whole.share.max(initial=0.0))
-    yield Line(
+    yield CertificateLine(
         message("Points of computed quantities that one student gets with another's answers"),
         percent_text(rules.shared_points, words), percent_text(whole, words),
         not apart.whole.above,
     )  # fmt: skip
     section = max((float(one.share.max(initial=0.0)) for one in apart.sections), default=0.0)
-    yield Line(
+    yield CertificateLine(
         message("The same inside one section"),
         percent_text(rules.shared_section_points, words), percent_text(section, words),
         not any(one.above for one in apart.sections),
@@ -164,7 +173,7 @@ def _below(shares: Shares, pairs: int) -> float:
 
 
 def _pairs(
-    audit: Audit, declared: Mapping[str, str], words: Words
+    audit: VariantAudit, declared: Mapping[str, str], words: Words
 ) -> list[tuple[str, str, tuple[str, ...], str]]:
     """Return for the nearest pairs their variants, shares, and what is the same."""
     pairs = audit.pairs[:_PAIRS]
@@ -185,7 +194,9 @@ def _shares(pair: Pair, words: Words) -> Iterator[str]:
         yield percent_text(share, words)
 
 
-def _sentences(checked: Checked, audit: Audit, declared: Mapping[str, str]) -> Iterator[Message]:
+def _sentences(
+    checked: CheckedScheme, audit: VariantAudit, declared: Mapping[str, str]
+) -> Iterator[Message]:
     yield from checked.broken
     for quantity, slip in checked.slips:
         yield message("the slip '{slip}' gives nearly the right result: {quantity}",
@@ -198,7 +209,7 @@ def _sentences(checked: Checked, audit: Audit, declared: Mapping[str, str]) -> I
         yield message("too near to another variant; the nearest is {variant}", variant=other)
 
 
-def _by_scheme(audit: Audit) -> Iterator[tuple[str, Iterable[Steps]]]:
+def _by_scheme(audit: VariantAudit) -> Iterator[tuple[str, Iterable[Steps]]]:
     yield from groupby(sorted(audit.steps, key=lambda one: one.scheme), lambda one: one.scheme)
 
 
@@ -220,7 +231,10 @@ def _range(counts: Sequence[int]) -> str:
 
 
 def _weak_rows(
-    spreads: Sequence[Spread], titles: Mapping[str, str], declared: Mapping[str, str], words: Words
+    spreads: Sequence[DifficultySpread],
+    titles: Mapping[str, str],
+    declared: Mapping[str, str],
+    words: Words,
 ) -> list[tuple[str, ...]]:
     points = aligned([points_text(one.points, words) for one in spreads])
     equal = aligned([percent_text(one.equal, words) for one in spreads])
@@ -230,12 +244,12 @@ def _weak_rows(
     ]
 
 
-def _extent(spread: Spread, words: Words) -> str:
+def _extent(spread: DifficultySpread, words: Words) -> str:
     ends = (amount_text(one, spread.unit, words, 4) for one in (spread.lowest, spread.highest))
     return " … ".join(dict.fromkeys(ends))
 
 
-def _by_kind(audit: Audit) -> Iterator[tuple[str, list[SlipCount]]]:
+def _by_kind(audit: VariantAudit) -> Iterator[tuple[str, list[SlipCount]]]:
     kinds: dict[str, list[SlipCount]] = {}
     for one in audit.slips:
         kinds.setdefault(one.kind, []).append(one)
@@ -264,7 +278,7 @@ def _mean(counts: Sequence[SlipCount]) -> float:
     return sum(one.near for one in counts) / variants if variants else 0.0
 
 
-def _declared(audit: Audit, course: Course, words: Words) -> dict[str, str]:
+def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, str]:
     """Return the title of every quantity that occurs; the first scheme's counts."""
     found: dict[str, Quantity] = {}
     for one in audit.steps:

@@ -42,7 +42,7 @@ _LETTERS = 46  # of a label; longer titles end with an ellipsis
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class ChartLine:
     """A curve of a line plot: its number, its legend, and its ordinates (NaN where it has none)."""
 
     name: str
@@ -68,7 +68,7 @@ class Bar:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class ChartBox:
     """A row of the box plot: a name in the reader's language and shares of one, at least one."""
 
     label: str
@@ -131,7 +131,7 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
     return _svg(draw, height=0.95 + 0.165 * len(bars))
 
 
-def box_plot(boxes: Sequence[Box], words: Words) -> str:
+def box_plot(boxes: Sequence[ChartBox], words: Words) -> str:
     """Draw how scores are spread in each section: quartiles, median, mean and every extreme."""
 
     def draw(axes: Any) -> None:  # noqa: ANN401 - matplotlib's axes
@@ -192,7 +192,7 @@ def share_plot(pairs: Sequence[int], limit: float, words: Words) -> str:
 
 
 def line_plot(
-    along: NDArray[np.float64], lines: Sequence[Line], label: str, unit: str, words: Words
+    along: NDArray[np.float64], lines: Sequence[ChartLine], label: str, unit: str, words: Words
 ) -> str:
     """Draw numbered curves over one abscissa, each with its number at its right end.
 

@@ -8,14 +8,14 @@ from pathlib import PurePath
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Quantity, Section
 from gripcourse.documents.pdf import Document, picture, render_pdf
-from gripcourse.documents.report.charts import Box, box_plot, facility_plot, score_plot
+from gripcourse.documents.report.charts import ChartBox, box_plot, facility_plot, score_plot
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.fairness import extent_text, fairness_rows
 from gripcourse.documents.report.flagged import flagged_files
 from gripcourse.documents.report.items import FEWEST, item_statistics
 from gripcourse.documents.report.marked import decision_rows, marked_tables
 from gripcourse.documents.report.mistakes import kind_rows, slip_rows
-from gripcourse.documents.report.quantities import COUNTED, Asked, hardest, quantity_groups
+from gripcourse.documents.report.quantities import COUNTED, AskedQuantity, hardest, quantity_groups
 from gripcourse.documents.report.totals import (
     quantity_totals,
     section_shares,
@@ -81,7 +81,7 @@ def cohort_values(
     declared, scores = _declared(reports, course), shares(reports)
     judged = [report for report in reports if report.judged]
     totals, items = quantity_totals(judged), item_statistics(judged)
-    asked = Asked(judged, totals, items, declared, course)
+    asked = AskedQuantity(judged, totals, items, declared, course)
     bars = hardest(asked, words)
     sections = [section for section in course.sections if section.id in policy.section_points]
     rows = [_section(reports, section, number, policy, words)
@@ -162,7 +162,7 @@ def _section(
 
 def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words: Words) -> str:
     boxes = [
-        Box(section.title.of(words.language), found)
+        ChartBox(section.title.of(words.language), found)
         for section in sections
         if (found := section_shares(reports, section.id))
     ]

@@ -37,14 +37,14 @@ class ItemView:
 
 
 @dataclass(frozen=True, slots=True)
-class Item:
+class ItemStatistics:
     """A quantity with consequences of earlier mistakes counted against it, and without."""
 
     with_consequences: ItemView
     without: ItemView
 
 
-def item_statistics(reports: Sequence[Report]) -> Mapping[str, Item]:
+def item_statistics(reports: Sequence[Report]) -> Mapping[str, ItemStatistics]:
     """Return the statistics of every quantity that has points, by id.
 
     Args:
@@ -52,7 +52,7 @@ def item_statistics(reports: Sequence[Report]) -> Mapping[str, Item]:
     """
     judged = [report for report in reports if report.judged]
     counted, forgiven = _views(judged, _as_reference), _views(judged, _as_followed)
-    return {name: Item(view, forgiven[name]) for name, view in counted.items()}
+    return {name: ItemStatistics(view, forgiven[name]) for name, view in counted.items()}
 
 
 def is_consequence(finding: Finding) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from gripcourse.documents.report.answers import shortened
-from gripcourse.documents.report.root_causes import spoiled
+from gripcourse.documents.report.root_causes import first_affected
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import points_text
@@ -18,7 +18,7 @@ _TYPED_LETTERS = 48  # of an unreadable cell: enough to find it and to see what 
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class NamedStep:
     """A quantity: its symbol, empty for none, and its title."""
 
     symbol: str
@@ -51,12 +51,12 @@ class NextSteps:
         waiting_points: how much that may bring.
     """
 
-    compare: tuple[Named, ...]
-    first: tuple[Named, ...]
-    other: tuple[Named, ...]
+    compare: tuple[NamedStep, ...]
+    first: tuple[NamedStep, ...]
+    other: tuple[NamedStep, ...]
     unreadable: tuple[Unread, ...]
-    blank: tuple[Named, ...]
-    waiting: tuple[Named, ...]
+    blank: tuple[NamedStep, ...]
+    waiting: tuple[NamedStep, ...]
     waiting_points: str
 
     @property
@@ -69,12 +69,14 @@ class NextSteps:
 def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     """Gather what a student should do next."""
     found = {finding.quantity: finding for finding in report.findings}
-    used = {one.quantity: hit.quantity for one in report.causes if (hit := spoiled(one, report))}
+    used = {
+        one.quantity: hit.quantity for one in report.causes if (hit := first_affected(one, report))
+    }
     wrong = [name for name in plan.quantities if name in found and found[name].outcome in _AT_FAULT]
     roots = {
         root for one in report.findings if one.outcome is Outcome.CARRIED for root in one.roots
     }
-    # Where a number was used wrongly, the answer that it spoiled first is put right with it.
+    # Where a number was used wrongly, the answer that it affected first is put right with it.
     spoiled_first = set(used.values())
     compare = [name for name in used if not plan.quantities[name].kind.answered]
     first = (roots & set(wrong)) - spoiled_first | (used.keys() - compare)
@@ -96,9 +98,9 @@ def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     )
 
 
-def _named(quantities: Iterable[str], plan: Plan, words: Words) -> tuple[Named, ...]:
+def _named(quantities: Iterable[str], plan: Plan, words: Words) -> tuple[NamedStep, ...]:
     return tuple(
-        Named(
+        NamedStep(
             plan.quantities[name].symbol.of(words.language),
             plan.quantities[name].title.of(words.language),
         )

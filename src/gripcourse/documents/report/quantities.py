@@ -12,7 +12,7 @@ from typing import Final
 from gripcourse.course.model import Course, Quantity
 from gripcourse.documents.report.charts import Bar
 from gripcourse.documents.report.columns import aligned_rows
-from gripcourse.documents.report.items import FEWEST, Item, ItemView
+from gripcourse.documents.report.items import FEWEST, ItemStatistics, ItemView
 from gripcourse.documents.report.totals import QuantityTotal
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.text.amounts import percent_text
@@ -73,7 +73,7 @@ class QuantityGroup:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class AskedQuantity:
     """What was asked in a cohort.
 
     Attributes:
@@ -86,12 +86,12 @@ class Asked:
 
     reports: Sequence[Report]
     totals: Sequence[QuantityTotal]
-    items: Mapping[str, Item]
+    items: Mapping[str, ItemStatistics]
     declared: Mapping[str, Quantity]
     course: Course
 
 
-def hardest(asked: Asked, words: Words) -> list[Bar]:
+def hardest(asked: AskedQuantity, words: Words) -> list[Bar]:
     """Return the quantities that earned the smallest shares of their points, the hardest first."""
     found = [
         (item.without.facility, item.with_consequences.facility, total)
@@ -107,7 +107,7 @@ def hardest(asked: Asked, words: Words) -> list[Bar]:
     ]
 
 
-def quantity_groups(asked: Asked, words: Words) -> list[QuantityGroup]:
+def quantity_groups(asked: AskedQuantity, words: Words) -> list[QuantityGroup]:
     """Return all quantities: those of several schemes by section, then those of each scheme."""
     schemes = _schemes(asked.reports)
     alone = len({report.scheme for report in asked.reports}) == 1
@@ -159,7 +159,11 @@ def _left_out(reports: Sequence[Report]) -> set[str]:
 
 
 def _group(
-    title: str, totals: Sequence[QuantityTotal], left_out: set[str], asked: Asked, words: Words
+    title: str,
+    totals: Sequence[QuantityTotal],
+    left_out: set[str],
+    asked: AskedQuantity,
+    words: Words,
 ) -> QuantityGroup:
     faultless = [
         total
@@ -184,7 +188,7 @@ def _right(total: QuantityTotal) -> int:
     return sum(total.outcomes.get(outcome, 0) for outcome in _RIGHT)
 
 
-def _row(total: QuantityTotal, asked: Asked, words: Words) -> QuantityRow:
+def _row(total: QuantityTotal, asked: AskedQuantity, words: Words) -> QuantityRow:
     item = asked.items.get(total.quantity)
     first, second = (item.with_consequences, item.without) if item else (None, None)
     return QuantityRow(
@@ -197,7 +201,7 @@ def _row(total: QuantityTotal, asked: Asked, words: Words) -> QuantityRow:
     )
 
 
-def _bar(item: Item | None) -> tuple[float, float, float]:
+def _bar(item: ItemStatistics | None) -> tuple[float, float, float]:
     if item is None or not item.without.facility:
         return 0.0, 0.0, 0.0
     first, second = item.with_consequences.facility, item.without.facility
@@ -214,11 +218,11 @@ def _discrimination(view: ItemView | None, words: Words) -> str:
     return words.number(round(view.discrimination, 2), 3).replace("-", "−")
 
 
-def _symbol(total: QuantityTotal, asked: Asked, words: Words) -> str:
+def _symbol(total: QuantityTotal, asked: AskedQuantity, words: Words) -> str:
     quantity = asked.declared.get(total.quantity)
     return quantity.symbol.of(words.language) if quantity else ""
 
 
-def _title(total: QuantityTotal, asked: Asked, words: Words) -> str:
+def _title(total: QuantityTotal, asked: AskedQuantity, words: Words) -> str:
     quantity = asked.declared.get(total.quantity)
     return quantity.title.of(words.language) if quantity else total.quantity

@@ -59,9 +59,9 @@ def cause_rows(report: Report, plan: Plan, words: Words) -> Iterator[CauseRow]:
             yield _row(cause, findings, later, plan, words)
 
 
-def spoiled(cause: Cause, report: Report) -> Finding | None:
-    """Return the answer that a number used wrongly spoiled first; None for other causes."""
-    return _first_spoiled(cause, report.findings)
+def first_affected(cause: Cause, report: Report) -> Finding | None:
+    """Return the answer that a number used wrongly affected first; None for other causes."""
+    return _first_affected(cause, report.findings)
 
 
 def name_of(quantity: str, plan: Plan, words: Words) -> str:
@@ -70,7 +70,7 @@ def name_of(quantity: str, plan: Plan, words: Words) -> str:
     return declared.symbol.of(words.language) or declared.title.of(words.language)
 
 
-def _first_spoiled(cause: Cause, findings: Iterable[Finding]) -> Finding | None:
+def _first_affected(cause: Cause, findings: Iterable[Finding]) -> Finding | None:
     slip = f"{USED}{cause.quantity}"
     found = (one for one in findings if one.slip == slip and one.quantity in cause.explains)
     return next(found, None)
@@ -84,7 +84,7 @@ def _row(
     words: Words,
 ) -> CauseRow:
     quantity = plan.quantities[cause.quantity]
-    root = None if _first_spoiled(cause, findings.values()) else findings.get(cause.quantity)
+    root = None if _first_affected(cause, findings.values()) else findings.get(cause.quantity)
     more = len(later) - _NAMED
     return CauseRow(
         symbol=quantity.symbol.of(words.language),

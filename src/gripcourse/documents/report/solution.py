@@ -21,7 +21,7 @@ STYLES = ("page.css", "formula.css", "solution.css")
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class SolutionStep:
     """One worked quantity: its name, its line, the units of bare numbers, its source."""
 
     title: str
@@ -31,11 +31,11 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class Chapter:
+class SolutionChapter:
     """The steps of one section."""
 
     title: str
-    steps: tuple[Step, ...]
+    steps: tuple[SolutionStep, ...]
 
 
 def solution_pdf(
@@ -94,13 +94,13 @@ def _pairs(plan: Plan, variant: Variant, words: Words) -> Iterator[tuple[str, st
 
 def _chapters(
     plan: Plan, values: Mapping[str, float], course: Course, words: Words
-) -> Iterator[Chapter]:
+) -> Iterator[SolutionChapter]:
     cited = _cited(plan, course)
     for section in course.sections:
         inside = (quantity for quantity in plan.answered if quantity.section == section.id)
         steps = tuple(step for one in inside for step in _steps(one, plan, values, cited, words))
         if steps:
-            yield Chapter(section.title.of(words.language), steps)
+            yield SolutionChapter(section.title.of(words.language), steps)
 
 
 def _steps(
@@ -109,12 +109,12 @@ def _steps(
     values: Mapping[str, float],
     cited: Sequence[str],
     words: Words,
-) -> Iterator[Step]:
+) -> Iterator[SolutionStep]:
     """Yield the step of a quantity; none where nothing is computed."""
     inputs = {name: values[name] for name in plan.inputs[quantity.id] if name in values}
     line = worked_line(quantity, inputs, values.get(quantity.id), plan, words)
     if line is not None:
-        yield Step(
+        yield SolutionStep(
             title=quantity.title.of(words.language),
             line=line,
             units=entering_units(quantity, plan, words),

@@ -38,7 +38,7 @@ class QuantityTotal:
 
 
 @dataclass(frozen=True, slots=True)
-class Spread:
+class PointsSpread:
     """Summary of the scores of judged files, as shares of the possible points.
 
     Attributes:
@@ -87,11 +87,11 @@ def section_shares(reports: Sequence[Report], section: str) -> list[float]:
     return [total.points / total.max_points for total in totals if total and total.max_points]
 
 
-def spread(scores: Sequence[float]) -> Spread:
+def spread(scores: Sequence[float]) -> PointsSpread:
     """Summarise scores."""
     if not scores:
-        return Spread(None, None, None, None, None)
-    return Spread(
+        return PointsSpread(None, None, None, None, None)
+    return PointsSpread(
         mean=statistics.fmean(scores),
         median=statistics.median(scores),
         deviation=statistics.stdev(scores) if len(scores) > 1 else None,

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.diagram.joints import JOINT, edge, line_of
-from gripcourse.drawing.diagram.marks import Letter, Mark, Path, Ring, circle, place, polar
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.marks import Letter, Mark, Path, RingMark, circle, place, polar
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
@@ -16,7 +16,7 @@ _LIP: Final = 0.34  # of a cup's height
 _NECK: Final = 0.36  # of a cup's diameter
 
 
-def plate(shape: Shape) -> Iterator[Mark]:
+def plate(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a solid part by its corners; a box by two opposite ones."""
     corners = shape.through
     if len(corners) == 2:  # noqa: PLR2004 (opposite corners of a box)
@@ -47,14 +47,14 @@ def _crossings(corners: tuple[Point, ...], level: float) -> Iterator[Point]:
             yield a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])
 
 
-def roller(shape: Shape) -> Iterator[Mark]:
+def roller(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a roller with its axle."""
     radius = shape.lengths["diameter"] / 2
     yield circle(shape.at, max(radius, JOINT + 0.8), edge(shape))
-    yield Ring(shape.at, JOINT * 0.7, edge(shape))
+    yield RingMark(shape.at, JOINT * 0.7, edge(shape))
 
 
-def held_object(shape: Shape) -> Iterator[Mark]:
+def held_object(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a round object across its axis, with the axes of its circle."""
     radius, (x, y) = shape.lengths["diameter"] / 2, shape.at
     yield circle(shape.at, radius, edge(shape))
@@ -63,7 +63,7 @@ def held_object(shape: Shape) -> Iterator[Mark]:
         yield Path(((x, y - reach), (x, y + reach)), LineKind.CENTRE)
 
 
-def cup(shape: Shape) -> Iterator[Mark]:
+def cup(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a suction cup that opens downwards; its lip is at the point."""
     (x, y), height, radius = shape.at, shape.lengths["height"], shape.lengths["diameter"] / 2
     neck = 2 * _NECK * radius
@@ -73,7 +73,7 @@ def cup(shape: Shape) -> Iterator[Mark]:
     yield Path((left[1], right[1]), LineKind.THIN)
 
 
-def coil(shape: Shape) -> Iterator[Mark]:
+def coil(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a winding in section: a box with crossed lines."""
     (left, low), (right, high) = shape.through[0], shape.through[-1]
     corners = ((left, low), (right, low), (right, high), (left, high))
@@ -82,7 +82,7 @@ def coil(shape: Shape) -> Iterator[Mark]:
     yield Path((corners[1], corners[3]), LineKind.THIN)
 
 
-def end_view(shape: Shape) -> Iterator[Mark]:
+def end_view(shape: PlacedElement) -> Iterator[Mark]:
     """Draw how many jaws stand round the object, seen along the gripper's axis.
 
     Round the origin: where there is room for it shows when everything else is drawn.

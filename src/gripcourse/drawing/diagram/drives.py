@@ -16,7 +16,7 @@ from gripcourse.drawing.diagram.marks import (
     polar,
 )
 from gripcourse.drawing.diagram.measures import head
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
@@ -31,7 +31,7 @@ _MOTOR: Final = 4.5  # radius of a motor
 _LETTER: Final = ((-1.4, -1.6), (-1.4, 1.6), (0.0, -0.4), (1.4, 1.6), (1.4, -1.6))
 
 
-def cylinder(shape: Shape) -> Iterator[Mark]:
+def cylinder(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a cylinder whose rod ends at the point and comes out along `turn`.
 
     The body is long enough for the path of the rod over all positions.
@@ -52,7 +52,7 @@ def cylinder(shape: Shape) -> Iterator[Mark]:
         yield from hatching(ends[1], ends[0], "left")
 
 
-def floating_cylinder(shape: Shape) -> Iterator[Mark]:
+def floating_cylinder(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a cylinder between the eyes of two moving links."""
     start, end = shape.through[0], shape.through[-1]
     turn, length = angle_of(start, end), math.dist(start, end)
@@ -81,7 +81,7 @@ def _body(
 
 
 def _pressure(
-    shape: Shape, origin: Point, turn: float, ends: tuple[float, float]
+    shape: PlacedElement, origin: Point, turn: float, ends: tuple[float, float]
 ) -> Iterator[Mark]:
     """Draw the pressure that closes the jaws: behind the piston, or on the side of its rod."""
     if not shape.symbol:
@@ -93,7 +93,7 @@ def _pressure(
     yield Letter(shape.symbol, (tail, between(tail, tip)))
 
 
-def motor(shape: Shape) -> Iterator[Mark]:
+def motor(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a motor beyond the end of a shaft; `turn` points from the shaft to the motor."""
     turn = shape.angles["turn"]
     shaft = shape.numbers["shaft"]

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.diagram.joints import JOINT, edge
-from gripcourse.drawing.diagram.marks import Arc, Mark, Path, angle_of, between, place, polar
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.marks import ArcMark, Mark, Path, angle_of, between, place, polar
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 
 _LEAST_MODULE: Final = 0.7  # mm of paper
@@ -21,11 +21,11 @@ _COILS: Final = 8
 _COIL: Final = 1.3  # radius of a spring
 
 
-def _module(shape: Shape) -> float:
+def _module(shape: PlacedElement) -> float:
     return max(shape.lengths["module"], _LEAST_MODULE)
 
 
-def rack(shape: Shape) -> Iterator[Mark]:
+def rack(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a rack along its pitch line, teeth on the left or right side of it.
 
     Of three points the inner one is where a gear meshes: a tooth stands there.
@@ -52,7 +52,7 @@ def _teeth(start: float, end: float, pitch: float, at: float) -> Iterator[tuple[
         yield from ((at + (number + share) * pitch, height) for share, height in _TOOTH)
 
 
-def gear(shape: Shape) -> Iterator[Mark]:
+def gear(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a gear, or the sector from `start` over `sweep`.
 
     Where it meshes, at the angle `mesh`, it has a gap; with `tooth` a tooth, for a second gear.
@@ -79,10 +79,10 @@ def gear(shape: Shape) -> Iterator[Mark]:
         hubs = polar(centre, JOINT, start), polar(centre, JOINT, start + sweep)
         yield Path((hubs[0], *outline, hubs[1]), edge(shape))
     if shape.is_main:
-        yield Arc(centre, radius, start, sweep, LineKind.CENTRE)
+        yield ArcMark(centre, radius, start, sweep, LineKind.CENTRE)
 
 
-def worm(shape: Shape) -> Iterator[Mark]:
+def worm(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a worm along `turn`: its cylinder with slanting threads."""
     half, radius = shape.lengths["length"] / 2, max(shape.lengths["radius"], 1.5)
     turn, at = shape.angles["turn"], shape.at
@@ -95,7 +95,7 @@ def worm(shape: Shape) -> Iterator[Mark]:
         yield Path(place(((x, -radius), (x + pitch, radius)), at, turn), edge(shape))
 
 
-def screw(shape: Shape) -> Iterator[Mark]:
+def screw(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a screw: its shaft as a thick line, its thread as a wave about it."""
     start, end = shape.through[0], shape.through[-1]
     length, radius = math.dist(start, end), max(shape.lengths["diameter"] / 2, 1.2)
@@ -106,7 +106,7 @@ def screw(shape: Shape) -> Iterator[Mark]:
     yield Path(place(wave, start, angle_of(start, end)), LineKind.THIN)
 
 
-def nut(shape: Shape) -> Iterator[Mark]:
+def nut(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a nut on a screw that runs along `turn`."""
     half = max(shape.lengths["length"] / 2, 1.5)
     wide = max(shape.lengths["diameter"] / 2, 1.2) + 1.4
@@ -114,7 +114,7 @@ def nut(shape: Shape) -> Iterator[Mark]:
     yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
 
 
-def spring(shape: Shape) -> Iterator[Mark]:
+def spring(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a helical spring between two points."""
     start, end = shape.through[0], shape.through[-1]
     turn = angle_of(start, end)

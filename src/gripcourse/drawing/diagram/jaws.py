@@ -10,7 +10,7 @@ from typing import Final
 
 from gripcourse.drawing.diagram.joints import edge
 from gripcourse.drawing.diagram.marks import Mark, Mask, Path, angle_of, place, polar
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
@@ -26,7 +26,7 @@ _PAD: Final = 4.0  # half of the length of a convex face of a prism, at most
 _AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
 
 
-def jaw(shape: Shape) -> Iterator[Mark]:
+def jaw(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a jaw; its face is towards the centre of the object that it `holds`.
 
     The centre and the point `at` where a face across the direction would touch give the radius of
@@ -43,7 +43,7 @@ def jaw(shape: Shape) -> Iterator[Mark]:
         yield from _two_faces(shape, centre, turn, radius)
 
 
-def _face(shape: Shape, at: Point, turn: float, half: float) -> Iterator[Mark]:
+def _face(shape: PlacedElement, at: Point, turn: float, half: float) -> Iterator[Mark]:
     """Draw one face with the body behind it; it touches at the point and looks along `turn`."""
     surface = shape.element.words["surface"]
     front = _front(shape, surface, half)
@@ -61,7 +61,7 @@ def _face(shape: Shape, at: Point, turn: float, half: float) -> Iterator[Mark]:
                       (max(x for x, _ in front), -reach)), at, turn))  # fmt: skip
 
 
-def _front(shape: Shape, surface: str, half: float) -> tuple[Point, ...]:
+def _front(shape: PlacedElement, surface: str, half: float) -> tuple[Point, ...]:
     """Return the line of a face from its right end to its left, the contact at the origin."""
     if surface not in {"convex", "concave"}:
         return (0.0, -half), (0.0, half)
@@ -75,7 +75,7 @@ def _front(shape: Shape, surface: str, half: float) -> tuple[Point, ...]:
     return tuple((sense * (radius - math.sqrt(radius**2 - y**2)), y) for y in across)
 
 
-def _prism(shape: Shape, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
+def _prism(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
     """Draw a prism whose flat faces touch an object of that radius."""
     half_angle = shape.angles["angle"]
     mouth = shape.lengths.get("mouth", _LIP * shape.lengths["largest"] * math.cos(half_angle)) / 2
@@ -86,7 +86,7 @@ def _prism(shape: Shape, centre: Point, turn: float, radius: float) -> Iterator[
     yield Mask(place(outer, apex, turn))
 
 
-def _two_faces(shape: Shape, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
+def _two_faces(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
     """Draw the two faces of a prism that are not flat, and the bridge that carries them."""
     lean = math.pi / 2 - shape.angles["angle"]
     contacts = [polar(centre, -radius, turn + side * lean) for side in (-1, 1)]
@@ -102,7 +102,7 @@ def _two_faces(shape: Shape, centre: Point, turn: float, radius: float) -> Itera
     yield Mask((*contacts, backs[1], corner, backs[0]))
 
 
-def prism(shape: Shape) -> Iterator[Mark]:
+def prism(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a prismatic jaw: its apex at the point, its bisector along `turn`.
 
     Faces with a `radius` are convex; they touch the object where flat ones would.
@@ -118,7 +118,7 @@ def prism(shape: Shape) -> Iterator[Mark]:
     yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
 
 
-def _prism_face(shape: Shape, length: float, contact: float) -> list[Point]:
+def _prism_face(shape: PlacedElement, length: float, contact: float) -> list[Point]:
     """Return a face from the apex on: along it, and behind it where it is convex."""
     radius = shape.lengths.get("radius")
     if radius is None:

@@ -4,8 +4,17 @@ import math
 from collections.abc import Iterator
 from typing import Final
 
-from gripcourse.drawing.diagram.marks import Arc, Fill, Mark, Path, Ring, angle_of, place, polar
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.marks import (
+    ArcMark,
+    Fill,
+    Mark,
+    Path,
+    RingMark,
+    angle_of,
+    place,
+    polar,
+)
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
@@ -18,18 +27,18 @@ _FOOT: Final = (3.0, 2.2)  # height and half width of the support of a fixed joi
 _HATCH: Final = (1.4, 1.6)  # pitch and length of the strokes of fixed ground
 
 
-def edge(shape: Shape) -> LineKind:
+def edge(shape: PlacedElement) -> LineKind:
     """Return the line of a part: thick where it stands in the main position."""
     return LineKind.OUTLINE if shape.is_main else LineKind.THIN
 
 
-def line_of(shape: Shape) -> LineKind:
+def line_of(shape: PlacedElement) -> LineKind:
     """Return the line that an element asks for."""
     asked = LineKind(shape.element.words["line"].upper())
     return edge(shape) if asked is LineKind.OUTLINE else asked
 
 
-def link(shape: Shape) -> Iterator[Mark]:
+def link(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a rod, or a lever whose inner joints do not bend: those have a black corner."""
     points, line = shape.through, line_of(shape)
     yield Path(points, line, under=True)
@@ -55,23 +64,23 @@ def _corner(at: Point, first: float, gap: float) -> Fill:
     )
 
 
-def pivot(shape: Shape) -> Iterator[Mark]:
+def pivot(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a joint of two moving links."""
-    yield Ring(shape.at, JOINT if shape.is_main else _SMALL_JOINT, edge(shape))
+    yield RingMark(shape.at, JOINT if shape.is_main else _SMALL_JOINT, edge(shape))
 
 
-def pin(shape: Shape) -> Iterator[Mark]:
+def pin(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a pin that slides or rolls."""
     if shape.is_main:
         corners = (polar(shape.at, _PIN, k * math.tau / 16) for k in range(16))
         yield Fill(tuple(corners))
     else:
-        yield Arc(shape.at, _PIN, 0.0, math.tau, LineKind.THIN)
+        yield ArcMark(shape.at, _PIN, 0.0, math.tau, LineKind.THIN)
 
 
-def fixed_pivot(shape: Shape) -> Iterator[Mark]:
+def fixed_pivot(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a joint with the ground; `turn` points to the ground."""
-    yield Ring(shape.at, JOINT, LineKind.OUTLINE)
+    yield RingMark(shape.at, JOINT, LineKind.OUTLINE)
     height, half = (size * shape.numbers["size"] for size in _FOOT)
     turn = shape.angles["turn"]
     lean = math.atan2(half, height)
@@ -83,25 +92,25 @@ def fixed_pivot(shape: Shape) -> Iterator[Mark]:
     yield from hatching(ends[0], ends[1], "left")
 
 
-def slider(shape: Shape) -> Iterator[Mark]:
+def slider(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a block that slides along `turn`."""
     long, wide = shape.numbers["long"] / 2, shape.numbers["wide"] / 2
     corners = ((-long, -wide), (long, -wide), (long, wide), (-long, wide))
     yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
 
 
-def slot(shape: Shape) -> Iterator[Mark]:
+def slot(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a slot round a line from pin to pin."""
     start, end = shape.through[0], shape.through[-1]
     turn, radius = angle_of(start, end), shape.numbers["wide"] / 2
     for side in (math.pi / 2, -math.pi / 2):
         yield Path((polar(start, radius, turn + side), polar(end, radius, turn + side)),
                    edge(shape))  # fmt: skip
-    yield Arc(start, radius, turn + math.pi / 2, math.pi, edge(shape))
-    yield Arc(end, radius, turn - math.pi / 2, math.pi, edge(shape))
+    yield ArcMark(start, radius, turn + math.pi / 2, math.pi, edge(shape))
+    yield ArcMark(end, radius, turn - math.pi / 2, math.pi, edge(shape))
 
 
-def guide(shape: Shape) -> Iterator[Mark]:
+def guide(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a straight guide: ground on both sides of what slides along `turn`."""
     long, gap = shape.numbers["long"] / 2, shape.numbers["gap"] / 2
     for side in (1, -1):
@@ -111,7 +120,7 @@ def guide(shape: Shape) -> Iterator[Mark]:
         yield from hatching(ends[0], ends[1], "left")
 
 
-def ground(shape: Shape) -> Iterator[Mark]:
+def ground(shape: PlacedElement) -> Iterator[Mark]:
     """Draw what is fixed: a line with strokes on one side of it."""
     yield Path(shape.through, LineKind.OUTLINE)
     for start, end in zip(shape.through, shape.through[1:], strict=False):

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from gripcourse.drawing.diagram.layout import WIDEST, Layout, lay_out
+from gripcourse.drawing.diagram.layout import WIDEST, DiagramLayout, lay_out
 from gripcourse.drawing.diagram.letters import DROP, SUBSCRIPT, Written
-from gripcourse.drawing.diagram.marks import Arc, Fill, Mark, Path, Ring, is_circle
+from gripcourse.drawing.diagram.marks import ArcMark, Fill, Mark, Path, RingMark, is_circle
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind, dxf_bytes, new_document
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import add_text
@@ -78,7 +78,7 @@ def kinematic_diagram(
     return KinematicDiagram(document, layout.width, layout.height, layout.scale, title)
 
 
-def alternative_text(plan: Plan, layout: Layout, words: Words) -> str:
+def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
     """Say what the diagram shows: its scheme, its positions, and what its symbols stand for."""
     shown = {one.symbol for one in layout.written}
     meant = [
@@ -106,12 +106,12 @@ def _draw(mark: Mark, space: "Modelspace") -> None:
     match mark:
         case Path(points, line, closed):
             space.add_lwpolyline(points, close=closed, dxfattribs={"layer": line.value})
-        case Arc(centre, radius, _, _, line) if is_circle(mark):
+        case ArcMark(centre, radius, _, _, line) if is_circle(mark):
             space.add_circle(centre, radius, dxfattribs={"layer": line.value})
-        case Arc(centre, radius, start, sweep, line):
+        case ArcMark(centre, radius, start, sweep, line):
             first, last = sorted((math.degrees(start), math.degrees(start + sweep)))
             space.add_arc(centre, radius, first, last, dxfattribs={"layer": line.value})
-        case Ring(centre, radius, line):
+        case RingMark(centre, radius, line):
             space.add_circle(centre, radius, dxfattribs={"layer": line.value})
         case Fill(points) if len(points) == _TRIANGLE:
             space.add_solid(points, dxfattribs={"layer": LineKind.OUTLINE.value})

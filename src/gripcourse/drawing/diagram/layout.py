@@ -7,11 +7,11 @@ from typing import Final, TypeAlias
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.drawing.diagram import bodies, drives, gears, jaws, joints, measures
-from gripcourse.drawing.diagram.letters import Box, Written, bounds, lines_of, write_letters
+from gripcourse.drawing.diagram.letters import LetterBox, Written, bounds, lines_of, write_letters
 from gripcourse.drawing.diagram.marks import Letter, Mark, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.diagram.places import (
     MILLIMETRES,
-    Shape,
+    PlacedElement,
     Stop,
     is_placed,
     shape_of,
@@ -21,7 +21,7 @@ from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 from gripcourse.solver.plan import Plan
 
-Symbol: TypeAlias = Callable[[Shape], Iterator[Mark]]
+Symbol: TypeAlias = Callable[[PlacedElement], Iterator[Mark]]
 """Draws an element."""
 
 WIDEST: Final = 170.0  # mm
@@ -73,7 +73,7 @@ _STILL: Final = 1e-6  # mm of paper
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
+class DiagramLayout:
     """A diagram in its place.
 
     Attributes:
@@ -94,7 +94,7 @@ class Layout:
 
 def lay_out(
     plan: Plan, values: Mapping[str, float], language: str, widest: float = WIDEST
-) -> Layout | None:
+) -> DiagramLayout | None:
     """Lay out the diagram of a variant.
 
     Args:
@@ -139,17 +139,19 @@ def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
             yield scale
 
 
-def _with_letters(marks: list[Mark], scale: float, widest: float) -> Layout:
+def _with_letters(marks: list[Mark], scale: float, widest: float) -> DiagramLayout:
     """Place the letters, and everything on the smallest sheet that holds it."""
     drawn = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
     size = bounds(drawn)
     room = (widest - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
-    sheet = Box(size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1])
+    sheet = LetterBox(
+        size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1]
+    )
     written = write_letters(letters, lines_of(drawn), sheet.wider(-_MARGIN))
     boxes = [size, *(one.box for one in written)]
     left, low = min(one.left for one in boxes) - _MARGIN, min(one.low for one in boxes) - _MARGIN
-    return Layout(
+    return DiagramLayout(
         marks=tuple(shifted(mark, -left, -low) for mark in drawn),
         written=tuple(one.shifted(-left, -low) for one in written),
         origin=(-left, -low),
@@ -182,7 +184,7 @@ def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
     stops: Mapping[str, Stop],
     scale: float,
     language: str,
-    others: Box,
+    others: LetterBox,
     *,
     beside: bool,
 ) -> list[Mark]:
@@ -202,9 +204,9 @@ def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
 
 def _shapes(
     element: Element, plan: Plan, stops: Mapping[str, Stop], scale: float, language: str
-) -> Iterator[Shape]:
+) -> Iterator[PlacedElement]:
     """Yield an element where it is drawn; what does not move, once."""
-    first: Shape | None = None
+    first: PlacedElement | None = None
     for position in element.positions:
         shape = shape_of(element, plan, stops, position, scale, language)
         if first is None or _differ(first, shape):
@@ -212,7 +214,7 @@ def _shapes(
         first = first or shape
 
 
-def _differ(one: Shape, other: Shape) -> bool:
+def _differ(one: PlacedElement, other: PlacedElement) -> bool:
     return (
         any(
             abs(a - b) > _STILL
@@ -225,7 +227,7 @@ def _differ(one: Shape, other: Shape) -> bool:
     )
 
 
-def _everywhere(shape: Shape) -> Iterator[Mark]:
+def _everywhere(shape: PlacedElement) -> Iterator[Mark]:
     """Yield the marks of an element, repeated and mirrored as it is declared."""
     marks = list(SYMBOLS[shape.element.kind](shape))
     mirror = shape.element.mirror

@@ -28,7 +28,7 @@ _FREE: Final = 0.05  # mm of line under a letter that nobody sees
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class LetterBox:
     """A rectangle."""
 
     left: float
@@ -36,17 +36,17 @@ class Box:
     right: float
     high: float
 
-    def wider(self, by: float) -> "Box":
+    def wider(self, by: float) -> "LetterBox":
         """Return the box with a margin round it."""
-        return Box(self.left - by, self.low - by, self.right + by, self.high + by)
+        return LetterBox(self.left - by, self.low - by, self.right + by, self.high + by)
 
-    def overlap(self, other: "Box") -> float:
+    def overlap(self, other: "LetterBox") -> float:
         """Return the area that two boxes share."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.high, other.high) - max(self.low, other.low)
         return max(width, 0.0) * max(height, 0.0)
 
-    def holds(self, other: "Box") -> bool:
+    def holds(self, other: "LetterBox") -> bool:
         """Tell whether another box lies inside."""
         return (
             self.left <= other.left and other.right <= self.right
@@ -72,11 +72,11 @@ class Written:
     below: str
     at: Point
     offset: float
-    box: Box
+    box: LetterBox
 
     def shifted(self, x: float, y: float) -> "Written":
         """Return the symbol moved."""
-        box = Box(self.box.left + x, self.box.low + y, self.box.right + x, self.box.high + y)
+        box = LetterBox(self.box.left + x, self.box.low + y, self.box.right + x, self.box.high + y)
         return replace(self, at=(self.at[0] + x, self.at[1] + y), box=box)
 
 
@@ -88,11 +88,11 @@ class Lines:
     weights: NDArray[np.float64]
 
 
-def bounds(marks: Iterable[Mark]) -> Box:
+def bounds(marks: Iterable[Mark]) -> LetterBox:
     """Return the box round everything drawn."""
     points = [point for mark in marks for point in chain(mark)]
     xs, ys = [x for x, _ in points], [y for _, y in points]
-    return Box(min(xs), min(ys), max(xs), max(ys))
+    return LetterBox(min(xs), min(ys), max(xs), max(ys))
 
 
 def lines_of(marks: Iterable[Mark]) -> Lines:
@@ -111,7 +111,7 @@ def lines_of(marks: Iterable[Mark]) -> Lines:
     return Lines(np.array(rows).reshape(-1, 4), np.array(weights))
 
 
-def write_letters(letters: Sequence[Letter], lines: Lines, sheet: Box) -> tuple[Written, ...]:
+def write_letters(letters: Sequence[Letter], lines: Lines, sheet: LetterBox) -> tuple[Written, ...]:
     """Find a place for every letter, one after the other.
 
     Args:
@@ -125,18 +125,18 @@ def write_letters(letters: Sequence[Letter], lines: Lines, sheet: Box) -> tuple[
     return tuple(written)
 
 
-def covered_length(box: Box, lines: Lines) -> float:
+def covered_length(box: LetterBox, lines: Lines) -> float:
     """Return how much line runs under a box, mm; thin axes count less."""
     return float(_covered([box], lines)[0])
 
 
-def _best(letter: Letter, lines: Lines, sheet: Box, others: Sequence[Written]) -> Written:
+def _best(letter: Letter, lines: Lines, sheet: LetterBox, others: Sequence[Written]) -> Written:
     base, _, below = letter.symbol.partition("_")
     offset = text_width(base, TEXT_HEIGHT)
     width = offset + (text_width(below, SUBSCRIPT) if below else 0.0)
     depth = DROP + 0.5 if below else _DESCENT
     size = (width, TEXT_HEIGHT + depth)
-    best: tuple[float, Box] | None = None
+    best: tuple[float, LetterBox] | None = None
     for distance, boxes in _candidates(letter.places, size):
         covered = _covered([box.wider(_GAP) for box in boxes], lines)
         for box, line in zip(boxes, covered, strict=True):
@@ -159,24 +159,26 @@ def _best(letter: Letter, lines: Lines, sheet: Box, others: Sequence[Written]) -
 
 def _candidates(
     places: Sequence[Point], size: tuple[float, float]
-) -> Iterator[tuple[float, list[Box]]]:
+) -> Iterator[tuple[float, list[LetterBox]]]:
     """Yield boxes round the places, the nearest first."""
     for distance in _DISTANCES:
         for x, y in places:
             yield distance, [_box_beside(x, y, turn, distance, size) for turn in _DIRECTIONS]
 
 
-def _box_beside(x: float, y: float, turn: float, distance: float, size: tuple[float, float]) -> Box:
+def _box_beside(
+    x: float, y: float, turn: float, distance: float, size: tuple[float, float]
+) -> LetterBox:
     """Return the box that touches a point from a side, at a distance."""
     cos, sin = math.cos(turn), math.sin(turn)
     half, tall = size[0] / 2, size[1] / 2
     # As far as the box reaches towards the point, so that it never covers it.
     reach = distance + min(half / max(abs(cos), 1e-9), tall / max(abs(sin), 1e-9))
     x, y = x + reach * cos, y + reach * sin
-    return Box(x - half, y - tall, x + half, y + tall)
+    return LetterBox(x - half, y - tall, x + half, y + tall)
 
 
-def _covered(boxes: Sequence[Box], lines: Lines) -> NDArray[np.float64]:
+def _covered(boxes: Sequence[LetterBox], lines: Lines) -> NDArray[np.float64]:
     """Return the weighted length of line inside each box (Liang and Barsky's clipping)."""
     if not len(lines.ends):
         return np.zeros(len(boxes))

@@ -34,7 +34,7 @@ class Path:
 
 
 @dataclass(frozen=True, slots=True)
-class Arc:
+class ArcMark:
     """A part of a circle from `start`, counter-clockwise over `sweep`."""
 
     centre: Point
@@ -52,7 +52,7 @@ class Fill:
 
 
 @dataclass(frozen=True, slots=True)
-class Ring:
+class RingMark:
     """The circle of a joint; what is `under` ends at it."""
 
     centre: Point
@@ -75,15 +75,15 @@ class Mask:
     points: tuple[Point, ...]
 
 
-Mark: TypeAlias = Path | Arc | Fill | Ring | Mask | Letter
+Mark: TypeAlias = Path | ArcMark | Fill | RingMark | Mask | Letter
 
 
-def circle(centre: Point, radius: float, line: LineKind) -> Arc:
+def circle(centre: Point, radius: float, line: LineKind) -> ArcMark:
     """Return a whole circle."""
-    return Arc(centre, radius, 0.0, math.tau, line)
+    return ArcMark(centre, radius, 0.0, math.tau, line)
 
 
-def is_circle(arc: Arc) -> bool:
+def is_circle(arc: ArcMark) -> bool:
     """Tell whether an arc goes all the way round."""
     return abs(arc.sweep) >= math.tau - _NEAR
 
@@ -114,9 +114,9 @@ def mirrored(mark: Mark) -> Mark:
     match mark:
         case Path() | Fill() | Mask():
             return replace(mark, points=tuple((x, -y) for x, y in mark.points))
-        case Arc(centre, _, start, sweep):
+        case ArcMark(centre, _, start, sweep):
             return replace(mark, centre=(centre[0], -centre[1]), start=-start - sweep)
-        case Ring(centre):
+        case RingMark(centre):
             return replace(mark, centre=(centre[0], -centre[1]))
         case Letter():
             return replace(mark, places=tuple((x, -y) for x, y in mark.places))
@@ -127,7 +127,7 @@ def shifted(mark: Mark, x: float, y: float) -> Mark:
     match mark:
         case Path() | Fill() | Mask():
             return replace(mark, points=tuple((one[0] + x, one[1] + y) for one in mark.points))
-        case Arc(centre) | Ring(centre):
+        case ArcMark(centre) | RingMark(centre):
             return replace(mark, centre=(centre[0] + x, centre[1] + y))
         case Letter():
             return replace(mark, places=tuple((one[0] + x, one[1] + y) for one in mark.places))
@@ -140,11 +140,11 @@ def chain(mark: Mark) -> tuple[Point, ...]:
             return (*points, points[0]) if closed else points
         case Fill(points):
             return (*points, points[0])
-        case Arc(centre, radius, start, sweep):
+        case ArcMark(centre, radius, start, sweep):
             steps = max(2, math.ceil(abs(sweep) / _STEP))
             return tuple(polar(centre, radius, start + sweep * k / steps) for k in range(steps + 1))
-        case Ring(centre, radius):
-            return chain(Arc(centre, radius, 0.0, math.tau, LineKind.OUTLINE))
+        case RingMark(centre, radius):
+            return chain(ArcMark(centre, radius, 0.0, math.tau, LineKind.OUTLINE))
         case Letter() | Mask():
             return ()
 
@@ -152,7 +152,7 @@ def chain(mark: Mark) -> tuple[Point, ...]:
 def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
     """Yield what is seen of the marks: what is under a ring or a mask ends at its edge."""
     all_marks = list(marks)
-    covers = [mark for mark in all_marks if isinstance(mark, (Ring, Mask))]
+    covers = [mark for mark in all_marks if isinstance(mark, (RingMark, Mask))]
     for mark in all_marks:
         if isinstance(mark, Path) and mark.under:
             yield from _cut(mark, covers)
@@ -160,7 +160,7 @@ def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
             yield mark
 
 
-def _cut(path: Path, covers: Iterable[Ring | Mask]) -> Iterator[Path]:
+def _cut(path: Path, covers: Iterable[RingMark | Mask]) -> Iterator[Path]:
     points = chain(path)
     for start, end in pairwise(points):
         for a, b in _outside(start, end, covers):
@@ -168,7 +168,7 @@ def _cut(path: Path, covers: Iterable[Ring | Mask]) -> Iterator[Path]:
 
 
 def _outside(
-    start: Point, end: Point, covers: Iterable[Ring | Mask]
+    start: Point, end: Point, covers: Iterable[RingMark | Mask]
 ) -> Iterator[tuple[Point, Point]]:
     """Yield the parts of a line that nothing covers."""
     covered = sorted(one for cover in covers for one in _shares(start, end, cover))
@@ -179,7 +179,7 @@ def _outside(
         at = max(at, leave)
 
 
-def _shares(start: Point, end: Point, cover: Ring | Mask) -> Iterator[tuple[float, float]]:
+def _shares(start: Point, end: Point, cover: RingMark | Mask) -> Iterator[tuple[float, float]]:
     """Yield the shares of a line between which it runs inside a ring or a mask."""
     if isinstance(cover, Mask):
         crossed = sorted({0.0, 1.0, *_crossings(start, end, cover.points)})
@@ -211,7 +211,7 @@ def _is_inside(point: Point, corners: tuple[Point, ...]) -> bool:
     return left_of % 2 == 1
 
 
-def _in_ring(start: Point, end: Point, ring: Ring) -> tuple[float, float] | None:
+def _in_ring(start: Point, end: Point, ring: RingMark) -> tuple[float, float] | None:
     """Return the shares of a line between which it runs inside a ring."""
     along = (end[0] - start[0], end[1] - start[1])
     off = (start[0] - ring.centre[0], start[1] - ring.centre[1])

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.diagram.marks import (
-    Arc,
+    ArcMark,
     Fill,
     Letter,
     Mark,
@@ -15,7 +15,7 @@ from gripcourse.drawing.diagram.marks import (
     place,
     polar,
 )
-from gripcourse.drawing.diagram.places import Shape
+from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
@@ -33,7 +33,7 @@ def head(tip: Point, turn: float, size: tuple[float, float] = _HEAD) -> Fill:
     return Fill(place(((0, 0), (-long, half), (-long, -half)), tip, turn))
 
 
-def force(shape: Shape) -> Iterator[Mark]:
+def force(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a force along `turn`; the point is its tip or its tail, `shift` to the left of it."""
     turn, long = shape.angles["turn"], shape.numbers["long"]
     at = polar(shape.at, shape.numbers["shift"], turn + math.pi / 2)
@@ -44,12 +44,12 @@ def force(shape: Shape) -> Iterator[Mark]:
     yield Letter(shape.symbol, (between(tail, tip, 0.25), tail, between(tail, tip, 0.6)))
 
 
-def moment(shape: Shape) -> Iterator[Mark]:
+def moment(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a moment about the point as an arc with an arrow."""
     radius, start, sweep = shape.numbers["radius"], shape.angles["start"], shape.angles["sweep"]
     sense = math.copysign(1, sweep)
     bend = sense * _FORCE_HEAD[0] / radius
-    yield Arc(shape.at, radius, start, sweep - bend, LineKind.OUTLINE)
+    yield ArcMark(shape.at, radius, start, sweep - bend, LineKind.OUTLINE)
     tip = polar(shape.at, radius, start + sweep)
     yield head(tip, start + sweep + sense * math.pi / 2 - bend / 2, _FORCE_HEAD)
     yield Letter(
@@ -58,7 +58,7 @@ def moment(shape: Shape) -> Iterator[Mark]:
     )
 
 
-def length(shape: Shape) -> Iterator[Mark]:
+def length(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a dimension between two points, along their line or along one axis."""
     start, end = shape.through[0], shape.through[-1]
     along = shape.element.words["along"]
@@ -98,7 +98,7 @@ def _arrows(start: Point, end: Point) -> Iterator[Mark]:
     yield head(end, turn + math.pi)
 
 
-def angle(shape: Shape) -> Iterator[Mark]:
+def angle(shape: PlacedElement) -> Iterator[Mark]:
     """Draw an angle from `start` over `sweep`, with the lines that it lies between."""
     radius, start, sweep = shape.numbers["radius"], shape.angles["start"], shape.angles["sweep"]
     if abs(sweep) < _SMALLEST:
@@ -108,13 +108,13 @@ def angle(shape: Shape) -> Iterator[Mark]:
     bend = _HEAD[0] / radius / 2
     sense = math.copysign(1, sweep)
     if abs(sweep) * radius >= 2 * _HEAD[0] + 1:
-        yield Arc(shape.at, radius, start, sweep, LineKind.DIMENSION)
+        yield ArcMark(shape.at, radius, start, sweep, LineKind.DIMENSION)
         yield head(polar(shape.at, radius, start), start - sense * (math.pi / 2 - bend))
         yield head(polar(shape.at, radius, start + sweep),
                    start + sweep + sense * (math.pi / 2 - bend))  # fmt: skip
     else:
         tail = sense * (_HEAD[0] + 1.5) / radius
-        yield Arc(shape.at, radius, start - tail, sweep + 2 * tail, LineKind.DIMENSION)
+        yield ArcMark(shape.at, radius, start - tail, sweep + 2 * tail, LineKind.DIMENSION)
         yield head(polar(shape.at, radius, start), start + sense * (math.pi / 2 - bend))
         yield head(polar(shape.at, radius, start + sweep),
                    start + sweep - sense * (math.pi / 2 - bend))  # fmt: skip
@@ -124,7 +124,7 @@ def angle(shape: Shape) -> Iterator[Mark]:
     yield Letter(shape.symbol, tuple(places))
 
 
-def radius(shape: Shape) -> Iterator[Mark]:
+def radius(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a radius from the centre to the rim along `turn`."""
     turn, reach = shape.angles["turn"], shape.lengths["radius"]
     rim = polar(shape.at, reach, turn)
@@ -133,7 +133,7 @@ def radius(shape: Shape) -> Iterator[Mark]:
     yield Letter(shape.symbol, tuple(between(shape.at, rim, share) for share in (0.6, 0.4, 0.8)))
 
 
-def diameter(shape: Shape) -> Iterator[Mark]:
+def diameter(shape: PlacedElement) -> Iterator[Mark]:
     """Draw a leader from outside to the rim of a circle, met along `turn`."""
     turn, reach = shape.angles["turn"], shape.lengths["diameter"] / 2
     rim = polar(shape.at, reach, turn)
@@ -143,6 +143,6 @@ def diameter(shape: Shape) -> Iterator[Mark]:
     yield Letter(shape.symbol, (end,))
 
 
-def letter(shape: Shape) -> Iterator[Mark]:
+def letter(shape: PlacedElement) -> Iterator[Mark]:
     """Write a symbol near a point."""
     yield Letter(shape.symbol, (shape.at,))

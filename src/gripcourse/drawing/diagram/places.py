@@ -33,7 +33,7 @@ class Stop:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class PlacedElement:
     """An element with everything it needs to be drawn, on paper.
 
     Attributes:
@@ -109,7 +109,7 @@ def _stop(plan: Plan, diagram: Diagram, solved: Mapping[str, Array], position: s
 def shape_of(
     element: Element, plan: Plan, stops: Mapping[str, Stop], position: str, scale: float,
     language: str,
-) -> Shape:  # fmt: skip
+) -> PlacedElement:  # fmt: skip
     """Put numbers to an element.
 
     Args:
@@ -134,7 +134,7 @@ def shape_of(
         x, y = stops[where].points[name]
         return x * MILLIMETRES * scale, y * MILLIMETRES * scale
 
-    return Shape(
+    return PlacedElement(
         element=element,
         points={
             role: tuple(on_paper(name, position) for name in one)

@@ -44,7 +44,7 @@ FORMATS = (A4, A3, A2)
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class PartsRow:
     """A row of the parts list."""
 
     number: str
@@ -105,12 +105,12 @@ def draw_sheet(
     add_text(layout, size, (frame.right - _FORMAT_LEFT, _FORMAT_LOW), SMALL)
 
 
-def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[Row], words: Words) -> None:
+def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], words: Words) -> None:
     """Draw the parts list over the title block, its heading below, as it grows upwards."""
     if not rows:
         return
     cell = Cells(Pen(layout), sheet.frame.right - BLOCK_WIDTH, sheet.frame.bottom + BLOCK_HEIGHT)
-    heading = Row(
+    heading = PartsRow(
         words.say(message("Pos.")),
         words.say(message("Name")),
         words.say(message("Qty")),

@@ -9,12 +9,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face, View
 from gripcourse.drawing.paper.document import new_document
-from gripcourse.drawing.paper.sheet import (
-    Row,
-    draw_characteristics,
-    draw_list,
-    draw_sheet,
-)
+from gripcourse.drawing.paper.sheet import PartsRow, draw_characteristics, draw_list, draw_sheet
 from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.text import capital
 from gripcourse.drawing.paper.title_block import TitleBlock
@@ -39,7 +34,7 @@ class GeneralView:
     figure: Figure
     faces: Mapping[Face, FaceLayout]
     arranged: Arranged
-    rows: tuple[Row, ...]
+    rows: tuple[PartsRow, ...]
     lines: tuple[str, ...]
     document: "Drawing"
 
@@ -88,13 +83,15 @@ def _numbered(shown: Figure, main: FaceLayout) -> Figure:
     return replace(shown, positions=[position for _, position in ordered])
 
 
-def _rows(shown: Figure, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Row]:
+def _rows(
+    shown: Figure, plan: Plan, values: Mapping[str, float], words: Words
+) -> Iterator[PartsRow]:
     """Yield the parts list: the sizes of a part that this variant has."""
     for number, one in enumerate(shown.positions, 1):
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
         written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
-        yield Row(str(number), capital(title), str(one.count), written)
+        yield PartsRow(str(number), capital(title), str(one.count), written)
 
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
