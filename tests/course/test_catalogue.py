@@ -9,7 +9,7 @@ from gripcourse.course.catalogue import columns_of
 from gripcourse.course.model import Course
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 PIN = "variants/catalogues/pin.csv"
 

@@ -12,7 +12,7 @@ import pytest
 from gripcourse.errors import Problem
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 SECTIONS = "variants/sections/"
 SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"

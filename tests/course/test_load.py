@@ -10,7 +10,7 @@ from gripcourse.course.compose import compose, option_sets, pair_option_sets, pa
 from gripcourse.course.model import Convention, Course, Kind, Quantity
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 SECTION = "variants/sections/pin.toml"
 SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"

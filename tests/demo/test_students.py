@@ -25,8 +25,8 @@ from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 
 if TYPE_CHECKING:
-    from conftest import Classroom
     from gripcourse.demo.students import Behaviour, Typed
+    from support.classroom import Classroom
 
 
 def typed_by(issued: "Classroom", behaviour: "Behaviour") -> "Typed":

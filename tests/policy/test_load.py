@@ -10,7 +10,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import FigureRule, Policy, Reveal
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 POLICY = "grader/policy.toml"
 LEAST = "least = 0                 # told only where it is certain: a cell keeps 5,00 as 5\n"

@@ -11,7 +11,7 @@ from gripcourse.text.words import LANGUAGES
 from gripcourse.usecases.validate import all_problems
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 RUBRIC = "grader/rubric/general_view.toml"
 LEVELS = """\

@@ -8,7 +8,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.policy.slips import SlipKind
 
 if TYPE_CHECKING:
-    from conftest import Draft
+    from support.drafts import Draft
 
 SLIPS = "grader/slips.toml"
 

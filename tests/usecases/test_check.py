@@ -19,7 +19,7 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.check import check_file
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 
 @pytest.fixture

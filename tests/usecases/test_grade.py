@@ -20,7 +20,7 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.grade import GradingOutcome, find_files, grade, json_text, write_results
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 
 GRADED_ON = date(2026, 12, 2)

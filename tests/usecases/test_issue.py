@@ -13,7 +13,7 @@ from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 
 STUDENTS = ("s01", "s02", "s03")

@@ -28,7 +28,7 @@ from gripcourse.usecases.mark import (
 )
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 NOW = datetime(2026, 12, 2, 9, tzinfo=UTC)
 DRAWING, DIAGRAM = "general_view_drawing", "kinematic_diagram"

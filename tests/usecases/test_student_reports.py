@@ -22,7 +22,7 @@ from gripcourse.usecases.grade import GradingOutcome, write_results
 from gripcourse.usecases.student_reports import LayOut, Printing, write_reports
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 GRADED_ON = date(2026, 12, 2)
 WAYS_TO_FAIL = ("refuse_s02", "die_at_s02", "exhaust_at_s02")

@@ -17,7 +17,7 @@ from gripcourse.usecases.trace import Sought, Traced, in_register, in_table, tra
 from gripcourse.variants.model import Variant
 
 if TYPE_CHECKING:
-    from conftest import Classroom
+    from support.classroom import Classroom
 
 
 @pytest.fixture(scope="module")

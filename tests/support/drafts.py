@@ -1,0 +1,131 @@
+"""A copy of the reference course, with one scheme, that a test may break."""
+
+import re
+import shutil
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.errors import CourseError, Problem
+from gripcourse.policy.load import load_policy
+
+REPOSITORY = Path(__file__).parents[2]
+SCHEME = "rack_parallelogram"
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A course under change."""
+
+    root: Path
+
+    def edit(self, file: str, old: str, new: str) -> "Draft":
+        """Replace the first occurrence of `old` in a file."""
+        path = self.root / file
+        text = path.read_text(encoding="utf-8")
+        assert old in text, f"{file} does not hold {old!r}"
+        path.write_text(text.replace(old, new, 1), encoding="utf-8")
+        return self
+
+    def append(self, file: str, text: str) -> "Draft":
+        """Write text at the end of a file."""
+        path = self.root / file
+        path.write_text(f"{path.read_text(encoding='utf-8')}\n{text}\n", encoding="utf-8")
+        return self
+
+    def put(self, file: str, content: bytes) -> "Draft":
+        """Write a whole file."""
+        (self.root / file).write_bytes(content)
+        return self
+
+    def remove(self, file: str) -> "Draft":
+        """Take a file away."""
+        (self.root / file).unlink()
+        return self
+
+    def problems(self) -> tuple[Problem, ...]:
+        """Load course and policy; every problem of both."""
+        try:
+            load_policy(load_course(self.root))
+        except CourseError as error:
+            return error.problems
+        return ()
+
+    def problem(self) -> Problem:
+        """The only problem of the course."""
+        problems = self.problems()
+        assert len(problems) == 1, [str(one.what) for one in problems]
+        return problems[0]
+
+    def load(self) -> Course:
+        return load_course(self.root)
+
+
+@pytest.fixture(scope="session")
+def one_scheme(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The reference course cut down to one scheme, so that each fault shows once."""
+    root = tmp_path_factory.mktemp("one_scheme") / "course"
+    for folder in ("variants", "grader"):
+        shutil.copytree(REPOSITORY / folder, root / folder)
+    content = root / "variants"
+    shutil.rmtree(content / "tables", ignore_errors=True)
+    for path in (*(content / "schemes").iterdir(), *(content / "spaces").iterdir()):
+        if path.stem != SCHEME:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    used = parts_of(content)
+    for path in (content / "sections").iterdir():
+        if path.stem not in used:
+            path.unlink()
+    forget_weights(root / "grader" / "policy.toml", declared_in(content))
+    return root
+
+
+def parts_of(content: Path) -> set[str]:
+    """Read which parts the scheme uses, with any of its options."""
+    scheme = tomllib.loads((content / "schemes" / SCHEME / "scheme.toml").read_text("utf-8"))
+    options = list(scheme.get("option", []))
+    shared = (content / "options" / f"{name}.toml" for name in scheme.get("options", []))
+    options += [tomllib.loads(path.read_text("utf-8")) for path in shared]
+    chosen = [part for one in options for choice in one["choice"] for part in choice["parts"]]
+    return {*scheme["parts"], *chosen}
+
+
+def declared_in(content: Path) -> set[str]:
+    """Read the ids of all declared quantities."""
+    texts = (path.read_text("utf-8") for path in content.rglob("*.toml"))
+    heading = re.compile(r"^\[quantity\.(\w+)\]", re.MULTILINE)
+    return {name for text in texts for name in heading.findall(text)}
+
+
+def forget_weights(policy: Path, declared: set[str]) -> None:
+    """Remove the weights of quantities that are not declared any more."""
+    text = policy.read_text("utf-8")
+    before, heading, after = text.partition("[weight.quantity]")
+    weights, gap, rest = after.partition("\n\n")
+    kept = [
+        line
+        for line in weights.splitlines()
+        if "=" not in line or line.split("=")[0].strip() in declared
+    ]
+    policy.write_text(before + heading + "\n".join(kept) + gap + rest, "utf-8")
+
+
+@pytest.fixture
+def draft(tmp_path: Path, one_scheme: Path) -> Draft:
+    """A course: what an instructor starts from."""
+    return Draft(Path(shutil.copytree(one_scheme, tmp_path / "course")))
+
+
+@pytest.fixture
+def said() -> Callable[[Problem], str]:
+    """Put a problem into English as a person reads it, without the place."""
+
+    def say(problem: Problem) -> str:
+        return f"{problem.what} {problem.remedy}"
+
+    return say
