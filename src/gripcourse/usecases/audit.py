@@ -27,7 +27,7 @@ class WrittenAudit:
 
 
 def audit_table(course: Course, table: Path, out: Path, words: Words, today: date) -> WrittenAudit:
-    """VariantAudit a table and write the certificate and its numbers into a folder.
+    """Audit a table and write the certificate and its numbers into a folder.
 
     Args:
         course: whose variants they are.

@@ -24,7 +24,7 @@ class CheckedWorkbook:
 
 
 def check_file(file: Path, course: Course, policy: Policy) -> CheckedWorkbook:
-    """AnswerCheck a workbook against itself.
+    """Check a workbook against itself.
 
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
