@@ -1,6 +1,8 @@
 """Loading a course: every file of it, every fault collected."""
 
 from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 from gripcourse.course.catalogue import read_catalogue
@@ -26,10 +28,12 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
+from gripcourse.machine.kept import digest_of, keep, read_kept
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
+_READ = frozenset({".toml", ".csv"})
 
 
 def load_course(root: Path) -> Course:
@@ -44,12 +48,36 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
+    digest = _digest(root)
+    kept = None if digest is None else _kept(digest)
+    if kept is not None:
+        return replace(kept, root=root)
     course, problems = read_course(root)
     if course is not None:
         problems += check_course(course)
     if course is None or problems:
         raise CourseError(problems)
+    # What changed while it was read is not kept under the digest of what was there before.
+    if digest is not None and digest == _digest(root):
+        keep(digest, course)
+        _kept.cache_clear()  # it remembers that there was none
     return course
+
+
+def _digest(root: Path) -> str | None:
+    """Digest all that a course is loaded from; None where some of it cannot be read."""
+    folder = root / VARIANTS
+    try:
+        files = [one for one in folder.rglob("*") if one.suffix in _READ and one.is_file()]
+        return digest_of(root, files)
+    except OSError:
+        return None
+
+
+@lru_cache(maxsize=4)
+def _kept(digest: str) -> Course | None:
+    found = read_kept(digest)
+    return found if isinstance(found, Course) else None
 
 
 def read_course(root: Path) -> tuple[Course | None, list[Problem]]:

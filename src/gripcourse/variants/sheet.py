@@ -3,6 +3,7 @@
 Nothing is understood here: cells come out as text, rows keep the number that a spreadsheet shows.
 """
 
+import csv
 import io
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -136,30 +137,18 @@ def _delimiter(text: str) -> str:
 
 def _csv_rows(path: Path, text: str, delimiter: str) -> list[tuple[str, ...]]:
     """Read every record, whatever its length; a quoted line break does not end a row."""
-    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who read a table pay
-
     if not text.strip():
         return []
-    width = max(line.count(delimiter) for line in text.splitlines()) + 1
     try:
-        frame = pd.read_csv(
-            io.StringIO(text),
-            sep=delimiter,
-            header=None,
-            names=range(width),
-            index_col=False,
-            dtype=str,
-            keep_default_na=False,
-            skip_blank_lines=False,
-        )
-    except pd.errors.ParserError as fault:
+        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True))
+    except csv.Error as fault:
         raise _failure(
             path,
             message("The rows cannot be told apart: {fault}.", fault=fault),
             message("Look for a quotation mark that is opened and never closed."),
         ) from fault
-    # A row shorter than the widest one ends in missing cells: they are blank as well.
-    return _stripped(frame.fillna("").itertuples(index=False, name=None))
+    width = max(map(len, rows))
+    return _stripped((*row, *[""] * (width - len(row))) for row in rows)
 
 
 def _spreadsheet_rows(path: Path) -> list[tuple[str, ...]]:

@@ -8,6 +8,8 @@ For example:
 A cell is blank where the scheme of its row has no such quantity.
 """
 
+import csv
+import io
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -63,8 +65,6 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         variants: with values in declared units.
         course: whose variants they are; it decides the columns.
     """
-    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who write a table pay
-
     listed = tuple(variants)
     options = list(dict.fromkeys(id_ for variant in listed for id_ in variant.options))
     used = {id_ for variant in listed for id_ in variant.given}
@@ -80,8 +80,9 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         ]
         for variant in listed
     ]
-    text = pd.DataFrame(rows, columns=header, dtype=str).to_csv(index=False, lineterminator="\n")
-    write_bytes(path, text.encode("utf-8-sig"))
+    text = io.StringIO(newline="")
+    csv.writer(text, lineterminator="\n").writerows([header, *rows])
+    write_bytes(path, text.getvalue().encode("utf-8-sig"))
 
 
 def _heading(quantity: Quantity) -> str:
