@@ -25,7 +25,7 @@ _COMMON = {"section", "kind", "symbol", "unit", "title", "explain", "source"}
 _BOUNDED = {"bounds", "integer"}
 _JUDGED = {"valid", "tolerance", "slip", "as_printed", "evaluated_in"}
 _KEYS: dict[Kind, set[str]] = {
-    Kind.GIVEN: _COMMON | _BOUNDED,
+    Kind.GIVEN: _COMMON | _BOUNDED | {"default", "range"},
     Kind.CONSTANT: _COMMON | _BOUNDED | {"value"},
     Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | {"formula"},
     Kind.CHOICE: _COMMON
@@ -54,6 +54,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         return _stand_in(identifier, table)
     table.known_keys(_KEYS[kind])
     units = _evaluated_in(table)
+    bounds = _bounds(table, kind)
     return Quantity(
         id=identifier,
         section="" if constant else table.text("section"),
@@ -68,7 +69,9 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         value=table.number("value") if kind is Kind.CONSTANT else None,
         valid=_formula(table, "valid", {}) if table.has("valid") else None,
         tolerance=_tolerance(table),
-        bounds=_bounds(table, kind),
+        default=_default(table, bounds) if kind is Kind.GIVEN else None,
+        range=table.table("range") if kind is Kind.GIVEN else None,
+        bounds=bounds,
         integer=table.flag("integer"),
         slips=tuple(_slip(slip, units) for slip in table.tables("slip")),
         as_printed=tuple(_as_printed(printed, units) for printed in table.tables("as_printed")),
@@ -126,6 +129,8 @@ def _stand_in(identifier: str, table: Table) -> Quantity:
         value=None,
         valid=None,
         tolerance=None,
+        default=None,
+        range=None,
         bounds=_NO_BOUNDS,
         integer=False,
         slips=(),
@@ -170,6 +175,22 @@ def _bounds(table: Table, kind: Kind) -> tuple[float, float]:
             message("Write the lowest and the highest value that is physically thinkable."),
         )
     return table.pair("bounds", _NO_BOUNDS)
+
+
+def _default(table: Table, bounds: tuple[float, float]) -> float | None:
+    """Read what a given is where nobody says otherwise; it must be possible."""
+    if not table.has("default"):
+        return None
+    value = table.number("default")
+    low, high = bounds
+    if value < low or value > high:
+        table.add(
+            "default",
+            message("The value {value} is outside the bounds {low} to {high} of the quantity.",
+                    value=value, low=low, high=high),
+            message("Write a value between the bounds, or mend the bounds."),
+        )  # fmt: skip
+    return None if math.isnan(value) else value
 
 
 def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:

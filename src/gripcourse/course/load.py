@@ -5,6 +5,7 @@ from pathlib import Path
 
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
+from gripcourse.course.compose import inherited
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.errata import read_errata
@@ -69,19 +70,21 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
     )
     parts, raw = _parts(folder / "sections", root, problems)
     errata = read_errata(folder / "errata.toml", root, problems)
-    course = Course(
-        id=table.text("id"),
-        title=table.texts("title"),
-        language=_language(table),
-        sections=tuple(_section(one) for one in table.tables("section")),
-        works=_works(table),
-        errata=errata or {},
-        constants=_quantities(table.named_tables("constant"), constant=True),
-        parts=parts,
-        schemes=_schemes(folder, root, raw, problems),
-        catalogues=_catalogues(folder / "catalogues", root, problems),
-        convention=_convention(table),
-        root=root,
+    course = inherited(
+        Course(
+            id=table.text("id"),
+            title=table.texts("title"),
+            language=_language(table),
+            sections=tuple(_section(one) for one in table.tables("section")),
+            works=_works(table),
+            errata=errata or {},
+            constants=_quantities(table.named_tables("constant"), constant=True),
+            parts=parts,
+            schemes=_schemes(folder, root, raw, problems),
+            catalogues=_catalogues(folder / "catalogues", root, problems),
+            convention=_convention(table),
+            root=root,
+        )
     )
     is_whole = errata is not None and _is_whole(course, folder)
     return course if is_whole else None, problems
