@@ -102,7 +102,7 @@ def usual_values(plan: Plan) -> dict[str, float]:
     """Return givens and constants as the worked example has them, else the defaults of givens.
 
     Args:
-        plan: of any options; what the example says of quantities that they do not bring is left out.
+        plan: of any options; what the example says of others' quantities is left out.
 
     Returns:
         Values in declared units; of constants only those that the example changes.
