@@ -139,7 +139,7 @@ def _laid_over(shared: Table, changes: Table) -> Table:
     # What is not given any more has no default and is not drawn.
     gone = _OF_GIVENS if changes.values.get("kind", Kind.GIVEN) != Kind.GIVEN else frozenset()
     kept = {name: value for name, value in shared.values.items() if name not in gone}
-    return Table({**kept, **changed}, changes.file, changes.key, [])
+    return Table({**kept, **changed}, changes.file, changes.key, [], shared.shape)
 
 
 def _declare(name: str, shared: Table, merged: Table, changes: Table) -> Quantity:
@@ -147,7 +147,7 @@ def _declare(name: str, shared: Table, merged: Table, changes: Table) -> Quantit
     declared = declare(name, merged)
     if declared.range is not None and not changes.has("range"):
         declared = replace(declared, range=shared.table("range"))  # told where it is written
-    repeated = Table(shared.values, changes.file, changes.key, [])
+    repeated = replace(shared, file=changes.file, key=changes.key, problems=[])
     declare(name, repeated)
     known = (*repeated.problems, *changes.problems)
     changes.problems.extend(one for one in merged.problems if one not in known)

@@ -17,7 +17,6 @@ from gripcourse.text.units import dimension, factor
 from gripcourse.text.words import message
 
 _WAYS = ("step", "values", "catalogue", "follows")
-_KEYS = ("low", "high", "step", "values", "catalogue", "follows", "pairs")
 _MOST_VALUES = 100_000  # a finer step is a slip of the pen, and no tidy number
 
 
@@ -81,10 +80,10 @@ class RangeReader:
             is_own: whether the space itself says it. A range beside a given serves many schemes:
                 a case of it that needs an option of others is passed over.
         """
-        table.known_keys((*_KEYS, "when"))
+        table.known_keys()
         special = []
         for case in table.tables("when"):
-            case.known_keys((*_KEYS, "option", "choice"))
+            case.known_keys()
             option, choice = case.text("option"), case.text("choice")
             if choice not in self.options.get(option, ()):
                 if not is_own and self._is_known(option, choice):

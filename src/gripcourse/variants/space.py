@@ -21,9 +21,8 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Follower, Range, RangeReader
-
-_KEYS = ("scheme", "weight", "options", "given", "constraint")
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +69,7 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
     problems: list[Problem] = []
     spaces: list[Space] = []
     for path in sorted((course.root / "variants" / "spaces").glob("*.toml")):
-        table = read_toml(path, course.root, problems)
+        table = read_toml(path, course.root, problems, SPACE)
         space = None if table is None else _space(course, table)
         if table is not None and space is not None:
             _refuse_second(table, spaces, space)
@@ -99,7 +98,7 @@ def _has_ranges(course: Course, scheme: Scheme) -> bool:
 def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Space:
     """Make the space of a scheme that leaves everything to the ranges beside its givens."""
     file = f"variants/spaces/{scheme.id}.toml"
-    table = Table({"scheme": scheme.id}, file, "", problems)
+    table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
     return Space(scheme.id, 1.0, _cases(course, table, _plans(course, scheme, table)), file)
 
 
@@ -115,7 +114,7 @@ def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
 
 
 def _space(course: Course, table: Table) -> Space | None:
-    table.known_keys(_KEYS)
+    table.known_keys()
     id_ = table.text("scheme")
     if id_ not in course.schemes:
         if id_:
