@@ -10,7 +10,6 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.text.words import Texts
 
-
 ERRATA: Final = Shape(
     {
         "erratum": by_name(

@@ -68,7 +68,11 @@ COURSE: Final = Shape(
     }
 )  # fmt: skip
 PART: Final = Shape(
-    {"quantity": QUANTITIES, "override": OVERRIDES, "kinematics": table("How the links move.", KINEMATICS)}
+    {
+        "quantity": QUANTITIES,
+        "override": OVERRIDES,
+        "kinematics": table("How the links move.", KINEMATICS),
+    }
 )
 OPTION: Final = Shape(
     {

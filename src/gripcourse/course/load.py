@@ -156,7 +156,10 @@ def _schemes(
 
 def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
     """Read what several general views share, by the names of the files; None: cannot be read."""
-    found = ((path.stem, read_toml(path, root, problems, SHARED_VIEW)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, SHARED_VIEW))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: None if table is None else read_shared(table) for name, table in found}
 
 
@@ -164,7 +167,10 @@ def _symbols(
     folder: Path, root: Path, problems: list[Problem]
 ) -> dict[str, tuple[Element, ...] | None]:
     """Read what several diagrams share, by the names of the files; None: cannot be read."""
-    found = ((path.stem, read_toml(path, root, problems, SHARED_DIAGRAM)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, SHARED_DIAGRAM))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: None if table is None else read_elements(table) for name, table in found}
 
 

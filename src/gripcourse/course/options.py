@@ -13,7 +13,10 @@ from gripcourse.text.words import message
 
 def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:
     """Read the shared options of a course, by the names of their files."""
-    found = ((path.stem, read_toml(path, root, problems, OPTION)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, OPTION))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: read_option(table) for name, table in found if table is not None}
 
 

@@ -1,5 +1,6 @@
 """The keys of a quantity's declaration."""
 
+from collections.abc import Mapping
 from typing import Final
 
 from gripcourse.course.model import Kind, Rounding
@@ -86,16 +87,21 @@ _COMMON: Final = {
     "source": table("Where it comes from.", SOURCE, required=True),
 }
 _BOUNDED: Final = {
-    "bounds": Key(Sort.PAIR, "Lowest and highest value that is physically thinkable.", required=True),
+    "bounds": Key(
+        Sort.PAIR, "Lowest and highest value that is physically thinkable.", required=True
+    ),
     "integer": flag("Whether only whole numbers make sense."),
 }
 _JUDGED: Final = {
     "valid": text("A condition that the bounds do not imply; else the value is not carried on."),
-    "tolerance": table("How far an answer may differ, where not as the policy says.", Shape(TOLERANCE)),
+    "tolerance": table(
+        "How far an answer may differ, where not as the policy says.", Shape(TOLERANCE)
+    ),
     "slip": tables("Anticipated wrong methods.", _SLIP),
     "as_printed": tables("Versions that a source prints and that are not right.", _AS_PRINTED),
     "evaluated_in": by_name(
-        "Of an empirical formula: the unit in which each name enters.", text("A unit.", required=True)
+        "Of an empirical formula: the unit in which each name enters.",
+        text("A unit.", required=True),
     ),
 }
 _COMPUTED: Final = {"formula": text("What computes it.", required=True)}
@@ -113,7 +119,7 @@ _CHOICE: Final = {
 }
 _PLAIN: Final = {**_COMMON, "unit": text("Empty, or left out.")}
 
-KEYS: Final = {
+KEYS: Final[Mapping[str, Mapping[str, Key]]] = {
     Kind.GIVEN: _COMMON | _BOUNDED | _GIVEN,
     Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
     Kind.CHOICE: _COMMON | _BOUNDED | _JUDGED | _CHOICE,
@@ -122,7 +128,9 @@ KEYS: Final = {
     Kind.MANUAL: _PLAIN | {"rubric": text("Id of a rubric in `grader/rubric`.", required=True)},
 }
 QUANTITY: Final = Shape(
-    {"kind": text("What the quantity is to the student.", *KEYS, required=True)}, by="kind", kinds=KEYS
+    {"kind": text("What the quantity is to the student.", *KEYS, required=True)},
+    by="kind",
+    kinds=KEYS,
 )
 CONSTANT: Final = Shape(
     {name: key for name, key in _COMMON.items() if name not in {"section", "kind"}}

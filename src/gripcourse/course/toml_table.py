@@ -291,7 +291,8 @@ def read_toml(
     """Read a TOML file; None (and a problem) where it is missing or not TOML.
 
     Args:
-        path, root: of the file, and of the course that it is named from.
+        path: of the file.
+        root: of the course: the file is named from there.
         problems: takes what is wrong.
         shape: what may stand in it; None where the reader checks the keys itself.
     """

@@ -82,9 +82,7 @@ _DIMENSION: Final = Shape(
 _LABEL: Final = Shape(
     {
         "text": texts("Words on a leader line, with places in braces.", required=True),
-        "values": by_name(
-            "Quantity or measure in each place.", text("A name.", required=True)
-        ),
+        "values": by_name("Quantity or measure in each place.", text("A name.", required=True)),
         "at": _POINT,
         "face": _FACE,
     }

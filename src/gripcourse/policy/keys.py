@@ -118,9 +118,9 @@ POLICY: Final = Shape(
         "variants": table(
             "When variants may be handed out side by side.",
             {
-                "shared_points": number("Share of the points with another's answers, at most.", 0, 1,
+                "shared_points": number("Share of the points with another's answers.", 0, 1,
                                         required=True),
-                "shared_section_points": number("The same inside one section.", 0, 1, required=True),
+                "shared_section_points": number("The same in one section.", 0, 1, required=True),
                 "slip_bands": number("Bands that the result of a slip lies off.", 0, 1000,
                                      required=True),
                 "keep_apart": strings("Kinds of slips that refuse a variant.",
