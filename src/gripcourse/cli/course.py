@@ -86,6 +86,15 @@ def atlas(
 
 
 @app.command(cls=SpokenCommand)
+def schema(*, out: OutOption = Path("schema")) -> None:
+    """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
+    from gripcourse.usecases.schema import write_schemas
+
+    for path in write_schemas(out):
+        typer.echo(str(path))
+
+
+@app.command(cls=SpokenCommand)
 def reference(
     *,
     out: OutOption = Path("reference"),

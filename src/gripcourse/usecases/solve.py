@@ -9,7 +9,7 @@ from pathlib import Path
 from gripcourse.course.model import Convention, Course, Kind, Quantity
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import replacing, write_bytes
-from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.solver.plan import Plan, default_options, make_plan, usual_values
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_reading import Unreadable, read_number
 from gripcourse.text.suggestion import did_you_mean
@@ -60,7 +60,9 @@ def solve_scheme(
     options: Iterable[str],
     convention: Convention | None,
 ) -> Solved:
-    """Solve a scheme with values set by hand; a given that is not set takes the worked example's.
+    """Solve a scheme with values set by hand.
+
+    What is not set, a constant too, is the worked example's; else a given takes its default.
 
     Args:
         course: where the scheme is.
@@ -77,7 +79,7 @@ def solve_scheme(
     scheme = course.schemes.get(scheme_id)
     defaults = default_options(scheme) if scheme is not None else {}
     plan = make_plan(course, scheme_id, {**defaults, **chosen}, convention)
-    known = _example_values(plan) | _settings(plan, settings)
+    known = usual_values(plan) | _settings(plan, settings)
     kinds = {Kind.GIVEN, Kind.CONSTANT}
     given = {name: value for name, value in known.items() if plan.quantities[name].kind in kinds}
     missing = [one.id for one in plan.givens if one.id not in known]
@@ -182,14 +184,6 @@ def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]
                 message("{title} has no value for {used}.", title=quantity.title, used=used),
                 message("The numbers lie outside the domain of its formula or of its catalogue."),
             )
-
-
-def _example_values(plan: Plan) -> dict[str, float]:
-    example = plan.scheme.example
-    if example is None:
-        return {}
-    givens = {one.id for one in plan.givens}
-    return {name: value for name, value in example.given.items() if name in givens}
 
 
 def _settings(plan: Plan, settings: Iterable[str]) -> dict[str, float]:
