@@ -42,6 +42,8 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
+from gripcourse.cli.pairs import read_pairs
+from gripcourse.cli.problems import spoken
 from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.text.words import Words, message
 
@@ -104,7 +106,10 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         variants = read_table(table or main_table(loaded.root), loaded)
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
-        solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
+        shape = message("Write name=value.")
+        given = dict(read_pairs("--set", settings or (), shape))
+        chosen = dict(read_pairs("--option", options or (), shape))
+        solved = command.solve_scheme(loaded, str(scheme), given, chosen, wanted)
     if pdf and xlsx and out is not None:
         raise cli_text.misuse(
             message("--out names one file for two documents."),
@@ -240,7 +245,7 @@ def _guard(run: Callable[[], int | None]) -> int:
     except GripcourseError as error:
         words = chosen_words()
         for problem in error.problems:
-            typer.echo(problem.say(words), err=True)
+            typer.echo(spoken(problem, words), err=True)
         return WRONG_USE
     except OSError as error:
         typer.echo(system_problem(error).say(chosen_words()), err=True)

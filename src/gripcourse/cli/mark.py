@@ -21,6 +21,7 @@ from gripcourse.cli.options import (
     gradebook_place,
     words_for,
 )
+from gripcourse.cli.pairs import read_lines
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
@@ -95,7 +96,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         draft = Draft(
             student=str(student),
             quantity=str(quantity),
-            lines=command.read_lines(lines or ()),
+            lines=read_lines(lines or ()),
             points=points,
             credit=credit,
             comment=comment,

@@ -12,6 +12,7 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.grades import grades_csv
 from gripcourse.grading.model import Decision, Flag, Report
 from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.content import Source
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.student_reports import (
@@ -71,9 +72,12 @@ def find_files(paths: Iterable[Path]) -> list[Path]:
 
 
 def grade(
-    files: Sequence[Path], context: GradingContext, workers: int, on_done: Callable[[Path], None]
+    files: Sequence[Source],
+    context: GradingContext,
+    workers: int,
+    on_done: Callable[[Source], None],
 ) -> tuple[Graded, ...]:
-    """Grade files; see `cohort.run.grade_files`."""
+    """Grade files; see `batch.run.grade_files`."""
     return grade_files(files, context, min(workers, len(files)), on_done)
 
 
@@ -107,7 +111,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, context, out, graded_on)
+    failed = write_grades(reports, context, out, graded_on, workers)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -121,7 +125,11 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
 
 
 def write_grades(
-    reports: Sequence[Report], context: GradingContext, out: Path, graded_on: date
+    reports: Sequence[Report],
+    context: GradingContext,
+    out: Path,
+    graded_on: date,
+    workers: int = 1,
 ) -> Lost | None:
     """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
 
@@ -133,7 +141,7 @@ def write_grades(
     write_text(out / GRADES_JSON, json_text(reports, Words(context.course.language)))
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
-        cohort_pdf, [tuple(reports)], printing, workers=1, seconds=printing.seconds
+        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
     )
     if isinstance(pdf, Lost):
         # An earlier one would say something else than the grades.

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import Source
 from gripcourse.policy.load import load_policy
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
@@ -40,14 +41,15 @@ def draw_table(
     if not spaces:
         what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
         known = [one.scheme for one in load_spaces(course)]
-        raise UsageError([Problem("", "--scheme", what, did_you_mean(scheme or "", known))])
+        remedy = did_you_mean(scheme or "", known)
+        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
     rules = None if freely else sifter(load_policy(course), len(course.sections))
     drawn = draw(course, spaces, count, seed, rules)
     write_table(out, drawn.variants, course)
     return drawn
 
 
-def import_table(course: Course, source: Path, out: Path) -> int:
+def import_table(course: Course, source: Source, out: Path) -> int:
     """Check an instructor's table and write it as CSV; return the number of its variants.
 
     Raises:
