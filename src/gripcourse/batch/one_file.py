@@ -11,7 +11,7 @@ from gripcourse.grading.identify import submitter
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report, unknown_student_report
-from gripcourse.machine.content import Source, shown_name
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
@@ -38,7 +38,7 @@ class GradingContext:
     register: Mapping[str, Issued]
 
 
-def grade_file(source: Source, context: GradingContext) -> Report:
+def grade_file(source: Readable, context: GradingContext) -> Report:
     """Grade one file; the student's faults are in the report, only ours are exceptions."""
     raw, file = read_workbook(source), shown_name(source)
     if isinstance(raw, Rejected):

@@ -12,13 +12,13 @@ from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, run_each
-from gripcourse.machine.content import Source, shown_name
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
 
-GradeOne: TypeAlias = Callable[[Source, GradingContext], Report]
+GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
 
@@ -39,10 +39,10 @@ class _Job:
 
 
 def grade_files(
-    files: Sequence[Source],
+    files: Sequence[Readable],
     context: GradingContext,
     workers: int,
-    on_done: Callable[[Source], None] = lambda _: None,
+    on_done: Callable[[Readable], None] = lambda _: None,
     *,
     grade_one: GradeOne = grade_file,
     seconds: float = SECONDS_PER_FILE,
@@ -79,11 +79,11 @@ def incident_number(trace: str) -> str:
     return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
-def _grade(file: Source, job: _Job) -> Report:
+def _grade(file: Readable, job: _Job) -> Report:
     return job.grade_one(file, job.context)
 
 
-def _incident(source: Source, context: GradingContext, trace: str) -> Graded:
+def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:
     number, file = incident_number(trace), shown_name(source)
     issued = submitter(file, "", context.register)
     told = shown(f"incident {number}: {trace}\n{file}\n")

@@ -121,7 +121,9 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     if xlsx:
         typer.echo(str(command.write_key(solved, out, words)))
     if json:
-        typer.echo(command.solution_json(solved))
+        from gripcourse.api.make_results import solution_result
+
+        typer.echo(cli_text.json_text(solution_result(solved, words).to_dict()))
     if not (pdf or xlsx or json):
         typer.echo(cli_text.solution_table(solved, words))
 

@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import json
 import math
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -180,6 +181,11 @@ def check_text(checked: "CheckedWorkbook", words: Words) -> str:
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
     return "\n".join([*lines, table_text(named, rows, right={2})])
+
+
+def json_text(plain: object) -> str:
+    """Return the plain form of a result as JSON."""
+    return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
 
 
 def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:

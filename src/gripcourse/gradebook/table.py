@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -40,7 +40,7 @@ class MarksTable:
     empty: int
 
 
-def read_marks(source: Source, lines: Collection[str]) -> MarksTable:
+def read_marks(source: Readable, lines: Collection[str]) -> MarksTable:
     """Read a table of marks, `.csv` or `.xlsx`.
 
     Args:

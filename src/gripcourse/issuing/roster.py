@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import (
@@ -25,7 +25,7 @@ _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _LONGEST_ID = 64
 
 
-def read_roster(source: Source) -> tuple[Student, ...]:
+def read_roster(source: Readable) -> tuple[Student, ...]:
     """Read a roster from a `.csv` or `.xlsx` file.
 
     Args:

@@ -18,26 +18,26 @@ class NamedBytes:
     data: bytes
 
 
-Source: TypeAlias = Path | NamedBytes
+Readable: TypeAlias = Path | NamedBytes
 """What a reader takes."""
 
 
-def shown_name(source: Source) -> str:
+def shown_name(source: Readable) -> str:
     """Return what a file is called in a sentence: its path, or the name it came under."""
     return source.name if isinstance(source, NamedBytes) else str(source)
 
 
-def pure_path(source: Source) -> PurePath:
+def pure_path(source: Readable) -> PurePath:
     """Return a file's name for a look at its last part or its suffix; nothing is on the disk."""
     return PurePath(source.name) if isinstance(source, NamedBytes) else source
 
 
-def is_there(source: Source) -> bool:
+def is_there(source: Readable) -> bool:
     """Tell whether there is such a file; bytes always are."""
     return isinstance(source, NamedBytes) or source.is_file()
 
 
-def content_of(source: Source) -> bytes:
+def content_of(source: Readable) -> bytes:
     """Return the whole content.
 
     Raises:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
-from gripcourse.machine.content import Source, content_of, pure_path, shown_name
+from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
 from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -70,7 +70,7 @@ class _Place:
     row: int
 
 
-def read_workbook(source: Source) -> RawWorkbook | Rejected:
+def read_workbook(source: Readable) -> RawWorkbook | Rejected:
     """Read the named cells of a workbook.
 
     Args:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.exports.audit_tables import audit_tables
-from gripcourse.machine.content import Source, content_of, pure_path, shown_name
+from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
@@ -28,7 +28,7 @@ class WrittenAudit:
 
 
 def audit_table(
-    course: Course, table: Source, out: Path, words: Words, today: date
+    course: Course, table: Readable, out: Path, words: Words, today: date
 ) -> WrittenAudit:
     """Audit a table and write the certificate and its numbers into a folder.
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.grading.self_check import AnswerCheck, self_check
-from gripcourse.machine.content import Source, is_there, shown_name
+from gripcourse.machine.content import Readable, is_there, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
@@ -23,7 +23,7 @@ class CheckedWorkbook:
     remarks: tuple[Message, ...]
 
 
-def check_file(source: Source, course: Course, policy: Policy) -> CheckedWorkbook:
+def check_file(source: Readable, course: Course, policy: Policy) -> CheckedWorkbook:
     """Check a workbook against itself.
 
     Args:

@@ -14,7 +14,7 @@ from gripcourse.issuing.register import read_register, register_path, write_regi
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.jobs.workers import Lost, run_each
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import make_plan
@@ -49,8 +49,8 @@ class Order:
         deadline: last day for handing in, None for none.
     """
 
-    roster: Source
-    table: Source
+    roster: Readable
+    table: Readable
     out: Path
     today: date
     deadline: date | None

@@ -13,7 +13,7 @@ from gripcourse.gradebook.opening import exists
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import message
@@ -91,7 +91,7 @@ def enter_mark(
 
 
 def enter_table(
-    source: Source, context: GradingContext, place: str, marker: str, now: datetime
+    source: Readable, context: GradingContext, place: str, marker: str, now: datetime
 ) -> Marking:
     """Enter a table of marks, whole or not at all.
 

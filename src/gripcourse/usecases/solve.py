@@ -1,6 +1,5 @@
 """Solving one variant: from a table, or from a scheme with values set by hand."""
 
-import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -87,25 +86,6 @@ def solve_scheme(
         raise UsageError([Problem("", "", what, remedy, parameter="given", step=step)])
     solved = _solved(plan, Variant("", plan.scheme.id, plan.options, taken), known)
     return replace(solved, assumed=tuple(name for name in known if name not in taken))
-
-
-def solution_json(solved: Solved) -> str:
-    """Return the solution as JSON: scheme, convention, and every value with what it is."""
-    plan = solved.plan
-    values = {
-        name: {
-            "value": _finite(solved.values[name]),
-            "unit": quantity.unit,
-            "symbol": quantity.symbol.of(plan.course.language),
-            "kind": quantity.kind.value,
-            "section": quantity.section,
-            "source": _source(quantity),
-        }
-        for name, quantity in plan.quantities.items()
-        if quantity.kind is not Kind.MANUAL
-    }
-    content = {"scheme": plan.scheme.id, "convention": plan.convention.value, "values": values}
-    return json.dumps(content, ensure_ascii=False, indent=1)
 
 
 def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
@@ -221,13 +201,3 @@ def _unit(quantity: Quantity) -> Texts:
 
 def _unusable(name: str, what: Message, remedy: Message) -> Problem:
     return Problem("", name, what, remedy, parameter="given")
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
-
-
-def _source(quantity: Quantity) -> dict[str, str]:
-    source = quantity.source
-    note = "" if source.note is None else source.note.of(LANGUAGES[0])
-    return {"work": source.work, "equation": source.equation, "note": note}

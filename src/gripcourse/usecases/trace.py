@@ -11,7 +11,7 @@ from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.issuing.register import read_register, register_path
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.trace import Clue, Origin, rank
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.submission.measure import Understood, from_text
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -46,7 +46,7 @@ class Sought:
     students: Mapping[str, tuple[str, ...]]
 
 
-def in_table(source: Source, course: Course) -> Sought:
+def in_table(source: Readable, course: Course) -> Sought:
     """Look in a table of variants.
 
     Raises:

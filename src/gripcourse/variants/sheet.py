@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from datetime import date, time
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.machine.content import Source, content_of, is_there, pure_path, shown_name
+from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
 from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
@@ -47,7 +47,7 @@ class Sheet:
     decimal_comma: bool
 
 
-def read_sheet(source: Source) -> Sheet:
+def read_sheet(source: Readable) -> Sheet:
     """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
 
     Args:
@@ -98,7 +98,7 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
     return letters
 
 
-def _sheet(source: Source, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
+def _sheet(source: Readable, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
     """Cut blank rows and columns off and number the rest."""
     rows = [SheetRow(number, row) for number, row in enumerate(cells, start=1) if any(row)]
     if not rows or rows[0].number != 1:
@@ -116,7 +116,7 @@ def _width(cells: tuple[str, ...]) -> int:
     return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
 
 
-def _text(source: Source) -> str:
+def _text(source: Readable) -> str:
     try:
         return content_of(source).decode("utf-8-sig")
     except UnicodeDecodeError as fault:
@@ -135,7 +135,7 @@ def _delimiter(text: str) -> str:
     return next((sign for sign in _DELIMITERS if sign in plain), ",")
 
 
-def _csv_rows(source: Source, text: str, delimiter: str) -> list[tuple[str, ...]]:
+def _csv_rows(source: Readable, text: str, delimiter: str) -> list[tuple[str, ...]]:
     """Read every record, whatever its length; a quoted line break does not end a row."""
     import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who read a table pay
 
@@ -163,7 +163,7 @@ def _csv_rows(source: Source, text: str, delimiter: str) -> list[tuple[str, ...]
     return _stripped(frame.fillna("").itertuples(index=False, name=None))
 
 
-def _spreadsheet_rows(source: Source) -> list[tuple[str, ...]]:
+def _spreadsheet_rows(source: Readable) -> list[tuple[str, ...]]:
     """Read the first sheet: stored results, and the formula where no result is stored."""
     results = _sheet_values(source, results=True)
     if any(cell is None for row in results for cell in row):
@@ -176,7 +176,7 @@ def _spreadsheet_rows(source: Source) -> list[tuple[str, ...]]:
     return _stripped([tuple(_cell_text(cell) for cell in row) for row in results])
 
 
-def _sheet_values(source: Source, *, results: bool) -> list[tuple[object, ...]]:
+def _sheet_values(source: Readable, *, results: bool) -> list[tuple[object, ...]]:
     import zipfile  # noqa: PLC0415 - with openpyxl, which costs 200 ms, only where it is needed
 
     import openpyxl  # noqa: PLC0415 - as above
@@ -214,5 +214,5 @@ def _stripped(rows: Iterable[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [tuple(cell.strip() for cell in row) for row in rows]
 
 
-def _failure(source: Source, what: Message, remedy: Message) -> TableError:
+def _failure(source: Readable, what: Message, remedy: Message) -> TableError:
     return TableError([Problem(shown_name(source), "", what, remedy)])

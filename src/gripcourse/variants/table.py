@@ -14,7 +14,7 @@ from pathlib import Path
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem, TableError
-from gripcourse.machine.content import Source
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.variants.cells import converted, number_text
@@ -29,7 +29,7 @@ from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 
 
-def read_table(source: Source, course: Course) -> tuple[Variant, ...]:
+def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
     """Read variants from a `.csv` or `.xlsx` file and judge each.
 
     Args:
