@@ -152,7 +152,7 @@ class TestAMarkedDrawing:
         batch = office.write(files, tmp_path / "graded")
         assert not batch.needs_person
         written = json.loads((tmp_path / "graded" / "grades.json").read_text(encoding="utf-8"))
-        first = next(one for one in written if one["student"] == "s01")
+        first = next(one for one in written["reports"] if one["student"] == "s01")
         decision = next(one for one in first["findings"] if one["quantity"] == DRAWING)["decision"]
         assert decision["lines"] == LINES
         assert decision["comment"] == "Нет масштаба"

@@ -1,6 +1,5 @@
 """Solving by hand: values set, values refused, and what is written out."""
 
-import json
 from pathlib import Path
 
 import openpyxl
@@ -12,7 +11,6 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Words
 from gripcourse.usecases.solve import (
     Solved,
-    solution_json,
     solve_from_table,
     solve_scheme,
     write_key,
@@ -155,31 +153,6 @@ def test_unknown_schemes_and_options_are_refused(course: Course) -> None:
         solve_scheme(course, SCHEME, {}, {"drive": "hydralic"}, None)
     with pytest.raises(UsageError, match="has no option 'driv'"):
         solve_scheme(course, SCHEME, {}, {"driv": "hydraulic"}, None)
-
-
-def test_json_tells_each_value_with_what_it_is(course: Course) -> None:
-    content = json.loads(solution_json(solve(course, "gravity=10")))
-    assert content.keys() == {"scheme", "convention", "values"}
-    assert (content["scheme"], content["convention"]) == (SCHEME, "corrected")
-    values = content["values"]
-    assert values["grip_force"] == {
-        "value": 3900.0,
-        "unit": "N",
-        "symbol": "F",
-        "kind": "formula",
-        "section": "grip",
-        "source": {"work": "guide", "equation": "§5", "note": "K = 1.1…1.3 by equation 2"},
-    }
-    assert values["gravity"]["kind"] == "constant"
-    assert values["mass"]["kind"] == "given"
-    assert "general_view_drawing" not in values
-    keys = {"value", "unit", "symbol", "kind", "section", "source"}
-    assert all(one.keys() == keys for one in values.values())
-    assert all(isinstance(one["value"], float) for one in values.values())
-
-
-def test_json_keeps_letters_as_they_are(course: Course) -> None:
-    assert "θ_откр" in solution_json(solve(course))
 
 
 def test_a_changed_constant_stands_in_the_key(course: Course, tmp_path: Path) -> None:

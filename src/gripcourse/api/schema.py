@@ -37,10 +37,12 @@ def read_result(plain: Mapping[str, Any]) -> Any:  # noqa: ANN401 (of the kind t
     """Read a result of any kind from its plain form.
 
     Raises:
-        UsageError: its form is not known, or with every value that cannot be used.
+        UsageError: its form or its version is not known, or with every value that cannot be used.
     """
     name = str(plain.get(KEY, ""))
-    if name not in _BY_SCHEMA:
+    family = name.rpartition("/")[0]
+    known = next((one for one in _BY_SCHEMA if one.rpartition("/")[0] == family), "")
+    if not known:
         what = message("The form '{name}' is not known.", name=name)
         raise UsageError([Problem("", KEY, what, did_you_mean(name, _BY_SCHEMA))])
-    return from_plain(_BY_SCHEMA[name], plain)
+    return from_plain(_BY_SCHEMA[known], plain)

@@ -8,11 +8,12 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
+from gripcourse.cli.loudness import loudness_parameters
 from gripcourse.cli.options import WRONG_USE, LanguageOption, chosen_words
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Message, Words, message
@@ -20,8 +21,15 @@ from gripcourse.text.words import Message, Words, message
 if TYPE_CHECKING:
     # The library gives these types no public name.
     from typer._click import Command, Context, HelpFormatter, Parameter
+    from typer._click.shell_completion import CompletionItem
 
 WIDTH = 100
+
+# The library that parses makes these two itself.
+_COMPLETION = {
+    "--install-completion": message("Let the shell complete what is typed."),
+    "--show-completion": message("Show what makes the shell complete what is typed."),
+}
 
 
 class SpokenCommand(TyperCommand):
@@ -29,6 +37,14 @@ class SpokenCommand(TyperCommand):
 
     # What is left over is refused below, with what it is.
     allow_extra_args = True
+
+    def get_params(self, ctx: "Context") -> "list[Parameter]":
+        """Return the parameters of a command, with those that all commands take."""
+        return _with_loudness(super().get_params(ctx))
+
+    def shell_complete(self, ctx: "Context", incomplete: str) -> "list[CompletionItem]":
+        """Complete what is typed, with the help in the reader's language."""
+        return _in_words(super().shell_complete(ctx, incomplete))
 
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page."""
@@ -51,6 +67,14 @@ class SpokenCommand(TyperCommand):
 class SpokenGroup(TyperGroup):
     """A group of commands whose help and refusals are in the reader's language."""
 
+    def get_params(self, ctx: "Context") -> "list[Parameter]":
+        """Return the parameters of a group, with those that all commands take."""
+        return _with_loudness(super().get_params(ctx))
+
+    def shell_complete(self, ctx: "Context", incomplete: str) -> "list[CompletionItem]":
+        """Complete what is typed, with the help in the reader's language."""
+        return _in_words(super().shell_complete(ctx, incomplete))
+
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page with the list of the commands."""
         _write_page(self, ctx, formatter, chosen_words())
@@ -72,7 +96,7 @@ class SpokenGroup(TyperGroup):
         Raises:
             UsageError: there is none of this name.
         """
-        if args[0] not in self.commands:
+        if args[0] not in self.commands and not ctx.resilient_parsing:
             from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
 
             what = message("There is no command '{name}'.", name=args[0])
@@ -80,22 +104,35 @@ class SpokenGroup(TyperGroup):
         return super().resolve_command(ctx, args)
 
 
-def command_group(text: str) -> typer.Typer:
+def command_group(text: str, *, is_program: bool = False) -> typer.Typer:
     """Make a group of commands.
 
     Args:
         text: what it is for, in English.
+        is_program: whether it is all of them, and so tells its version and completes words.
     """
     made = typer.Typer(
         cls=SpokenGroup,
         help=text,
-        add_completion=False,
+        add_completion=is_program,
         invoke_without_command=True,
         pretty_exceptions_enable=False,
         context_settings={"max_content_width": WIDTH},
     )
-    made.callback()(_alone)
+    made.callback()(_program if is_program else _alone)
     return made
+
+
+def _with_loudness(own: "list[Parameter]") -> "list[Parameter]":
+    # Help stands last.
+    return [*own[:-1], *loudness_parameters(), *own[-1:]]
+
+
+def _in_words(items: "list[CompletionItem]") -> "list[CompletionItem]":
+    words = chosen_words()
+    for item in items:
+        item.help = words.declared(item.help)
+    return items
 
 
 @contextmanager
@@ -112,6 +149,21 @@ def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # 
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
         raise typer.Exit(WRONG_USE)
+
+
+def _program(
+    context: typer.Context,
+    language: LanguageOption = None,
+    version: Annotated[  # noqa: FBT002 (a flag)
+        bool, typer.Option("--version", help="Show the version of the program.")
+    ] = False,
+) -> None:
+    if version:
+        from gripcourse import __version__  # noqa: PLC0415 (the program is above this)
+
+        typer.echo(f"gripcourse {__version__}")
+        raise typer.Exit
+    _alone(context, language)
 
 
 def _write_page(
@@ -174,7 +226,8 @@ def _described(parameter: TyperOption | TyperArgument, context: "Context", words
     """Say what a parameter is for, and in brackets what may be given."""
     if set(parameter.opts) & set(context.help_option_names):
         return words.translate("Show this help.")
-    text = words.declared(parameter.help)
+    ours = _COMPLETION.get(parameter.opts[0])
+    text = words.say(ours) if ours else words.declared(parameter.help)
     notes = "; ".join(words.say(one) for one in _notes(parameter, words))
     return f"{text} [{notes}]" if notes else text
 

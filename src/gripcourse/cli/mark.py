@@ -10,6 +10,7 @@ import typer
 from gripcourse.cli import grading_text
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -104,4 +105,4 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             withdraw=withdraw,
         )
         done = command.enter_mark(draft, context, place, marker, now)
-    typer.echo(grading_text.marking_text(done, words))
+    confirm(grading_text.marking_text(done, words))

@@ -10,6 +10,7 @@ import warnings
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import redirect_stdout
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
@@ -125,7 +126,8 @@ def _opened(data: bytes) -> "Workbook":
     # A fifth of a second to import: only those who read a workbook pay for it.
     from openpyxl import load_workbook  # noqa: PLC0415
 
-    with warnings.catch_warnings():
+    # The library prints of styles that are not there: into our output, if it may.
+    with warnings.catch_warnings(), redirect_stdout(io.StringIO()):
         warnings.simplefilter("ignore")  # of features that are lost on saving: nothing is saved
         return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
 
