@@ -16,6 +16,7 @@ from gripcourse.api.documents import (
     write_solution,
 )
 from gripcourse.api.marks import enter_mark, enter_marks, trace, what_waits
+from gripcourse.api.measuring import audit_tolerances, evaluate, evaluate_in_memory, simulate
 from gripcourse.api.results import (
     CheckResult,
     IssueResult,
@@ -43,15 +44,19 @@ __all__ = [
     "ReportResult",
     "SolutionResult",
     "VariantsResult",
+    "audit_tolerances",
     "audit_variants",
     "doctor",
     "draw_atlas",
     "enter_mark",
     "enter_marks",
+    "evaluate",
+    "evaluate_in_memory",
     "import_variants",
     "init_course",
     "read_result",
     "schemas",
+    "simulate",
     "trace",
     "validate",
     "what_waits",

@@ -46,6 +46,10 @@ class SpokenCommand(TyperCommand):
         """Complete what is typed, with the help in the reader's language."""
         return _in_words(super().shell_complete(ctx, incomplete))
 
+    def get_short_help_str(self, limit: int = WIDTH) -> str:  # noqa: ARG002 (the parser names it)
+        """Return what it is for, as a shell shows it beside what it completes."""
+        return chosen_words().declared(self.help)
+
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page."""
         _write_page(self, ctx, formatter, chosen_words())
@@ -74,6 +78,10 @@ class SpokenGroup(TyperGroup):
     def shell_complete(self, ctx: "Context", incomplete: str) -> "list[CompletionItem]":
         """Complete what is typed, with the help in the reader's language."""
         return _in_words(super().shell_complete(ctx, incomplete))
+
+    def get_short_help_str(self, limit: int = WIDTH) -> str:  # noqa: ARG002 (the parser names it)
+        """Return what it is for, as a shell shows it beside what it completes."""
+        return chosen_words().declared(self.help)
 
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page with the list of the commands."""
