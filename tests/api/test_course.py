@@ -79,6 +79,12 @@ class TestSolving:
             own.solve_scheme(SCHEME, given={"mas": 60})
         assert caught.value.problems[0].parameter == "given"
 
+    def test_what_is_chosen_by_name_must_be_known(self, own: gc.Course) -> None:
+        with pytest.raises(UsageError, match="^convention: There is no convention 'gide'"):
+            own.scheme_solution(SCHEME, convention="gide")
+        with pytest.raises(UsageError, match="^language: There is no language 'de'"):
+            own.speaking("de")
+
 
 class TestReadersTakeBytes:
     def test_a_table_from_bytes_is_the_table_from_its_file(

@@ -3,7 +3,7 @@
 What is not offered here is the engine: it may change with every version.
 """
 
-from gripcourse.api.course import Course, validate
+from gripcourse.api.course import Course
 from gripcourse.api.documents import (
     audit_variants,
     doctor,
@@ -25,6 +25,7 @@ from gripcourse.api.results import (
     VariantsResult,
 )
 from gripcourse.api.schema import read_result, schemas
+from gripcourse.api.validate import validate
 from gripcourse.errors import GripcourseError, NextStep, Problem
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.enter import Draft

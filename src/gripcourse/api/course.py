@@ -6,10 +6,10 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.api.choices import chosen_convention, chosen_language
 from gripcourse.api.make_results import (
     check_result,
     issue_result,
-    problems_result,
     refused_check,
     solution_result,
     variants_result,
@@ -22,8 +22,8 @@ from gripcourse.api.results import (
     VariantsResult,
 )
 from gripcourse.api.sources import FileLike, readable, workbooks
+from gripcourse.api.validate import validate
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Convention
 from gripcourse.course.model import Course as Definition
 from gripcourse.errors import UsageError
 from gripcourse.exports.report_result import GradesResult, grades_result
@@ -74,7 +74,9 @@ class Course:
             CourseError: with every problem of the course.
         """
         definition = load_course(course_root(None if folder is None else Path(folder)))
-        return cls(definition, load_policy(definition), language or definition.language)
+        return cls(
+            definition, load_policy(definition), chosen_language(language or definition.language)
+        )
 
     @property
     def root(self) -> Path:
@@ -93,7 +95,7 @@ class Course:
 
     def speaking(self, language: str) -> "Course":
         """Return the same course with results in another language."""
-        return replace(self, language=language)
+        return replace(self, language=chosen_language(language))
 
     def validate(self) -> ProblemsResult:
         """Check the folder of the course as it is now; see `gripcourse.validate`."""
@@ -185,7 +187,7 @@ class Course:
         """
         from gripcourse.usecases.solve import solve_scheme
 
-        wanted = None if convention is None else Convention(convention)
+        wanted = chosen_convention(convention)
         solved = solve_scheme(self.definition, scheme, given or {}, options or {}, wanted)
         return solution_result(solved, self.words)
 
@@ -196,7 +198,7 @@ class Course:
         from gripcourse.usecases.solve import solve_from_table
 
         variants = read_table(self.table_source(table), self.definition)
-        wanted = None if convention is None else Convention(convention)
+        wanted = chosen_convention(convention)
         return solve_from_table(self.definition, variants, variant, wanted)
 
     def issue(  # noqa: PLR0913 (all but two are for those who need them)
@@ -303,22 +305,6 @@ class Course:
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""
         return self.main_table if table is None else readable(table, "variants")
-
-
-def validate(folder: str | Path | None = None, language: str | None = None) -> ProblemsResult:
-    """List every problem of a course at once, also of one that cannot be loaded.
-
-    Args:
-        folder: of the course; None for the reference course.
-        language: of the sentences; None for English.
-
-    Raises:
-        UsageError: the folder is no course.
-    """
-    from gripcourse.usecases.validate import all_problems
-
-    root = course_root(None if folder is None else Path(folder))
-    return problems_result(all_problems(root), Words(language or "en"))
 
 
 def _today() -> date:

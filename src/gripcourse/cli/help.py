@@ -4,8 +4,7 @@ The library that parses the command line has one place for this: classes of comm
 words what they show, and turn what the parser refuses into a `UsageError` like any other.
 """
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,6 +14,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from gripcourse.cli.loudness import loudness_parameters
 from gripcourse.cli.options import WRONG_USE, LanguageOption, chosen_words
+from gripcourse.cli.refusals import refusals_told, see_help, value_range
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Message, Words, message
 
@@ -60,11 +60,11 @@ class SpokenCommand(TyperCommand):
         Raises:
             UsageError: it cannot be used.
         """
-        with _refusals_told(ctx):
+        with refusals_told(ctx):
             left = super().parse_args(ctx, args)
         if left and not ctx.resilient_parsing:
             what = message("There is no place for '{text}'.", text=" ".join(left))
-            raise UsageError([Problem("", "", what, _see_help(ctx))])
+            raise UsageError([Problem("", "", what, see_help(ctx))])
         return left
 
 
@@ -93,7 +93,7 @@ class SpokenGroup(TyperGroup):
         Raises:
             UsageError: it cannot be used.
         """
-        with _refusals_told(ctx):
+        with refusals_told(ctx):
             return super().parse_args(ctx, args)
 
     def resolve_command(
@@ -141,15 +141,6 @@ def _in_words(items: "list[CompletionItem]") -> "list[CompletionItem]":
     for item in items:
         item.help = words.declared(item.help)
     return items
-
-
-@contextmanager
-def _refusals_told(context: "Context") -> Iterator[None]:
-    """Turn what the parser refuses into an error like any other."""
-    try:
-        yield
-    except typer.TyperException as error:
-        raise UsageError([_refused(error, context)]) from error
 
 
 def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # noqa: ARG001
@@ -250,69 +241,5 @@ def _notes(parameter: TyperOption | TyperArgument, words: Words) -> Iterator[Mes
         yield message("default: {value}", value=str(shown))
     if isinstance(parameter, TyperOption) and parameter.multiple:
         yield message("may be repeated")
-    if between := _range(parameter):
+    if between := value_range(parameter):
         yield between
-
-
-def _range(parameter: TyperOption | TyperArgument) -> Message | None:
-    if parameter.min is not None and parameter.max is not None:
-        return message("from {least} to {most}", least=str(parameter.min), most=str(parameter.max))
-    if parameter.min is not None:
-        return message("at least {least}", least=str(parameter.min))
-    return None
-
-
-def _refused(error: typer.TyperException, context: "Context") -> Problem:
-    """Say what the parser refuses.
-
-    Its exceptions carry what they are about; their sentences are English and not taken over.
-    """
-    parameter: Parameter | None = getattr(error, "param", None)
-    remedy = _see_help(context)
-    if isinstance(parameter, TyperOption | TyperArgument):
-        name = _spoken_name(parameter, chosen_words())
-        return Problem("", name, _unusable(error, parameter), remedy)
-    name = getattr(error, "option_name", "")
-    if not name:
-        return Problem("", "", message("{reason}", reason=error.format_message()), remedy)
-    options = {two: one for one in context.command.get_params(context) for two in one.opts}
-    if name not in options:
-        from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
-
-        return Problem("", name, message("There is no such option."), did_you_mean(name, options))
-    if getattr(options[name], "is_flag", False):
-        return Problem("", name, message("This option takes no value."), remedy)
-    return Problem("", name, message("Behind this option a value is missing."), remedy)
-
-
-def _unusable(error: typer.TyperException, parameter: TyperOption | TyperArgument) -> Message:
-    if not isinstance(error, typer.BadParameter) or not error.message:
-        return message("It is missing.")
-    found = getattr(error.__cause__, "errors", None)
-    if found is None:
-        return message("{reason}", reason=error.message)  # said by a reader of our own
-    typed: Sequence[dict[str, object]] = found()
-    return message(
-        "'{text}' cannot be used here: {wanted}.",
-        text=str(typed[0]["input"]),
-        wanted=_wanted(parameter),
-    )
-
-
-def _wanted(parameter: TyperOption | TyperArgument) -> Message:
-    if parameter.type_descriptor.annotation is datetime:
-        return message("a date such as 2026-09-30 is wanted")
-    between = _range(parameter)
-    if between is not None:
-        return message("a whole number is wanted, {range}", range=between)
-    return message("a whole number is wanted")
-
-
-def _spoken_name(parameter: TyperOption | TyperArgument, words: Words) -> str:
-    if isinstance(parameter, TyperArgument):
-        return words.declared(parameter.metavar or parameter.name)
-    return ", ".join(parameter.opts)
-
-
-def _see_help(context: "Context") -> Message:
-    return message("See {command} --help.", command=context.command_path)
