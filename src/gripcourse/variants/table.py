@@ -16,6 +16,7 @@ from pathlib import Path
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem, TableError
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.variants.cells import converted, number_text
@@ -30,11 +31,12 @@ from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 
 
-def read_table(path: Path, course: Course) -> tuple[Variant, ...]:
+def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
     """Read variants from a `.csv` or `.xlsx` file and judge each.
 
     Args:
-        path: of the file; headings may be ids, symbols or titles, with or without a unit.
+        source: the file, or its bytes; headings may be ids, symbols or titles, with or without a
+            unit.
         course: whose variants they are.
 
     Returns:
@@ -44,7 +46,7 @@ def read_table(path: Path, course: Course) -> tuple[Variant, ...]:
         TableError: with every problem of the table: headings, cells, and variants that cannot be
             solved, each with its row as a spreadsheet shows it.
     """
-    sheet = read_sheet(path)
+    sheet = read_sheet(source)
     problems: list[Problem] = []
     columns = find_columns(sheet, table_vocabulary(course), problems)
     absent = _absent_columns(sheet, columns, course, problems)
