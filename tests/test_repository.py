@@ -106,5 +106,5 @@ def test_commands_can_be_run(command: str) -> None:
 
 
 def test_decisions_are_numbered_without_gaps() -> None:
-    records = sorted(path.name for path in (REPOSITORY / "docs" / "decisions").glob("*.md"))
+    records = sorted(path.name for path in (REPOSITORY / "docs" / "decisions").glob("[0-9]*"))
     assert [name[:5] for name in records] == [f"{n:04d}-" for n in range(1, len(records) + 1)]
