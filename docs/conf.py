@@ -1,4 +1,4 @@
-"""How the pages are put together; `make docs` calls Sphinx with it, see scripts/documentation.py."""
+"""How Sphinx puts the pages together; scripts/documentation.py calls it."""
 
 project = "gripcourse"
 author = "The gripcourse authors"

@@ -63,7 +63,7 @@ def main(site: Path) -> None:
 
 
 class HelpPage:
-    """Takes what a command tells about itself, as Markdown; stands in for a terminal's formatter."""
+    """Takes as Markdown what a command tells of itself; stands in for a terminal's formatter."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
@@ -104,7 +104,7 @@ def command_pages() -> str:
 
 def every_command() -> Iterator[tuple[int, str, "Command"]]:
     """Yield every command with its depth and how it is called, groups before what they hold."""
-    yield from _below(0, "gripcourse", cast("Command", get_command(app)))
+    yield from _below(0, "gripcourse", get_command(app))
 
 
 def _below(level: int, path: str, command: "Command") -> Iterator[tuple[int, str, "Command"]]:
