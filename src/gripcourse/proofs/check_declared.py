@@ -19,7 +19,7 @@ from gripcourse.proofs.declared import (
     formulas_of,
     names_used,
 )
-from gripcourse.proofs.operators import OPERATORS
+from gripcourse.proofs.operators import OPERATORS, column_dimensions
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.words import message
@@ -27,14 +27,7 @@ from gripcourse.text.words import message
 
 def check_declared(course: Course, declared: DeclaredProofs) -> list[Problem]:
     """Return what is wrong with the proofs that a course declares."""
-    columns = {
-        f"{catalogue.id}.{name}": (
-            dimension(next(iter(catalogue.units.values()))),
-            dimension(unit),
-        )
-        for catalogue in course.catalogues.values()
-        for name, unit in catalogue.units.items()
-    }
+    columns = column_dimensions(course)
     found = [one for proof in declared.proofs for one in _proof_faults(course, proof, columns)]
     known = {
         name

@@ -99,6 +99,22 @@ def prove_motion(scheme: Scheme, trials: tuple[Trial, ...]) -> ProofResult:
     return concluded(proof, sum(len(one.variants) for one in trials), tuple(problems))
 
 
+def state_differs(trial: Trial, plan: Plan, motion: Kinematics) -> bool:
+    """Tell whether another plan breaks what is declared of the positions, their order and joints."""
+    values = {
+        name: np.broadcast_to(value, len(trial.variants))
+        for name, value in evaluate(plan, trial.known).values.items()
+    }
+    return any(
+        bool(wrong.any())
+        for _, wrong, _ in (
+            *_state_faults(motion, values),
+            *_order_faults(motion, values),
+            *_joint_faults(motion, values),
+        )
+    )
+
+
 _REMEDY = message("Compare the declared motion with the formulas of the scheme.")
 
 

@@ -72,3 +72,8 @@ def concluded(
     """Conclude a proof that was tried: it holds where it found no problem."""
     verdict = Verdict.FAILS if problems else Verdict.HOLDS
     return ProofResult(proof, verdict, compared, problems, note)
+
+
+def short_name(file: str) -> str:
+    """Return the name of a file of declarations: `sections/pin`, `schemes/screw`."""
+    return file.removeprefix("variants/").removesuffix(".toml").removesuffix("/scheme")

@@ -8,15 +8,15 @@ import dataclasses
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TypeAlias
 
 import numpy as np
 
-from gripcourse.course.compose import compose
 from gripcourse.course.model import Convention, Course, Kind, Quantity
-from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.formula.parse import FormulaFault, caret
+from gripcourse.formula.parse import FormulaFault
+from gripcourse.formula.rules import ColumnDimensions
 from gripcourse.formula.tree import (
     Call,
     Formula,
@@ -32,7 +32,8 @@ from gripcourse.proofs.calculations import PrintedCalculation, broken_by
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, evaluate, reference_rounding, to_si
 from gripcourse.text.units import dimension
-from gripcourse.text.words import message
+
+Columns: TypeAlias = Mapping[str, ColumnDimensions]
 
 FLIPPED: Mapping[Operator, Operator] = {
     "+": "-",
@@ -52,8 +53,10 @@ class Noticed(StrEnum):
     """What notices a flipped operator."""
 
     PRINTED_NUMBER = "printed_number"
-    DECLARED_PROOF = "declared_proof"
+    PROOF = "proof"
     DIMENSION = "dimension"
+    REFUSED = "refused"  # the variants of the course would be
+    UNSHOWN = "unshown"  # the course says why no number can show it
     NOTHING = "nothing"
 
 
@@ -163,10 +166,20 @@ def noticed_by(
     return tuple(next(found[one.quantity.id]) for one in flipped)
 
 
-def is_measurable(course: Course, plan: Plan, flipped: FlippedFormula) -> bool:
+def is_measurable(flipped: FlippedFormula, plan: Plan, columns: Columns) -> bool:
     """Tell whether a flipped formula still measures what its quantity does."""
-    known = {name: dimension(one.unit) for name, one in plan.quantities.items()}
-    columns = {
+    known = {name: dimension(plan.quantities[name].unit) for name in flipped.wrong.names}
+    unit = "" if flipped.quantity.kind is Kind.VERDICT else flipped.quantity.unit
+    try:
+        check_dimension(flipped.wrong, unit, known, columns)
+    except FormulaFault:
+        return False
+    return True
+
+
+def column_dimensions(course: Course) -> Columns:
+    """Return what every catalogue column measures, as formulas are checked with it."""
+    return {
         f"{catalogue.id}.{name}": (
             dimension(next(iter(catalogue.units.values()))),
             dimension(unit),
@@ -174,9 +187,3 @@ def is_measurable(course: Course, plan: Plan, flipped: FlippedFormula) -> bool:
         for catalogue in course.catalogues.values()
         for name, unit in catalogue.units.items()
     }
-    unit = "" if flipped.quantity.kind is Kind.VERDICT else flipped.quantity.unit
-    try:
-        check_dimension(flipped.wrong, unit, known, columns)
-    except FormulaFault:
-        return False
-    return True

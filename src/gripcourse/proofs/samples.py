@@ -6,7 +6,7 @@ every option; the check of the course composes all of them.
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,6 +125,14 @@ def trials_with(
         drawn = _drawn(source, space, case)
         if drawn is not None:
             yield drawn
+
+
+def redrawn(source: Source, trial: Trial, count: int) -> Trial | None:
+    """Draw more variants of the composition of a trial; None where there is no range for it."""
+    for space, case in source.cases(trial.plan.scheme.id):
+        if case.options == trial.plan.options:
+            return _drawn(replace(source, count=count, drawn={}), space, case)
+    return None
 
 
 def _suits(

@@ -4,9 +4,10 @@ A wrong method that gives the right number is useless: nobody would be told.
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from datetime import date
+from typing import TypeAlias
 
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem
@@ -16,8 +17,8 @@ from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy
-from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
-from gripcourse.proofs.samples import Trial
+from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded, short_name
+from gripcourse.proofs.samples import Source, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.solve import choose, reference_rounding
@@ -26,8 +27,12 @@ from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, Student
 
+Method: TypeAlias = tuple[str, str, str]
+"""File, quantity and id of a slip or an erratum."""
+
 _DAY = date(2026, 1, 1)
 _TRIED = 3  # variants in which the grader may name a wrong method, before it counts as not named
+_MANY = 512  # variants among which one is looked for that shows what seldom shows
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,18 +57,29 @@ class WrongValue:
     right: float
 
     @property
-    def method(self) -> tuple[str, str, str]:
+    def method(self) -> Method:
         """What tells the method from every other."""
         return (self.quantity.file, self.quantity.id, self.name)
 
 
-def wrong_values(trial: Trial) -> Iterator[WrongValue]:
-    """Compute every declared wrong method at the right numbers of every variant."""
+def wrong_values(
+    trial: Trial, without: Collection[Method] = (), only: Method | None = None
+) -> Iterator[WrongValue]:
+    """Compute declared wrong methods at the right numbers of every variant.
+
+    Args:
+        trial: the variants.
+        without: methods that are left out.
+        only: the one that is asked for; None for all.
+    """
     count = len(trial.variants)
     for one in trial.plan.answered:
         size = factor(one.unit)
         right = trial.values[one.id] / size
         for name, key, is_slip, result in _methods(trial, one):
+            method = (one.file, one.id, name)
+            if method in without or only not in {None, method}:
+                continue
             values = result / size
             for place in range(count):
                 value = float(values[place]) if values.ndim else float(values)
@@ -75,49 +91,82 @@ def is_seen(wrong: WrongValue, policy: Policy) -> bool:
     return not within(wrong.value, wrong.right, band(wrong.quantity, wrong.right, policy))
 
 
+@dataclass(frozen=True, slots=True)
+class _Survey:
+    """What was found out about wrong methods so far.
+
+    Attributes:
+        met: every method that some composition has, with a value of it and where it was met.
+        done: those that showed and were named, or need no name.
+        instead: what the grader said of the others that showed.
+    """
+
+    met: dict[Method, tuple[WrongValue, Trial]]
+    done: set[Method]
+    instead: dict[Method, Finding]
+
+
 def prove_wrong_methods(
-    course: Course, policy: Policy, name: str, file: str, trials: Sequence[Trial]
-) -> ProofResult:
+    source: Source, policy: Policy, trials: Iterable[Trial]
+) -> Iterator[ProofResult]:
     """Look for a variant that shows each declared wrong method, and let the grader name the slips.
 
+    A method of a shared part is looked for until one composition shows it. What none shows is
+    looked for among many more variants.
+
     Args:
-        course: whose methods they are.
+        source: of further variants.
         policy: bands, credits and the generic slips that compete with the declared ones.
-        name, file: of the scheme.
         trials: numbers to try.
+
+    Returns:
+        A result for each file that declares wrong methods.
     """
-    proof = Proof(ProofKind.WRONG_METHODS, name, file, "")
-    if not trials:
-        said = message("There is neither a worked example nor a range to draw variants from.")
-        return ProofResult(proof, Verdict.OPEN, 0, (), said)
-    met: dict[tuple[str, str, str], WrongValue] = {}
-    seen: set[tuple[str, str, str]] = set()
-    named: set[tuple[str, str, str]] = set()
-    instead: dict[tuple[str, str, str], Finding] = {}
+    survey = _Survey({}, set(), {})
     for trial in trials:
-        judged = _judge_of(course, policy, trial)
-        tried: dict[tuple[str, str, str], int] = {}
-        for wrong in wrong_values(trial):
-            met[wrong.method] = wrong
-            if wrong.method in named or not is_seen(wrong, policy):
-                continue
-            seen.add(wrong.method)
-            if not wrong.is_slip or wrong.quantity.kind is Kind.CHOICE:
-                named.add(wrong.method)  # an erratum may be accepted; a series has few entries
-                continue
-            tried[wrong.method] = tried.get(wrong.method, 0) + 1
-            if tried[wrong.method] > _TRIED or not math.isfinite(wrong.value):
-                continue
+        _look(source.course, policy, trial, survey)
+    for method in [one for one in survey.met if one not in survey.done]:
+        more = redrawn(source, survey.met[method][1], _MANY)
+        if more is not None:
+            _look(source.course, policy, more, survey, method)
+    by_file: dict[str, list[Method]] = {}
+    for method in survey.met:
+        by_file.setdefault(method[0], []).append(method)
+    for file, methods in by_file.items():
+        proof = Proof(ProofKind.WRONG_METHODS, short_name(file), file, "")
+        problems = [
+            _problem(survey.met[one][0], survey.instead.get(one))
+            for one in methods
+            if one not in survey.done
+        ]
+        yield concluded(proof, len(methods), tuple(problems))
+
+
+def _look(
+    course: Course, policy: Policy, trial: Trial, survey: _Survey, only: Method | None = None
+) -> None:
+    """Look for wrong methods in the variants of one composition."""
+    judged = _judge_of(course, policy, trial)
+    tried: dict[Method, int] = {}
+    for wrong in wrong_values(trial, survey.done, only):
+        survey.met[wrong.method] = (wrong, trial)
+        if wrong.method in survey.done:
+            continue
+        # Of a decision only the rule is wrong: it seldom leads to another entry of the series.
+        if wrong.quantity.kind is Kind.CHOICE:
+            survey.done.add(wrong.method)
+            continue
+        if not is_seen(wrong, policy) or not math.isfinite(wrong.value):
+            continue
+        if not wrong.is_slip:
+            survey.done.add(wrong.method)  # a course may accept an erratum: it needs no name
+            continue
+        tried[wrong.method] = tried.get(wrong.method, 0) + 1
+        if tried[wrong.method] <= _TRIED:
             finding = judged(wrong)
-            instead[wrong.method] = finding
+            survey.instead[wrong.method] = finding
             if wrong.name in {finding.slip, *finding.tied} or _is_printed(wrong, finding):
-                named.add(wrong.method)
-    problems = tuple(
-        _problem(wrong, instead.get(method))
-        for method, wrong in met.items()
-        if method not in named and not (wrong.quantity.kind is Kind.CHOICE and method not in seen)
-    )
-    return concluded(proof, len(met), problems)
+                survey.done.add(wrong.method)
 
 
 def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, bool, Array]]:
