@@ -52,7 +52,7 @@ def _lines(path: Path, file: str, problems: list[Problem]) -> list[str] | None:
     heading = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     if ";" in heading or "\t" in heading:
         what = message("The columns are not divided by commas.")
-        problems.append(_problem(file, message("column {column}", column=heading), what, _DIVIDE))
+        problems.append(Problem(file, "", what, _DIVIDE, f"  {heading}"))
         return None
     return lines
 

@@ -84,6 +84,8 @@ def _scaled(node: Node, quantities: Mapping[str, Quantity]) -> str | None:
             return name if is_scaled else None
         case Negation(inner):
             return _scaled(inner, quantities)
+        case Operation("+" | "-", left, right):
+            return _scaled(left, quantities) or _scaled(right, quantities)
         case Operation("*", left, right) if _is_bare(left) or _is_bare(right):
             return _scaled(right if _is_bare(left) else left, quantities)
         case Operation("/", left, right) if _is_bare(right):
