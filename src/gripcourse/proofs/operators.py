@@ -134,9 +134,7 @@ def flipped_formulas(plan: Plan) -> Iterator[FlippedFormula]:
             if one.kind is Kind.VERDICT and mutant.operator not in _CONDITIONS:
                 continue
             wrong = dataclasses.replace(formula, tree=mutant.tree)
-            yield FlippedFormula(
-                one, formula, wrong, mutant.operator, mutant.span, plan.convention
-            )
+            yield FlippedFormula(one, formula, wrong, mutant.operator, mutant.span, plan.convention)
 
 
 def with_formula(plan: Plan, flipped: FlippedFormula) -> Plan:
