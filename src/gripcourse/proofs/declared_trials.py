@@ -1,4 +1,4 @@
-"""Trying what a course declares about its formulas: identities, inequalities, virtual work, paths."""
+"""Trying what a course declares: identities, inequalities, virtual work, paths."""
 
 from collections.abc import Iterator
 

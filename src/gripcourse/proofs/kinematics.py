@@ -98,7 +98,7 @@ def prove_motion(scheme: Scheme, trials: tuple[Trial, ...]) -> ProofResult:
 
 
 def state_differs(trial: Trial, plan: Plan, motion: Kinematics) -> bool:
-    """Tell whether another plan breaks what is declared of the positions, their order and joints."""
+    """Tell whether another plan breaks what is declared of positions, their order and joints."""
     values = {
         name: np.broadcast_to(value, len(trial.variants))
         for name, value in evaluate(plan, trial.known).values.items()
@@ -171,7 +171,7 @@ def _order_faults(
     yield "at", np.asarray(wrong), message("The drive goes back between its positions.")
     path = np.linspace(stops[0], stops[-1], 2 * _STEPS)
     output = coordinates(motion, values, path)[motion.jaw]
-    wrong = ~(np.diff(output, axis=0) < 0).all(axis=0)
+    wrong = np.asarray(~(np.diff(output, axis=0) < 0).all(axis=0))
     yield "jaw", wrong, message("{coordinate} does not fall all the way.", coordinate=motion.jaw)
 
 

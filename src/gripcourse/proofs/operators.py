@@ -1,6 +1,6 @@
 """A wrong sign in a formula does not go unnoticed: every operator is flipped, one at a time.
 
-A flipped operator is noticed where a printed number does not come out any more, where a proof fails,
+A flipped operator is noticed where a printed number does not come out any more, a proof fails,
 or where the formula then measures something else, which the check of the course refuses.
 """
 

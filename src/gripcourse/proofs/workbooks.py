@@ -64,15 +64,7 @@ def prove_workbooks(
     Returns:
         A result for each scheme; open where there is no LibreOffice.
     """
-    keys = {
-        scheme: [
-            KeyFile(f"{scheme}-{number}-{place}", trial.plan, _issued(trial.plan, variant))
-            for number, trial in enumerate(trials)
-            for place, variant in enumerate(trial.variants)
-        ]
-        for scheme, trials in by_scheme.items()
-        if trials
-    }
+    keys = {scheme: key_files(scheme, trials) for scheme, trials in by_scheme.items() if trials}
     if office is None:
         said = message("Not proved here: this machine has no LibreOffice (gripcourse doctor).")
         for scheme, files in keys.items():
@@ -93,6 +85,15 @@ def prove_workbooks(
             ]
             cells = sum(len(one.plan.quantities) for one in files)
             yield concluded(proof, cells, tuple(problems))
+
+
+def key_files(scheme: str, trials: Sequence[Trial]) -> list[KeyFile]:
+    """Name the file of the key of each variant of a scheme."""
+    return [
+        KeyFile(f"{scheme}-{number}-{place}", trial.plan, _issued(trial.plan, variant))
+        for number, trial in enumerate(trials)
+        for place, variant in enumerate(trial.variants)
+    ]
 
 
 def write_keys(folder: Path, keys: Sequence[KeyFile]) -> None:
