@@ -1,4 +1,4 @@
-"""A printed number that does not come out is one problem, with what came out and what is printed."""
+"""A printed number that does not come out is a problem: what came out, and what is printed."""
 
 from dataclasses import replace
 
