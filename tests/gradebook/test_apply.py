@@ -14,7 +14,7 @@ from gripcourse.gradebook.apply import OUTDATED, with_marks
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import NOT_JUDGED
-from gripcourse.grading.model import OPEN, Finding, Flag, Outcome, Report
+from gripcourse.grading.model import Finding, Flag, Outcome, Report
 from gripcourse.text.words import message
 
 MakeReport = Callable[..., Report]
@@ -228,7 +228,7 @@ def follow(
             else:
                 assert finding.points == credit * finding.max_points
                 assert not finding.is_open
-        closed = [one for one in marked.findings if one.outcome not in OPEN or one.decision]
+        closed = [one for one in marked.findings if not one.is_open]
         assert marked.score == sum(one.points for one in closed)
         assert marked.max_score + marked.open_points == sum(
             one.max_points for one in marked.findings

@@ -4,7 +4,7 @@ import hmac
 import math
 from collections.abc import Iterator, Sequence
 
-from gripcourse.grading.model import Finding, Flag, Outcome
+from gripcourse.grading.model import Finding, Flag
 from gripcourse.submission.model import Submission
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
@@ -82,9 +82,14 @@ def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
 
 def not_judged_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
     """Yield the flag of the answers that a person must judge, if there are any."""
-    not_judged = [one.quantity for one in findings if one.outcome is Outcome.NOT_JUDGED]
+    not_judged = [one.quantity for one in findings if _is_undecided(one)]
     if not_judged:
         yield Flag(
             NOT_JUDGED,
             message("A person must judge: {names}.", names=", ".join(not_judged)),
         )
+
+
+def _is_undecided(finding: Finding) -> bool:
+    """Tell whether a person must judge what the program should have judged."""
+    return finding.outcome.traits.waits and not finding.outcome.traits.by_rubric

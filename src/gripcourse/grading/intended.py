@@ -8,9 +8,7 @@ one that was written; the better counts.
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import Final
 
-from gripcourse.grading.model import Outcome
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -21,9 +19,6 @@ from gripcourse.grading.submission_case import (
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
-
-# Conclusions that the student's earlier numbers have a part in.
-_DEPENDING: Final = frozenset({Outcome.WRONG, Outcome.SLIP, Outcome.CARRIED})
 
 
 def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -58,7 +53,7 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
 def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:
     """Return what was meant where the slip was one of writing."""
     comparison, slip = judged.comparison, judged.judgement.slip
-    if comparison is None or judged.judgement.outcome is not Outcome.SLIP:
+    if comparison is None or not judged.judgement.outcome.traits.named:
         return None
     for candidate in case.candidates_of(judged.quantity.id):
         if candidate.id == slip and candidate.kind in OF_WRITING:
@@ -91,7 +86,7 @@ def _again(
         case,
         [
             judge_answer(case, one.quantity, one.answer)
-            if one.quantity.id not in known and one.judgement.outcome in _DEPENDING
+            if one.quantity.id not in known and _rests_on_earlier(one)
             else one
             for one in judged
         ],
@@ -99,11 +94,14 @@ def _again(
 
 
 def _may_be_better(judged: JudgedAnswer) -> bool:
-    return judged.comparison is not None and judged.judgement.outcome in {
-        Outcome.WRONG,
-        Outcome.SLIP,
-    }
+    return judged.comparison is not None and judged.judgement.outcome.traits.mistake
+
+
+def _rests_on_earlier(judged: JudgedAnswer) -> bool:
+    """Tell whether the student's earlier numbers have a part in the conclusion."""
+    return judged.judgement.outcome.traits.mistake or judged.judgement.outcome.traits.follows
 
 
 def _worth(judged: JudgedAnswer) -> tuple[float, bool]:
-    return judged.judgement.credit, judged.judgement.outcome is not Outcome.WRONG
+    traits = judged.judgement.outcome.traits
+    return judged.judgement.credit, traits.named or not traits.mistake

@@ -14,7 +14,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
-from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
+from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -59,7 +59,7 @@ def judge(
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
     roots = roots_of(plan, outcomes)
     findings = tuple(_finding(case, one, roots) for one in judged)
-    closed = [finding for finding in findings if finding.outcome not in OPEN]
+    closed = [finding for finding in findings if not finding.is_open]
     return Report(
         file=submission.file,
         student=issued.student.id,
@@ -70,7 +70,7 @@ def judge(
         language=issued.student.language or plan.course.language,
         score=sum(finding.points for finding in closed),
         max_score=sum(finding.max_points for finding in closed),
-        open_points=sum(f.max_points for f in findings if f.outcome in OPEN),
+        open_points=sum(finding.max_points for finding in findings if finding.is_open),
         flags=flags_of(submission, issued, findings),
         findings=findings,
         remarks=submission.remarks,
@@ -131,7 +131,7 @@ def _finding(case: GradingCase, judged: JudgedAnswer, roots: Mapping[str, set[st
     available = case.points[quantity.id]
     follows = None if judged.comparison is None else judged.comparison.follows
     reference = _declared(case, quantity, case.reference.get(quantity.id))
-    met = reference if judgement.outcome is Outcome.CORRECT else judgement.expected
+    met = reference if judgement.outcome.traits.equals_reference else judgement.expected
     figures = figures_remark(quantity, answer, case.policy, met) if answer is not None else None
     share, said = figures if figures is not None else (1.0, None)
     return Finding(

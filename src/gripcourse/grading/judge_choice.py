@@ -19,7 +19,7 @@ def judge_choice_answer(comparison: Comparison) -> Judgement:
 
 def _with_wrong_unit(judgement: Judgement, comparison: Comparison) -> Judgement:
     """The right size with a unit that measures something else earns what the policy says."""
-    if judgement.outcome not in {Outcome.CORRECT, Outcome.CARRIED}:
+    if not judgement.outcome.traits.right:
         return judgement
     said = message("The number is right, the unit is not.")
     credit = comparison.policy.wrong_unit_credit

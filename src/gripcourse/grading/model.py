@@ -5,24 +5,10 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
 
+from gripcourse.grading.outcome import Outcome
 from gripcourse.text.words import Message
 
-
-class Outcome(StrEnum):
-    """What was found out about one answer."""
-
-    CORRECT = "correct"  # equals the reference
-    CARRIED = "carried"  # follows from the student's own earlier numbers
-    SLIP = "slip"  # a recognised wrong method
-    WRONG = "wrong"
-    BLANK = "blank"
-    UNREADABLE = "unreadable"
-    NOT_JUDGED = "not_judged"  # ours; a person decides
-    MANUAL = "manual"  # a person marks it from a rubric, or has decided about it
-
-
-OPEN = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
-"""Outcomes that wait for a person; their points count neither for nor against the student."""
+__all__ = ["Against", "Cause", "Decision", "Finding", "Flag", "Outcome", "Report"]
 
 
 class Against(StrEnum):
@@ -110,7 +96,7 @@ class Finding:
     @property
     def is_open(self) -> bool:
         """Whether a person still has to decide about the item."""
-        return self.outcome in OPEN and self.decision is None
+        return self.outcome.traits.waits and self.decision is None
 
 
 @dataclass(frozen=True, slots=True)

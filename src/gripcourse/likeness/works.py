@@ -2,7 +2,7 @@
 
 import math
 
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.variants.model import Issued
 
@@ -45,7 +45,7 @@ def _is_explained(finding: Finding) -> bool:
     The outcome alone does not say so: an answer that was accepted because it follows from a wrong
     given value follows from another's where that value was copied.
     """
-    if finding.outcome is Outcome.CORRECT or _is_between(finding, finding.low, finding.high):
+    if finding.outcome.traits.equals_reference or _is_between(finding, finding.low, finding.high):
         return True
     near = (finding.reference, finding.expected)
     return any(_is_between(finding, value, value) for value in near)
@@ -60,5 +60,5 @@ def _is_between(finding: Finding, low: float | None, high: float | None) -> bool
 
 
 def _slip(finding: Finding) -> str:
-    is_method = finding.outcome is Outcome.SLIP and not finding.slip.startswith(_USED)
+    is_method = finding.outcome.traits.named and not finding.slip.startswith(_USED)
     return finding.slip if is_method else ""

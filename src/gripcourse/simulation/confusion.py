@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix, Required, SimulatedWork
 from gripcourse.simulation.rates import Rate
 
@@ -123,8 +123,8 @@ def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
 
 
 def _said(action: Action, finding: Finding) -> Said:
-    if finding.outcome is not Outcome.SLIP:
-        return Said(str(finding.outcome))
+    if not finding.outcome.traits.named:
+        return Said(finding.outcome.value)
     names = {action.slip, *action.twins} - {""}
     if finding.slip in names:
         return Said.NAMED

@@ -23,7 +23,6 @@ from gripcourse.documents.report.totals import (
     shares,
     spread,
 )
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
 from gripcourse.grading.model import Report
 from gripcourse.policy.model import Policy
 from gripcourse.text.amounts import percent_text, points_text
@@ -101,7 +100,7 @@ def cohort_values(
             fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
         ),
         "fewest": FEWEST,
-        "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
+        "outcomes": [(outcome.traits.sign, words.say(outcome.traits.word)) for outcome in COUNTED],
         "groups": quantity_groups(asked, words),
         "marked": marked_tables(reports, declared, policy, words),
         "decided": decision_rows(reports, declared, words),

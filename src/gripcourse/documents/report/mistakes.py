@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from gripcourse.course.model import Quantity
 from gripcourse.documents.report.root_causes import USED
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 from gripcourse.policy.slips import SlipKind, SlipPolicy
 from gripcourse.text.amounts import percent_text
 from gripcourse.text.words import Message, Texts, Words, message
@@ -62,9 +62,9 @@ def mistakes_of(report: Report) -> Iterator[Mistake]:
         return
     seen: set[tuple[str, str]] = set()
     for finding in report.findings:
-        if finding.outcome in {Outcome.SLIP, Outcome.WRONG}:
+        if finding.outcome.traits.mistake:
             place = finding.quantity
-        elif finding.outcome is Outcome.CARRIED and finding.slip and finding.roots:
+        elif finding.outcome.traits.follows and finding.slip and finding.roots:
             place = finding.roots[0]  # a step that was left out: its slip shows in this answer
         else:
             continue

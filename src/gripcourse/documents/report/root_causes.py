@@ -3,8 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
-from gripcourse.grading.model import Cause, Finding, Outcome, Report
+from gripcourse.grading.model import Cause, Finding, Report
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, points_text
 from gripcourse.text.words import Words, message
@@ -52,7 +51,7 @@ def cause_rows(report: Report, plan: Plan, words: Words) -> Iterator[CauseRow]:
         later = [
             findings[name]
             for name in cause.explains
-            if name in findings and findings[name].outcome is Outcome.CARRIED
+            if name in findings and findings[name].outcome.traits.follows
         ]
         if later and shown < _MOST:
             shown += 1
@@ -89,8 +88,8 @@ def _row(
     return CauseRow(
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
-        sign="" if root is None else SIGNS[root.outcome],
-        verdict="" if root is None else words.say(OUTCOME_WORDS[root.outcome]),
+        sign="" if root is None else root.outcome.traits.sign,
+        verdict="" if root is None else words.say(root.outcome.traits.word),
         said=words.say(cause.message) if root is None else "",
         later=tuple(name_of(one.quantity, plan, words) for one in later[:_NAMED]),
         more=_more(more, words) if more > 0 else "",
