@@ -10,6 +10,7 @@ import pytest
 
 from gripcourse.exports.grades import grades_csv, grades_text
 from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import message
 
 Change = Callable[..., Report]
@@ -94,9 +95,15 @@ def test_excel_is_told_that_it_is_utf8(perfect: Report, tmp_path: Path) -> None:
 def test_recognised_slips_are_listed_where_they_were_made(
     perfect: Report, with_finding: Change
 ) -> None:
-    slipped = with_finding(perfect, "bore_required", outcome=Outcome.SLIP, slip="unit:cm")
+    slipped = with_finding(
+        perfect, "bore_required", outcome=Outcome.SLIP, slip=SlipId.parse("unit:cm")
+    )
     earlier = with_finding(
-        slipped, "drive_force", outcome=Outcome.CARRIED, slip="swapped:a", roots=("grip_force",)
+        slipped,
+        "drive_force",
+        outcome=Outcome.CARRIED,
+        slip=SlipId.parse("swapped:a"),
+        roots=("grip_force",),
     )
     (row,) = rows(grades_text([earlier]))
     assert set(row["slips"].split("; ")) == {"bore_required=unit:cm", "grip_force=swapped:a"}

@@ -41,7 +41,7 @@ def _finding(quantity: str, outcome: Outcome, points: float, possible: float) ->
         inputs={},
         points=points,
         max_points=possible,
-        slip="",
+        slip=None,
         message=message("No answer."),
         remarks=(),
     )

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.simulation.write import Typed, fill
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, make_plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
@@ -113,7 +113,7 @@ def fill_workbooks(
     students = list(register)
     for student, (story, behaviour) in zip(students, STORIES.items(), strict=False):
         issued = register[student]
-        plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+        plan = plan_of(course, issued.variant.composition)
         fill(issued_workbooks[student], behaviour(plan, issued), out / f"{student}.xlsx")
         stories[student] = story
     copier = students[len(stories)]

@@ -4,11 +4,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
-from gripcourse.grading.flags import NOT_JUDGED, not_judged_flags
-from gripcourse.grading.model import Against, Decision, Finding, Flag, Outcome, Report
+from gripcourse.grading.flags import not_judged_flags
+from gripcourse.grading.model import Against, Decision, Finding, Flag, FlagCode, Outcome, Report
 from gripcourse.text.words import message
 
-OUTDATED = "mark_outdated"
 """Code of the flag of marks that a person should look at again."""
 
 
@@ -46,7 +45,7 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
         max_score=sum(one.max_points for one in closed),
         open_points=sum(one.max_points for one in findings if one.is_open),
         flags=(
-            *(flag for flag in report.flags if flag.code != NOT_JUDGED),
+            *(flag for flag in report.flags if flag.code is not FlagCode.NOT_JUDGED),
             *not_judged_flags(findings),
             *_flags(report, entered, outdated),
         ),
@@ -83,7 +82,7 @@ def _flags(
     asked = {one.quantity for one in report.findings}
     if again := [one.quantity for one in report.findings if one.quantity in outdated]:
         yield Flag(
-            OUTDATED,
+            FlagCode.MARK_OUTDATED,
             message(
                 "Look again at {names}: the file or its other results have changed since a person "
                 "marked. The marks count.",
@@ -92,7 +91,7 @@ def _flags(
         )
     if lost := [name for name in entered if name not in asked]:
         yield Flag(
-            OUTDATED,
+            FlagCode.MARK_OUTDATED,
             message(
                 "The assignment no longer asks for {names}, which a person marked.",
                 names=", ".join(lost),

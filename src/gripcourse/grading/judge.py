@@ -27,6 +27,7 @@ from gripcourse.grading.submission_case import (
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of as make_candidates
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import from_si
 from gripcourse.submission.model import Answer, Submission
@@ -110,8 +111,8 @@ def _substituted(
         judgement = replace(
             judged.judgement,
             outcome=Outcome.SLIP,
-            slip=f"used:{one.quantity}",
-            tied=(f"used:{one.tied}",) if one.tied else (),
+            slip=SlipId.used(one.quantity),
+            tied=(SlipId.used(one.tied),) if one.tied else (),
             message=spoiled_first(case.plan, one),
         )
         return replace(judged, judgement=judgement)

@@ -95,7 +95,7 @@ def _conclude(
         expected=expected if math.isfinite(expected) else None,
         band=0.0,
         credit=credit,
-        slip="",
+        slip=None,
         tied=(),
         roots=(),
         message=said,

@@ -8,6 +8,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.bands import band
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
 
@@ -68,7 +69,7 @@ def _printed(comparison: Comparison) -> Iterator[Judgement]:
                 Against.PRINTED,
                 0.0,
                 said,
-                slip=printed.erratum,
+                slip=SlipId.declared(printed.erratum),
                 remark=remark,
             )
         else:
@@ -103,7 +104,7 @@ def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
     credit: float,
     said: Message,
     *,
-    slip: str = "",
+    slip: SlipId | None = None,
     remark: Message | None = None,
 ) -> Judgement:
     target = comparison.expected

@@ -5,10 +5,13 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
 
+from gripcourse.course.composition import Composition
+from gripcourse.grading.flag_code import FlagCode
 from gripcourse.grading.outcome import Outcome
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message
 
-__all__ = ["Against", "Cause", "Decision", "Finding", "Flag", "Outcome", "Report"]
+__all__ = ["Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "Outcome", "Report"]
 
 
 class Against(StrEnum):
@@ -60,10 +63,10 @@ class Finding:
         inputs: the student's own numbers and given values that `expected` was computed from, in
             declared units, by id: what the worked line substitutes.
         points, max_points: earned and possible.
-        slip: id of the recognised slip, empty for none.
+        slip: the recognised slip, None for none.
         message: the verdict in a sentence.
         remarks: hints and notes that go with it.
-        tied: ids of other slips that explain the answer as well.
+        tied: other slips that explain the answer as well.
         roots: ids of the quantities whose wrong answers explain this one.
         half_unit: half a unit of the last typed digit, in the declared unit.
         low, high: the range of `expected` that the rounding of earlier answers leaves.
@@ -83,10 +86,10 @@ class Finding:
     inputs: Mapping[str, float]
     points: float
     max_points: float
-    slip: str
+    slip: SlipId | None
     message: Message
     remarks: tuple[Message, ...]
-    tied: tuple[str, ...] = ()
+    tied: tuple[SlipId, ...] = ()
     roots: tuple[str, ...] = ()
     half_unit: float = 0.0
     low: float | None = None
@@ -118,7 +121,7 @@ class Cause:
 class Flag:
     """Something a person should look at before the marks are published."""
 
-    code: str
+    code: FlagCode
     message: Message
 
 
@@ -163,3 +166,8 @@ class Report:
     causes: tuple[Cause, ...] = ()
     givens: Mapping[str, float] = field(default_factory=dict)
     creator: str = ""
+
+    @property
+    def composition(self) -> Composition:
+        """What was computed: the scheme with the options of the variant."""
+        return Composition.of(self.scheme, self.options)

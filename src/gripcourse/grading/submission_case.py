@@ -153,4 +153,4 @@ def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float)
 
 
 def _without_value(outcome: Outcome, said: Message) -> Judgement:
-    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", (), (), said, ())
+    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, None, (), (), said, ())

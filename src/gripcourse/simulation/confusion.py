@@ -125,7 +125,7 @@ def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
 def _said(action: Action, finding: Finding) -> Said:
     if not finding.outcome.traits.named:
         return Said(finding.outcome.value)
-    names = {action.slip, *action.twins} - {""}
+    names = {*action.twins} if action.slip is None else {action.slip, *action.twins}
     if finding.slip in names:
         return Said.NAMED
     return Said.TIED if names.intersection(finding.tied) else Said.MISNAMED

@@ -10,7 +10,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.grades import grades_csv
-from gripcourse.grading.model import Decision, Flag, Report
+from gripcourse.grading.model import Decision, Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Message, Words, message
@@ -159,7 +159,7 @@ def report_json(report: Report, words: Words) -> dict[str, object]:
         "score": report.score if report.judged else None,
         "max_score": report.max_score if report.judged else None,
         "open_points": report.open_points,
-        "flags": [flag.code for flag in report.flags],
+        "flags": [flag.code.value for flag in report.flags],
         "flag_messages": [words.say(flag.message) for flag in report.flags],
         "remarks": [words.say(remark) for remark in report.remarks],
         "findings": [
@@ -176,7 +176,7 @@ def report_json(report: Report, words: Words) -> dict[str, object]:
                 "band": finding.band,
                 "points": finding.points,
                 "max_points": finding.max_points,
-                "slip": finding.slip,
+                "slip": "" if finding.slip is None else str(finding.slip),
                 "message": words.say(finding.message),
                 "remarks": [words.say(remark) for remark in finding.remarks],
                 "decision": _decision_json(finding.decision),
@@ -212,7 +212,7 @@ def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
         number=incident_number(outcome.trace),
         reason=outcome.reason,
     )
-    return replace(report, flags=(*report.flags, Flag("report_incident", said)))
+    return replace(report, flags=(*report.flags, Flag(FlagCode.REPORT_INCIDENT, said)))
 
 
 def _is_workbook(path: Path) -> bool:

@@ -13,6 +13,7 @@ from gripcourse.documents.report.quantities import AskedQuantity, quantity_group
 from gripcourse.documents.report.totals import quantity_totals
 from gripcourse.grading.model import Flag, Outcome, Report
 from gripcourse.policy.model import Policy
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Words, message
 
 Change = Callable[..., Report]
@@ -184,7 +185,12 @@ def test_sections_slips_and_fairness_have_their_tables(
     text_of: Callable[[bytes], str],
 ) -> None:
     slip = with_finding(
-        reports[0], "bore", outcome=Outcome.SLIP, slip="unit:mm>cm", given=6.3, points=0.0
+        reports[0],
+        "bore",
+        outcome=Outcome.SLIP,
+        slip=SlipId.parse("unit:mm>cm"),
+        given=6.3,
+        points=0.0,
     )
     written = text_of(printed([*reports, slip], "en"))
     for heading in (

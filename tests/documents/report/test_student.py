@@ -11,6 +11,7 @@ from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.student import TEMPLATE, student_report, student_values
 from gripcourse.grading.model import Against, Cause, Flag, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
 
@@ -160,7 +161,7 @@ def test_what_follows_from_a_slip_in_a_blank_step_does_not_bring_the_right_value
         low=TELLTALE,
         high=TELLTALE,
         band=TELLTALE / 100,
-        slip="unit:cm",
+        slip=SlipId.parse("unit:cm"),
         roots=("bore_required",),
         message=message("Follows from a slip in a step that you left blank."),
     )

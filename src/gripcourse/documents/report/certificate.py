@@ -209,8 +209,12 @@ def _sentences(
         yield message("too near to another variant; the nearest is {variant}", variant=other)
 
 
+def _scheme_of(steps: Steps) -> str:
+    return steps.composition.scheme
+
+
 def _by_scheme(audit: VariantAudit) -> Iterator[tuple[str, Iterable[Steps]]]:
-    yield from groupby(sorted(audit.steps, key=lambda one: one.scheme), lambda one: one.scheme)
+    yield from groupby(sorted(audit.steps, key=_scheme_of), _scheme_of)
 
 
 def _steps(title: str, steps: Sequence[Steps]) -> tuple[str, ...]:
@@ -282,7 +286,8 @@ def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, st
     """Return the title of every quantity that occurs; the first scheme's counts."""
     found: dict[str, Quantity] = {}
     for one in audit.steps:
-        found = compose(course, course.schemes[one.scheme], dict(one.options)) | found
+        made = one.composition
+        found = compose(course, course.schemes[made.scheme], made.options) | found
     return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
 
 

@@ -6,6 +6,7 @@ from datetime import date
 from pathlib import PurePath
 
 from gripcourse.course.compose import compose
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Quantity, Section
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import ChartBox, box_plot, facility_plot, score_plot
@@ -111,9 +112,9 @@ def cohort_values(
 def _declared(reports: Sequence[Report], course: Course) -> dict[str, Quantity]:
     """Return the declaration of every quantity that occurs, by id; the first scheme's counts."""
     declared: dict[str, Quantity] = {}
-    seen: set[tuple[str, frozenset[tuple[str, str]]]] = set()
+    seen = set[Composition]()
     for report in reports:
-        kind = (report.scheme, frozenset(report.options.items()))
+        kind = report.composition
         if kind in seen or report.scheme not in course.schemes:
             continue
         seen.add(kind)

@@ -4,15 +4,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Cause, Finding, Report
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, points_text
 from gripcourse.text.words import Words, message
 
 _MOST = 5  # roots; what follows from a lesser one says so in its own row
 _NAMED = 12  # answers of one root; each symbol costs boxes
-
-USED = "used:"
-"""How the slip of an answer begins that a number used wrongly has spoiled."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +68,7 @@ def name_of(quantity: str, plan: Plan, words: Words) -> str:
 
 
 def _first_affected(cause: Cause, findings: Iterable[Finding]) -> Finding | None:
-    slip = f"{USED}{cause.quantity}"
+    slip = SlipId.used(cause.quantity)
     found = (one for one in findings if one.slip == slip and one.quantity in cause.explains)
     return next(found, None)
 
