@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.exports.grades import grades_csv, grades_text
-from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import message
 
@@ -40,7 +40,7 @@ def test_the_columns_of_the_sections_add_up_to_the_score(perfect: Report, wrong:
 
 def test_a_rejected_file_has_a_row_and_no_zero(perfect: Report, rejected: Change) -> None:
     flagged = replace(
-        rejected(perfect), flags=(Flag("rejected", message("Protected by a password.")),)
+        rejected(perfect), flags=(Flag(FlagCode.REJECTED, message("Protected by a password.")),)
     )
     _, row = rows(grades_text([perfect, flagged]))
     assert row["file"] == "inbox/s017.xlsx"

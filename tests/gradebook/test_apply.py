@@ -121,7 +121,7 @@ class TestDecisions:
         assert with_marks(report(), history) == report()
 
     def test_other_flags_stay(self, report: MakeReport, enter: Enter) -> None:
-        odd = Flag("signature", message("The file is empty: it has no bytes."))
+        odd = Flag(FlagCode.SIGNATURE, message("The file is empty: it has no bytes."))
         before = replace(report(), flags=(odd, *report().flags))
         assert with_marks(before, [enter()]).flags == before.flags
 

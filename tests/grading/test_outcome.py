@@ -1,7 +1,11 @@
 """What holds of an outcome stands in one table, and the program asks nothing else of it."""
 
 import ast
+import os
 import re
+import shutil
+import subprocess
+import sys
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
@@ -11,6 +15,7 @@ import pytest
 from gripcourse.cli.simulation_text import _SAID
 from gripcourse.grading.outcome import Outcome, OutcomeTraits, outcome_named
 from gripcourse.simulation.confusion import Said
+from support.howto import blocks
 
 REPOSITORY = Path(__file__).parents[2]
 SOURCES = REPOSITORY / "src" / "gripcourse"
@@ -100,3 +105,21 @@ def test_the_measured_grader_says_every_outcome_that_it_can_find() -> None:
     found = {one.value for one in Outcome if not (one.traits.named or one.traits.by_rubric)}
     assert found <= set(Said)
     assert set(Said) == set(_SAID)
+
+
+def test_one_entry_adds_an_outcome_everywhere(tmp_path: Path) -> None:
+    """The how-to followed in a copy: statistics, the gradebook's files and signs know the new."""
+    (entry,) = blocks("add-an-outcome.md", "python")
+    shutil.copytree(SOURCES, tmp_path / "gripcourse", ignore=shutil.ignore_patterns("__pycache__"))
+    module = tmp_path / "gripcourse" / "grading" / "outcome.py"
+    text = module.read_text(encoding="utf-8")
+    module.write_text(text.replace("    SLIP = (", f"{entry}    SLIP = (", 1), encoding="utf-8")
+    asked = (
+        "from gripcourse.documents.report.quantities import COUNTED\n"
+        "from gripcourse.grading.outcome import Outcome, outcome_named\n"
+        "print(*COUNTED, outcome_named('rough').traits.sign)"
+    )
+    places = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONIOENCODING": "utf-8"}
+    run = subprocess.run([sys.executable, "-c", asked], env=places, capture_output=True, check=True)  # noqa: S603 (own words)
+    names = ["correct", "carried", "rough", "slip", "wrong", "blank", "unreadable", "not_judged"]
+    assert run.stdout.decode().split() == [*names, "≋"]

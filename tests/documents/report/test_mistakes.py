@@ -6,7 +6,7 @@ from dataclasses import replace
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
 from gripcourse.documents.report.mistakes import kind_rows, mistakes_of, slip_rows
-from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -69,7 +69,7 @@ def test_what_follows_from_a_mistake_and_what_is_blank_are_none(
 
 
 def test_another_students_workbook_holds_nobodys_slips(perfect: Report, wrong: Change) -> None:
-    flag = Flag("issued_to_other", message("The workbook was issued to another student."))
+    flag = Flag(FlagCode.ISSUED_TO_OTHER, message("The workbook was issued to another student."))
     assert list(mistakes_of(replace(wrong(perfect, "bore", 1.0), flags=(flag,)))) == []
 
 

@@ -9,7 +9,7 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.student import TEMPLATE, student_report, student_values
-from gripcourse.grading.model import Against, Cause, Flag, Outcome, Report
+from gripcourse.grading.model import Against, Cause, Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -227,7 +227,7 @@ def test_a_sound_decision_is_shown_as_the_student_took_it(
 
 
 def test_flags_are_for_the_instructor(perfect: Report, text: Callable[..., str]) -> None:
-    flag = Flag("foreign_variant", message("The answers fit another variant better."))
+    flag = Flag(FlagCode.OTHER_VARIANT, message("The answers fit another variant better."))
     assert "another variant" not in text(replace(perfect, flags=(flag,)))
 
 
