@@ -5,6 +5,7 @@ from collections.abc import Set as AbstractSet
 from itertools import combinations, product
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.formula.tree import Formula
 
@@ -84,6 +85,18 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}
     return constants | declared
+
+
+def declared_in(course: Course, compositions: Iterable[Composition]) -> dict[str, Quantity]:
+    """Return the declaration of every quantity that occurs, by id; the first composition's counts.
+
+    A scheme that the course has no longer brings none.
+    """
+    declared: dict[str, Quantity] = {}
+    for one in dict.fromkeys(compositions):
+        if one.scheme in course.schemes:
+            declared = compose(course, course.schemes[one.scheme], one.options) | declared
+    return declared
 
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:

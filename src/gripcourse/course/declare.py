@@ -109,7 +109,7 @@ def _check_id(identifier: str, table: Table) -> None:
 
 
 def _stand_in(identifier: str, table: Table) -> Quantity:
-    """Return what is known of a quantity whose kind is not, lest all its users be reported too."""
+    """Return what is known of a quantity whose kind is not: its users are not at fault."""
     silent = Table(table.values, table.file, table.key, [])
     nothing = Texts(dict.fromkeys(LANGUAGES, ""))
     return Quantity(
@@ -179,7 +179,7 @@ def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | Non
     try:
         return Formula(text, parse(text), dict(units))
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None
 
 

@@ -239,7 +239,7 @@ def read_toml(path: Path, root: Path, problems: list[Problem]) -> Table | None:
                 file,
                 "",
                 message("This is not valid TOML: {fault}.", fault=str(fault)),
-                message("Mend the line that is named."),
+                message("Correct the line that is named."),
             )
         )
     return None

@@ -5,7 +5,16 @@ from dataclasses import replace
 
 from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
 from gripcourse.grading.flags import not_judged_flags
-from gripcourse.grading.model import Against, Decision, Finding, Flag, FlagCode, Outcome, Report
+from gripcourse.grading.model import (
+    Against,
+    Decision,
+    Finding,
+    Flag,
+    FlagCode,
+    Outcome,
+    Report,
+    sums_of,
+)
 from gripcourse.text.words import message
 
 """Code of the flag of marks that a person should look at again."""
@@ -38,12 +47,12 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
         else one
         for one in report.findings
     )
-    closed = [one for one in findings if not one.is_open]
+    sums = sums_of(findings)
     return replace(
         report,
-        score=sum(one.points for one in closed),
-        max_score=sum(one.max_points for one in closed),
-        open_points=sum(one.max_points for one in findings if one.is_open),
+        score=sums.score,
+        max_score=sums.max_score,
+        open_points=sums.open_points,
         flags=(
             *(flag for flag in report.flags if flag.code is not FlagCode.NOT_JUDGED),
             *not_judged_flags(findings),

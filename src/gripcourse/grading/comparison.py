@@ -166,3 +166,28 @@ class Comparison:
         self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
     ) -> NDArray[np.float64]:
         return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)
+
+
+def conclude(
+    comparison: Comparison,
+    outcome: Outcome,
+    against: Against,
+    credit: float,
+    said: Message,
+    *,
+    remarks: tuple[Message, ...] = (),
+) -> Judgement:
+    """Conclude about an answer, as yet without a band, a slip or a root."""
+    expected = comparison.expected
+    return Judgement(
+        outcome=outcome,
+        against=against,
+        expected=expected if math.isfinite(expected) else None,
+        band=0.0,
+        credit=credit,
+        slip=None,
+        tied=(),
+        roots=(),
+        message=said,
+        remarks=remarks,
+    )

@@ -31,23 +31,34 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
     Returns:
         The same in the same order, each with the better of both conclusions.
     """
-    found, seen, known = list(judged), list(judged), dict[str, Answer]()
-    while any(_may_be_better(one) for one in found if one.quantity.id not in known):
-        new = {
-            one.quantity.id: answer
-            for one in seen
-            if one.quantity.id not in known and (answer := _intended(case, one)) is not None
-        }
+    best, seen, known = list(judged), list(judged), dict[str, Answer]()
+    while any(_may_be_better(one) for one in best if one.quantity.id not in known):
+        new = _newly_intended(case, seen, known)
         if not new:
             break
-        # What only seems written wrongly, beside an earlier one, may follow from what was meant.
-        known |= {name: new[name] for name in _earliest(case.plan, new.keys())}
+        known |= new
         seen = _again(with_answers(case, known), seen, known.keys())
-        found = [
-            later if _worth(later) > _worth(one) else one
-            for one, later in zip(found, seen, strict=True)
-        ]
-    return found
+        best = [_better(*pair) for pair in zip(best, seen, strict=True)]
+    return best
+
+
+def _newly_intended(
+    case: GradingCase, judged: Sequence[JudgedAnswer], known: Collection[str]
+) -> dict[str, Answer]:
+    """Return what was meant by answers that were not looked at yet, none of which needs another.
+
+    What only seems written wrongly, beside an earlier one, may follow from what was meant.
+    """
+    new = {
+        one.quantity.id: answer
+        for one in judged
+        if one.quantity.id not in known and (answer := _intended(case, one)) is not None
+    }
+    return {name: new[name] for name in _earliest(case.plan, new.keys())}
+
+
+def _better(one: JudgedAnswer, later: JudgedAnswer) -> JudgedAnswer:
+    return later if _worth(later) > _worth(one) else one
 
 
 def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:

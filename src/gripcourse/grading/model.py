@@ -1,6 +1,6 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
@@ -11,7 +11,10 @@ from gripcourse.grading.outcome import Outcome
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message
 
-__all__ = ["Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "Outcome", "Report"]
+__all__ = [
+    "Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "Outcome", "PointSums", "Report",
+    "sums_of",
+]  # fmt: skip
 
 
 class Against(StrEnum):
@@ -100,6 +103,25 @@ class Finding:
     def is_open(self) -> bool:
         """Whether a person still has to decide about the item."""
         return self.outcome.traits.waits and self.decision is None
+
+
+@dataclass(frozen=True, slots=True)
+class PointSums:
+    """Points of findings: earned and possible of what is decided, possible of what is open."""
+
+    score: float
+    max_score: float
+    open_points: float
+
+
+def sums_of(findings: Sequence[Finding]) -> PointSums:
+    """Add up points; what waits for a person counts neither for nor against the student."""
+    closed = [one for one in findings if not one.is_open]
+    return PointSums(
+        score=sum(one.points for one in closed),
+        max_score=sum(one.max_points for one in closed),
+        open_points=sum(one.max_points for one in findings if one.is_open),
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,6 @@ Only named cells are read: the size that a sheet claims to have is never walked 
 import hashlib
 import io
 import re
-import warnings
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
@@ -14,6 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from gripcourse.machine.process_wide import without_warnings
 from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -125,8 +125,7 @@ def _opened(data: bytes) -> "Workbook":
     # A fifth of a second to import: only those who read a workbook pay for it.
     from openpyxl import load_workbook  # noqa: PLC0415
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of features that are lost on saving: nothing is saved
+    with without_warnings():  # of features that are lost on saving: nothing is saved
         return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
 
 

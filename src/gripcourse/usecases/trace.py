@@ -160,5 +160,5 @@ def _clue(
         problems.append(Problem("", shown, refused[0], remedy))
     elif not fitting:
         what = message("The unit fits no quantity that is meant.")
-        problems.append(Problem("", shown, what, message("Leave the unit out, or mend it.")))
+        problems.append(Problem("", shown, what, message("Leave the unit out, or correct it.")))
     return Clue(shown, fitting)

@@ -10,8 +10,8 @@ from itertools import groupby
 
 import numpy as np
 
-from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.compose import declared_in
+from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
@@ -284,10 +284,7 @@ def _mean(counts: Sequence[SlipCount]) -> float:
 
 def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, str]:
     """Return the title of every quantity that occurs; the first scheme's counts."""
-    found: dict[str, Quantity] = {}
-    for one in audit.steps:
-        made = one.composition
-        found = compose(course, course.schemes[made.scheme], made.options) | found
+    found = declared_in(course, (one.composition for one in audit.steps))
     return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
 
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import PurePath
 
-from gripcourse.course.compose import compose
-from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Quantity, Section
+from gripcourse.course.compose import declared_in
+from gripcourse.course.model import Course, Section
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import ChartBox, box_plot, facility_plot, score_plot
 from gripcourse.documents.report.columns import aligned_rows
@@ -78,7 +77,8 @@ def cohort_values(
     reports: Sequence[Report], policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `cohort_report` for the arguments."""
-    declared, scores = _declared(reports, course), shares(reports)
+    declared = declared_in(course, (report.composition for report in reports))
+    scores = shares(reports)
     judged = [report for report in reports if report.judged]
     totals, items = quantity_totals(judged), item_statistics(judged)
     asked = AskedQuantity(judged, totals, items, declared, course)
@@ -107,19 +107,6 @@ def cohort_values(
         "decided": decision_rows(reports, declared, words),
         "flagged": flagged_files(reports, declared, words),
     }
-
-
-def _declared(reports: Sequence[Report], course: Course) -> dict[str, Quantity]:
-    """Return the declaration of every quantity that occurs, by id; the first scheme's counts."""
-    declared: dict[str, Quantity] = {}
-    seen = set[Composition]()
-    for report in reports:
-        kind = report.composition
-        if kind in seen or report.scheme not in course.schemes:
-            continue
-        seen.add(kind)
-        declared = compose(course, course.schemes[report.scheme], report.options) | declared
-    return declared
 
 
 def _summary(

@@ -125,11 +125,6 @@ def write_letters(letters: Sequence[Letter], lines: Lines, sheet: LetterBox) -> 
     return tuple(written)
 
 
-def covered_length(box: LetterBox, lines: Lines) -> float:
-    """Return how much line runs under a box, mm; thin axes count less."""
-    return float(_covered([box], lines)[0])
-
-
 def _best(letter: Letter, lines: Lines, sheet: LetterBox, others: Sequence[Written]) -> Written:
     base, _, below = letter.symbol.partition("_")
     offset = text_width(base, TEXT_HEIGHT)
@@ -138,7 +133,7 @@ def _best(letter: Letter, lines: Lines, sheet: LetterBox, others: Sequence[Writt
     size = (width, TEXT_HEIGHT + depth)
     best: tuple[float, LetterBox] | None = None
     for distance, boxes in _candidates(letter.places, size):
-        covered = _covered([box.wider(_GAP) for box in boxes], lines)
+        covered = covered_lengths([box.wider(_GAP) for box in boxes], lines)
         for box, line in zip(boxes, covered, strict=True):
             cost = float(line) if line > _FREE else 0.0
             if best is not None and cost + _FAR * distance >= best[0]:
@@ -178,8 +173,11 @@ def _box_beside(
     return LetterBox(x - half, y - tall, x + half, y + tall)
 
 
-def _covered(boxes: Sequence[LetterBox], lines: Lines) -> NDArray[np.float64]:
-    """Return the weighted length of line inside each box (Liang and Barsky's clipping)."""
+def covered_lengths(boxes: Sequence[LetterBox], lines: Lines) -> NDArray[np.float64]:
+    """Return how much line runs under each box, mm; thin axes count less.
+
+    The lines are cut as Liang and Barsky do.
+    """
     if not len(lines.ends):
         return np.zeros(len(boxes))
     sides = np.array([(one.left, one.low, one.right, one.high) for one in boxes])
