@@ -1,6 +1,6 @@
 """What was done against what was said: the confusion table, rates and every miss."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -84,15 +84,11 @@ def evaluate(judged: Sequence[JudgedWork], mix: Mix) -> GraderEvaluation:
         mix: what the grader is held to, and which flags mean copying.
     """
     verdicts = [one for each in judged for one in _verdicts(each)]
-    slips = [one for one in verdicts if one.action.done is ActionKind.SLIP]
     return GraderEvaluation(
         students=len(judged),
         table=Counter((one.action.done, one.said) for one in verdicts),
         rates=dict(_rates(judged, verdicts, mix)),
-        by_kind={
-            kind: _share([s for s in slips if s.action.kind == kind], NAMES)
-            for kind in sorted({one.action.kind for one in slips})
-        },
+        by_kind=_named_by_kind(verdicts),
         misses=tuple(one for one in verdicts if is_missed(one)),
         tried=sum(one.work.tried for one in judged),
         hidden=sum(one.work.hidden for one in judged),
@@ -111,6 +107,14 @@ def is_missed(one: AnswerVerdict) -> bool:
             return one.said in ACCEPTED
         case _:
             return False
+
+
+def _named_by_kind(verdicts: Iterable[AnswerVerdict]) -> dict[str, Rate]:
+    kinds: dict[str, list[AnswerVerdict]] = defaultdict(list)
+    for one in verdicts:
+        if one.action.done is ActionKind.SLIP:
+            kinds[one.action.kind].append(one)
+    return {kind: _share(found, NAMES) for kind, found in sorted(kinds.items())}
 
 
 def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
