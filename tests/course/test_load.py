@@ -30,7 +30,7 @@ def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
     assert problem.file == file
     assert str(problem.what).startswith("This is not valid TOML: ")
     assert "line" in str(problem.what)
-    assert str(problem.remedy) == "Mend the line that is named."
+    assert str(problem.remedy) == "Correct the line that is named."
 
 
 def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
