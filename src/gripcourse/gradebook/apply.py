@@ -1,6 +1,6 @@
 """Letting the marks of persons enter a report: pure, over what the program found by itself."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
@@ -16,8 +16,6 @@ from gripcourse.grading.model import (
     sums_of,
 )
 from gripcourse.text.words import message
-
-"""Code of the flag of marks that a person should look at again."""
 
 
 def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
@@ -37,16 +35,8 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     entered = latest_marks(entries)
     if not report.judged or not entered:
         return report
-    results = results_of(report)
-    outdated = {
-        name for name, entry in entered.items() if is_outdated(entry, report.digest, results)
-    }
-    findings = tuple(
-        _decided(one, entered[one.quantity], is_old=one.quantity in outdated)
-        if one.quantity in entered
-        else one
-        for one in report.findings
-    )
+    outdated = _outdated(report, entered)
+    findings = tuple(_decided(one, entered.get(one.quantity), outdated) for one in report.findings)
     sums = sums_of(findings)
     return replace(
         report,
@@ -62,7 +52,16 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     )
 
 
-def _decided(finding: Finding, entry: GradebookEntry, *, is_old: bool) -> Finding:
+def _outdated(report: Report, entered: Mapping[str, GradebookEntry]) -> set[str]:
+    """Return the items whose file or automatic results are others than their marker saw."""
+    results = results_of(report)
+    return {name for name, entry in entered.items() if is_outdated(entry, report.digest, results)}
+
+
+def _decided(finding: Finding, entry: GradebookEntry | None, outdated: Container[str]) -> Finding:
+    """Return the finding with what a person entered; itself where nobody has."""
+    if entry is None:
+        return finding
     mark = entry.mark
     # A withdrawn mark, the only one without a credit, is not among the latest.
     credit = mark.credit or 0.0
@@ -73,7 +72,7 @@ def _decided(finding: Finding, entry: GradebookEntry, *, is_old: bool) -> Findin
         marker=mark.marker,
         decided_at=mark.marked_at,
         comment=mark.comment,
-        outdated=is_old,
+        outdated=finding.quantity in outdated,
     )
     return replace(
         finding,

@@ -187,9 +187,9 @@ def _translations(
                 required=True,
                 message=whole if said is None else place,
                 remedy=message(
-                    "Until it is corrected the English text stands there. Install gripcourse again; "
-                    "in a catalogue of your own, give every sentence the names in braces that the "
-                    "English one has."
+                    "Until it is corrected the English text stands there. Install gripcourse "
+                    "again; in a catalogue of your own, give every sentence the names in braces that "
+                    "the English one has."
                 ),
             )
 
