@@ -188,8 +188,8 @@ def _translations(
                 message=whole if said is None else place,
                 remedy=message(
                     "Until it is corrected the English text stands there. Install gripcourse "
-                    "again; in a catalogue of your own, give every sentence the names in braces that "
-                    "the English one has."
+                    "again; in a catalogue of your own, give every sentence the names in braces "
+                    "that the English one has."
                 ),
             )
 
