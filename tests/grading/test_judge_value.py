@@ -63,7 +63,7 @@ class TestSlips:
         for case in drawn[::6]:
             for quantity, slip, value in told_slips(case):
                 finding = case.findings({quantity.id: value})[quantity.id]
-                assert (finding.outcome, finding.slip) == (Outcome.SLIP, slip.id), quantity.id
+                assert (finding.outcome, str(finding.slip)) == (Outcome.SLIP, slip.id), quantity.id
                 assert finding.points == pytest.approx(slip.credit * finding.max_points)
 
     @pytest.mark.parametrize("language", LANGUAGES)
@@ -78,12 +78,12 @@ class TestSlips:
         load = 1234.0  # wrong; then the friction of the second jaw is forgotten on top of it
         force = hydraulic.given["dynamic_factor"] * load / hydraulic.given["friction"]
         finding = hydraulic.findings({"lifting_load": load, "grip_force": force})["grip_force"]
-        assert finding.slip == "one_jaw_only"
+        assert str(finding.slip) == "one_jaw_only"
 
     def test_what_follows_a_slip_is_carried(self, hydraulic: "Case") -> None:
         answers = hydraulic.following(grip_force=2 * hydraulic.reference["grip_force"])
         findings = hydraulic.findings(answers)
-        assert findings["grip_force"].slip == "one_jaw_only"
+        assert str(findings["grip_force"].slip) == "one_jaw_only"
         assert hydraulic.lost(answers) == {"grip_force"}
 
 
@@ -119,7 +119,7 @@ class TestPrintedErrata:
     def test_a_policy_may_refuse_them_and_names_them(self, hydraulic: "Case") -> None:
         strict = hydraulic.with_policy(printed_credit=None)
         for quantity, erratum, finding in printed_findings(strict):
-            assert (finding.outcome, finding.slip) == (Outcome.SLIP, erratum), quantity
+            assert (finding.outcome, str(finding.slip)) == (Outcome.SLIP, erratum), quantity
             assert finding.points == 0
 
     def test_a_policy_may_give_a_share_of_the_points(self, hydraulic: "Case") -> None:

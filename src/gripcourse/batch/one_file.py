@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Final
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import submitter
@@ -15,7 +16,7 @@ from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
@@ -58,14 +59,12 @@ def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Rep
 
 def methods_of(context: GradingContext, variant: Variant) -> tuple[Plan, CandidatesOf]:
     """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
-    return _methods(context, variant.scheme, tuple(variant.options.items()))
+    return _methods(context, variant.composition)
 
 
 @lru_cache(maxsize=_COMPOSITIONS)
-def _methods(
-    context: GradingContext, scheme: str, options: tuple[tuple[str, str], ...]
-) -> tuple[Plan, CandidatesOf]:
-    plan = make_plan(context.course, scheme, dict(options))
+def _methods(context: GradingContext, composition: Composition) -> tuple[Plan, CandidatesOf]:
+    plan = plan_of(context.course, composition)
 
     @cache
     def methods(name: str) -> tuple[Candidate, ...]:

@@ -106,7 +106,7 @@ def init(
 
 @app.command(cls=SpokenCommand)
 def doctor(language: LanguageOption = None) -> None:
-    """Check this machine and say how to mend what it lacks."""
+    """Check this machine and say how to get what it lacks."""
     from gripcourse.machine.doctor import checks
 
     words = words_for(language)

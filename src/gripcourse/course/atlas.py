@@ -6,8 +6,8 @@ from pathlib import Path
 
 from gripcourse.course.keys import ATLAS
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.written_formula import written_formula
 from gripcourse.errors import CourseError, Problem
-from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Texts, message
@@ -117,16 +117,7 @@ def _row(table: Table) -> AtlasRow:
     return AtlasRow(
         int(table.number("number")),
         table.texts("title"),
-        _formula(table, "inclination"),
-        _formula(table, "diameter"),
+        written_formula(table, "inclination"),
+        written_formula(table, "diameter"),
         table.numbers("example"),
     )
-
-
-def _formula(table: Table, name: str) -> Formula:
-    text = table.text(name)
-    try:
-        return Formula(text, parse(text), {})
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
-        return Formula("0", parse("0"), {})

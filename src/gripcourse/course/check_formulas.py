@@ -92,7 +92,7 @@ def _wrong_sort(one: Quantity, key: str, is_condition: bool) -> Problem:  # noqa
         if is_condition
         else message("This must be a value, not a comparison.")
     )
-    return Problem(one.file, f"quantity.{one.id}.{key}", what, message("Mend the formula."))
+    return Problem(one.file, f"quantity.{one.id}.{key}", what, message("Correct the formula."))
 
 
 def _name_faults(

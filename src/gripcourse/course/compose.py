@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import combinations, product
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.formula.tree import Formula
 
@@ -113,6 +114,18 @@ def declaring_files(course: Course) -> dict[str, tuple[str, ...]]:
         for name in part.quantities:
             found[name] = (*found.get(name, ()), part.file)
     return found
+
+
+def declared_in(course: Course, compositions: Iterable[Composition]) -> dict[str, Quantity]:
+    """Return the declaration of every quantity that occurs, by id; the first composition's counts.
+
+    A scheme that the course has no longer brings none.
+    """
+    declared: dict[str, Quantity] = {}
+    for one in dict.fromkeys(compositions):
+        if one.scheme in course.schemes:
+            declared = compose(course, course.schemes[one.scheme], one.options) | declared
+    return declared
 
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:

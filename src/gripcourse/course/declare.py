@@ -104,7 +104,7 @@ def _check_id(identifier: str, table: Table) -> None:
 
 
 def _stand_in(identifier: str, table: Table) -> Quantity:
-    """Return what is known of a quantity whose kind is not, lest all its users be reported too."""
+    """Return what is known of a quantity whose kind is not: its users are not at fault."""
     silent = Table(table.values, table.file, table.key, [])  # of no kind: of no shape
     nothing = Texts(dict.fromkeys(LANGUAGES, ""))
     return Quantity(
@@ -182,7 +182,7 @@ def _default(table: Table, bounds: tuple[float, float]) -> float | None:
             "default",
             message("The value {value} is outside the bounds {low} to {high} of the quantity.",
                     value=value, low=low, high=high),
-            message("Write a value between the bounds, or mend the bounds."),
+            message("Write a value between the bounds, or correct the bounds."),
         )  # fmt: skip
     return None if math.isnan(value) else value
 

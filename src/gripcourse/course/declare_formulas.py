@@ -23,7 +23,7 @@ def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula |
     try:
         return Formula(text, parse(text), dict(units))
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None
 
 

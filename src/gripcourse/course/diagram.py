@@ -187,7 +187,7 @@ def _formula(table: Table, name: str, text: str) -> Formula:
     try:
         return Formula(text, parse(text), {})
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return _NOTHING
 
 

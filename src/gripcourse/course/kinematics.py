@@ -11,7 +11,7 @@ from typing import Final
 from gripcourse.course.shape import Shape, by_name, number, other, table, text
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.course.written_formula import written_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
@@ -114,9 +114,9 @@ def read_kinematics(table: Table) -> Kinematics:
         coordinates=tuple(
             _coordinate(name, one) for name, one in table.named_tables("coordinate").items()
         ),
-        at={position: _formula(at, position) for position in POSITIONS},
+        at={position: written_formula(at, position) for position in POSITIONS},
         jaw=table.text("jaw"),
-        jaws=_formula(table, "jaws"),
+        jaws=written_formula(table, "jaws"),
         ratio={name: ratio.text(name) for name in ratio.values} if ratio else {},
         state={
             position: {name: one.text(name) for name in one.values}
@@ -130,16 +130,7 @@ def read_kinematics(table: Table) -> Kinematics:
 
 def _coordinate(name: str, table: Table) -> Coordinate:
     table.known_keys()
-    return Coordinate(name, _unit(table), _formula(table, "formula"))
-
-
-def _formula(table: Table, name: str) -> Formula:
-    text = table.text(name)
-    try:
-        return Formula(text, parse(text), {})
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
-        return Formula("0", parse("0"), {})
+    return Coordinate(name, _unit(table), written_formula(table, "formula"))
 
 
 def _point(points: Table, name: str) -> tuple[str, str]:

@@ -213,7 +213,7 @@ def _formula(table: Table, name: str, text: str) -> Formula | None:
     try:
         return Formula(text, parse(text), {}) if text else None
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None
 
 

@@ -21,7 +21,7 @@ from gripcourse.issuing.roster import read_roster
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.grade import GradingOutcome, grade, write_results
 from gripcourse.usecases.gradebook import keep
@@ -133,7 +133,7 @@ def workbooks(assignments: Path, register: Mapping[str, Issued]) -> dict[str, Pa
 def mark_drawing(student: str, context: GradingContext, place: str) -> Marking:
     """Let a teacher mark the last item of a student that a person marks, line by line."""
     issued = context.register[student]
-    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(context.course, issued.variant.composition)
     item = plan.manual[-1]
     words = Words(issued.student.language or context.course.language)
     draft = Draft(

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.simulation.write import Typed, fill
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
@@ -70,7 +70,7 @@ def rounded_down(plan: Plan, issued: Issued) -> Typed:
 
 def printed(plan: Plan, issued: Issued) -> Typed:
     """Compute as the source prints it, errata included."""
-    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.GUIDE)
+    guide = plan_of(plan.course, plan.composition, Convention.GUIDE)
     return _typed(plan, solve_variant(guide, issued.variant.given))
 
 
@@ -113,7 +113,7 @@ def fill_workbooks(
     students = list(register)
     for student, (story, behaviour) in zip(students, STORIES.items(), strict=False):
         issued = register[student]
-        plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+        plan = plan_of(course, issued.variant.composition)
         fill(issued_workbooks[student], behaviour(plan, issued), out / f"{student}.xlsx")
         stories[student] = story
     copier = students[len(stories)]

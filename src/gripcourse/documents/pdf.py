@@ -19,11 +19,9 @@ and renders with what is expensive kept for the whole process: compiled template
 style sheets. A value that a template does not get is an error, never an empty place.
 """
 
-import gc
 import traceback
 from base64 import b64encode
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -35,6 +33,7 @@ from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
+from gripcourse.machine.process_wide import few_collections
 from gripcourse.text.amounts import day_text, percent_text, points_text
 from gripcourse.text.shown import shown
 from gripcourse.text.words import LANGUAGES, Words, message
@@ -47,7 +46,6 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 
-_COLLECTOR_THRESHOLD = 100_000
 _VARIANT = "pdf/ua-1"
 
 
@@ -110,7 +108,7 @@ def render_fitting(
     *roomy, tightest = documents
     for document in roomy:
         html = render_html(document, templates, words)
-        with _few_collections():
+        with few_collections():
             laid_out = _laid_out(html, document.styles, templates)
             if len(laid_out.pages) <= pages:
                 return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
@@ -119,7 +117,7 @@ def render_fitting(
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
-    with _few_collections():
+    with few_collections():
         return bytes(_laid_out(html, styles, templates).write_pdf(pdf_variant=_VARIANT))
 
 
@@ -168,7 +166,7 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
     inside = [step for step in found if Path(step.filename).is_relative_to(templates)]
     place, line = (inside[-1].filename, inside[-1].lineno) if inside else (templates / name, None)
     what = message("The template fails: {reason}.", reason=_reason(error))
-    remedy = message("Mend what stands there; compare it with the reference course's template.")
+    remedy = message("Correct what stands there; compare it with the reference course's template.")
     match error:
         case TemplateNotFound():
             what = message("There is no template {name}.", name=str(error.name))
@@ -243,14 +241,3 @@ def _style_sheet(path: Path, _changed: int) -> Any:  # noqa: ANN401 - WeasyPrint
         font_config=_fonts(),
         url_fetcher=URLFetcher(allowed_protocols=("data",)),
     )
-
-
-@contextmanager
-def _few_collections() -> Iterator[None]:
-    """Collect garbage rarely: a layout makes many objects that live, 15 % of its time otherwise."""
-    before = gc.get_threshold()
-    gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)

@@ -193,7 +193,7 @@ def _product(left: _Piece, right: _Piece) -> _Piece:
 
 
 def _dotted(left: Box, right: Box) -> bool:
-    """Tell whether a product needs a visible sign: beside numbers, or lest it be misread."""
+    """Tell whether a product needs a visible sign: beside numbers, or to be read rightly."""
     while isinstance(left, Row):
         left = left.items[-1]
     while isinstance(right, Row):

@@ -7,7 +7,6 @@ from datetime import datetime
 
 from gripcourse.errors import NextStep
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, Result
-from gripcourse.grading.model import OPEN, Outcome
 from gripcourse.policy.rubric import Rubric, RubricLine
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -94,7 +93,7 @@ def mark_of(
     result = attempt.by_quantity.get(draft.quantity)
     if result is None:
         return None, (_no_item(draft, attempt),)
-    rubric = standing.rubrics.get(draft.quantity) if result.outcome is Outcome.MANUAL else None
+    rubric = standing.rubrics.get(draft.quantity) if result.outcome.traits.by_rubric else None
     faults = tuple(_faults(draft, standing, result, attempt, rubric))
     if faults:
         return None, faults
@@ -153,7 +152,7 @@ def _no_item(draft: Draft, attempt: Attempt) -> EntryFault:
 
 
 def _waiting(attempt: Attempt) -> list[str]:
-    return [one.quantity for one in attempt.results if one.outcome in OPEN]
+    return [one.quantity for one in attempt.results if one.outcome.traits.waits]
 
 
 def _faults(
@@ -162,7 +161,7 @@ def _faults(
     if draft.withdraw:
         yield from _faults_of_withdrawal(draft, standing)
         return
-    if result.outcome not in OPEN and not draft.override:
+    if not result.outcome.traits.waits and not draft.override:
         yield EntryFault(
             "quantity",
             message("'{quantity}' was judged automatically.", quantity=draft.quantity),
@@ -173,7 +172,7 @@ def _faults(
             ),
             NextStep.OVERRULE,
         )
-    if result.outcome is not Outcome.MANUAL and not draft.comment.strip():
+    if not result.outcome.traits.by_rubric and not draft.comment.strip():
         yield EntryFault(
             "comment",
             message("A decision that is not by a rubric needs a comment."),

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind
 from gripcourse.errors import UsageError
 from gripcourse.likeness.matches import Floats
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
 from gripcourse.variants.model import Variant
@@ -83,14 +84,13 @@ def _grouped(
     course: Course, variants: Sequence[tuple[str, Variant]]
 ) -> list[tuple[Plan, list[int]]]:
     """Group variants that are computed alike."""
-    rows: dict[tuple[str, frozenset[tuple[str, str]]], list[int]] = defaultdict(list)
+    rows = defaultdict[Composition, list[int]](list)
     for row, (_, variant) in enumerate(variants):
-        rows[variant.scheme, frozenset(variant.options.items())].append(row)
+        rows[variant.composition].append(row)
     plans = []
-    for members in rows.values():
-        variant = variants[members[0]][1]
+    for composition, members in rows.items():
         try:
-            plans.append((make_plan(course, variant.scheme, variant.options), members))
+            plans.append((plan_of(course, composition), members))
         except UsageError:  # issued from an earlier version of the course
             continue
     return plans

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Quantity, Scheme
 from gripcourse.errors import Problem
-from gripcourse.formula.dimension import dimension_of, is_condition
+from gripcourse.formula.dimension import is_condition, measured_by
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.rules import ColumnDimensions
 from gripcourse.formula.tree import Formula
@@ -21,7 +21,7 @@ from gripcourse.proofs.declared import (
 )
 from gripcourse.proofs.operators import OPERATORS, column_dimensions
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.units import Dimension, dimension
+from gripcourse.text.units import PLAIN, Dimension, dimension
 from gripcourse.text.words import message
 
 
@@ -140,10 +140,10 @@ def _dimension_faults(
                 if wants_condition
                 else message("This must be a value, not a comparison.")
             )
-            yield Problem(scope.file, f"{scope.key}.{key}", what, message("Mend the formula."))
+            yield Problem(scope.file, f"{scope.key}.{key}", what, message("Correct the formula."))
             return
         try:
-            measured[key] = dimension_of(formula.tree, known, columns)
+            measured[key] = measured_by(formula.tree, known, columns) or PLAIN
         except FormulaFault as fault:
             yield _fault(proof, key, formula, fault)
             return

@@ -260,7 +260,7 @@ def _formula(table: Table, name: str) -> Formula:
         return Formula(text, parse(text), {})
     except FormulaFault as fault:
         if text:
-            table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+            table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return Formula("0", parse("0"), {})
 
 

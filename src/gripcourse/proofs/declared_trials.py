@@ -175,5 +175,5 @@ def _faults(
         one.scope.file,
         one.scope.key,
         what,
-        message("Mend the formulas that it is about, or the proof '{id}'.", id=one.scope.id),
+        message("Correct the formulas that it is about, or the proof '{id}'.", id=one.scope.id),
     )

@@ -20,7 +20,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded, short_name
 from gripcourse.proofs.samples import Source, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
-from gripcourse.slips.model import Candidate
+from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.solve import choose, reference_rounding
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.text.units import factor
@@ -174,7 +174,9 @@ def _look(
         if tried[wrong.method] <= _TRIED:
             finding = judged(wrong)
             survey.instead[wrong.method] = finding
-            if wrong.name in {finding.slip, *finding.tied} or _is_printed(wrong, finding):
+            if SlipId.declared(wrong.name) in {finding.slip, *finding.tied} or _is_printed(
+                wrong, finding
+            ):
                 survey.done.add(wrong.method)
 
 
@@ -202,7 +204,7 @@ def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, bool, Arra
 
 def _is_printed(wrong: WrongValue, finding: Finding) -> bool:
     """Tell whether the answer is accepted as a source prints it: the slip is that erratum."""
-    return finding.slip in {one.erratum for one in wrong.quantity.as_printed}
+    return finding.slip in {SlipId.declared(one.erratum) for one in wrong.quantity.as_printed}
 
 
 def _judge_of(course: Course, policy: Policy, trial: Trial) -> Callable[[WrongValue], Finding]:
@@ -251,7 +253,7 @@ def _problem(wrong: WrongValue, finding: Finding | None) -> Problem:
         one.file,
         f"quantity.{one.id}.{wrong.key}",
         _what(wrong, finding),
-        message("Mend it, remove it, or widen the ranges that variants are drawn from."),
+        message("Correct it, remove it, or widen the ranges that variants are drawn from."),
     )
 
 

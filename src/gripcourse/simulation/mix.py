@@ -9,6 +9,7 @@ from typing import TypeVar
 from gripcourse.course.model import Course, Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
+from gripcourse.grading.model import FlagCode
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
 from gripcourse.simulation.keys import MIX
 from gripcourse.simulation.model import Carrying, Conduct, Mix, Required, Style
@@ -66,7 +67,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         answers=_whole(tolerance, "answers"),
         bands=_bands(tolerance),
         wide=tolerance.number("wide"),
-        copying_flags=frozenset(flags.strings("copying")),
+        copying_flags=_flags(flags, "copying"),
         required=Required(**{one.name: required.share(one.name) for one in fields(Required)}),
     )
     _check_figures(table, mix)
@@ -92,6 +93,15 @@ def _weights(
             what = message("There is no '{name}' here.", name=key)
             table.add(f"{name}.{key}", what, did_you_mean(key, known))
     return weights
+
+
+def _flags(table: Table, name: str) -> frozenset[FlagCode]:
+    known, found = [str(one) for one in FlagCode], table.strings(name)
+    for code in found:
+        if code not in known:
+            what = message("There is no '{name}' here.", name=code)
+            table.add(name, what, did_you_mean(code, known))
+    return frozenset(FlagCode(code) for code in found if code in known)
 
 
 def _numbered(table: Table, name: str) -> Mapping[float, float]:

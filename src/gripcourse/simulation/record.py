@@ -17,6 +17,7 @@ from gripcourse.simulation.model import (
     SimulatedWork,
     Style,
 )
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
 _FORMAT = 1
@@ -25,10 +26,22 @@ _FORMAT = 1
 def write_truth(path: Path, works: Sequence[SimulatedWork]) -> None:
     """Write what was done, a line for each student."""
     lines = (
-        json.dumps({"format": _FORMAT, **asdict(work)}, ensure_ascii=False, allow_nan=False)
+        json.dumps({"format": _FORMAT, **_fields(work)}, ensure_ascii=False, allow_nan=False)
         for work in works
     )
     write_text(path, "".join(f"{line}\n" for line in lines))
+
+
+def _fields(work: SimulatedWork) -> dict[str, object]:
+    actions = [
+        {
+            **asdict(action),
+            "slip": "" if action.slip is None else str(action.slip),
+            "twins": [str(slip) for slip in action.twins],
+        }
+        for action in work.actions
+    ]
+    return {**asdict(work), "actions": actions}
 
 
 def read_truth(path: Path) -> tuple[SimulatedWork, ...]:
@@ -80,8 +93,14 @@ def _behaviour(written: object) -> Behaviour:
 def _action(written: object) -> Action:
     if not isinstance(written, dict):
         raise TypeError(written)
+    slip = written["slip"]
     return Action(
-        **{**written, "done": ActionKind(written["done"]), "twins": tuple(written["twins"])}
+        **{
+            **written,
+            "done": ActionKind(written["done"]),
+            "slip": SlipId.parse(slip) if slip else None,
+            "twins": tuple(SlipId.parse(one) for one in written["twins"]),
+        }
     )
 
 

@@ -34,7 +34,7 @@ from gripcourse.simulation.places import (
     slip_kinds,
     twins_of,
 )
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.variants.model import Issued
 
 _TAINTING = frozenset({ActionKind.SLIP, ActionKind.ROUNDED_DOWN, ActionKind.COPIED})
@@ -114,7 +114,7 @@ def work_of(student: str, room: Classroom) -> SimulatedWork:
 
 def _seated(student: str, room: Classroom) -> _Student:
     issued = room.context.register[student]
-    plan = make_plan(room.context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(room.context.course, issued.variant.composition)
     behaviour = room.behaviours[student]
     hand = hand_of(behaviour)
     ground = make_ground(plan, room.context.policy, hand, issued.variant.given, room.mix.apart)
@@ -215,12 +215,10 @@ def _action(
         done = ActionKind.FOLLOWS if quantity.id in tainted else ActionKind.RIGHT
         return _told(quantity, done, step, _cell(one, quantity, float(step.typed)))
     candidate = deviation.candidate
-    twins: tuple[str, ...] = ()
-    if candidate is not None:
-        twins = twins_of(one.ground, quantity.id, candidate, drawn.done)
+    twins = () if candidate is None else twins_of(one.ground, quantity.id, candidate, drawn.done)
     return replace(
         _told(quantity, deviation.done, step, _deviating_cell(one, quantity, drawn, rng)),
-        slip=candidate.id if candidate is not None else "",
+        slip=candidate.id if candidate is not None else None,
         kind=candidate.kind if candidate is not None else "",
         twins=twins,
     )
@@ -229,12 +227,12 @@ def _action(
 def _told(
     quantity: Quantity, done: ActionKind, step: WorkedStep, cell: float | str | None
 ) -> Action:
-    return Action(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
+    return Action(quantity.id, done, None, "", (), _tidy(step.typed), _tidy(step.right), cell)
 
 
 def _blank(quantity: Quantity, done: Calculation) -> Action:
     right = _tidy(done.steps[quantity.id].right)
-    return Action(quantity.id, ActionKind.BLANK, "", "", (), None, right, None)
+    return Action(quantity.id, ActionKind.BLANK, None, "", (), None, right, None)
 
 
 def _tidy(value: Array) -> float | None:

@@ -6,13 +6,14 @@ difference of large ones, an absolute one is proposed.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from multiprocessing import get_context
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity, Tolerance
 from gripcourse.jobs.packed import pack, unpack
 from gripcourse.policy.bands import tolerance_of
@@ -20,7 +21,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.simulation.honest import hands_of, work_honestly
 from gripcourse.simulation.model import Mix
 from gripcourse.simulation.tally import AnswerTally, tally_of
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.variants.model import Variant
 
 _AT_A_TIME = 256  # variants of one composition
@@ -87,8 +88,7 @@ class _Desk:
 class _Group:
     """Variants of one composition."""
 
-    scheme: str
-    options: Mapping[str, str]
+    composition: Composition
     variants: Sequence[Variant]
 
 
@@ -158,7 +158,7 @@ def _count_packed(group: _Group, packed: bytes) -> list[tuple[Quantity, AnswerTa
 
 
 def _count(group: _Group, context: _Desk) -> list[tuple[Quantity, AnswerTally]]:
-    plan = make_plan(context.course, group.scheme, group.options)
+    plan = plan_of(context.course, group.composition)
     asked = [
         one
         for one in plan.answered
@@ -173,12 +173,12 @@ def _count(group: _Group, context: _Desk) -> list[tuple[Quantity, AnswerTally]]:
 
 def _groups(variants: Sequence[Variant]) -> Iterator[_Group]:
     """Yield variants of one composition together, not too many at a time."""
-    groups: dict[tuple[str, tuple[tuple[str, str], ...]], list[Variant]] = {}
+    groups: dict[Composition, list[Variant]] = {}
     for one in variants:
-        groups.setdefault((one.scheme, tuple(sorted(one.options.items()))), []).append(one)
-    for (scheme, options), group in groups.items():
+        groups.setdefault(one.composition, []).append(one)
+    for composition, group in groups.items():
         for start in range(0, len(group), _AT_A_TIME):
-            yield _Group(scheme, dict(options), group[start : start + _AT_A_TIME])
+            yield _Group(composition, group[start : start + _AT_A_TIME])
 
 
 def _audited(quantity: Quantity, tally: AnswerTally, policy: Policy, mix: Mix) -> AuditedBand:

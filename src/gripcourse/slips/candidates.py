@@ -8,7 +8,7 @@ from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipPolicy
 from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
-from gripcourse.slips.model import DECLARED, Candidate
+from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import known, unit_text
@@ -34,7 +34,7 @@ def candidates_of(plan: Plan, identifier: str, policy: SlipPolicy) -> tuple[Cand
     if formula is None:
         return ()
     found = [
-        Candidate(slip.id, DECLARED, slip.formula, policy.declared, slip.credit, slip.hint)
+        Candidate(SlipId.declared(slip.id), slip.formula, policy.declared, slip.credit, slip.hint)
         for slip in quantity.slips
     ]
     found = [one for one in found if one.formula.tree != formula.tree]
@@ -54,8 +54,7 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
     new = [one for one in made.values() if one.tree not in taken and _is_known(one, around.formula)]
     for one in reversed(new):
         yield Candidate(
-            id=f"{slip.kind}:{one.detail}",
-            kind=slip.kind,
+            id=SlipId(slip.kind, one.detail),
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,

@@ -11,6 +11,7 @@ from gripcourse.course.compose import (
     direct_inputs,
     reference_formula,
 )
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
@@ -47,6 +48,11 @@ class Plan:
     manual: tuple[Quantity, ...]
     constants: tuple[Quantity, ...]
 
+    @property
+    def composition(self) -> Composition:
+        """What the plan computes."""
+        return Composition.of(self.scheme.id, self.options)
+
     def reference_formula(self, identifier: str) -> Formula | None:
         """Return the formula that gives the reference of a quantity in this plan's convention."""
         return reference_formula(self.quantities[identifier], self.convention)
@@ -58,13 +64,25 @@ def make_plan(
     options: Mapping[str, str],
     convention: Convention | None = None,
 ) -> Plan:
+    """Make the plan of a scheme and options that do not travel together; see `plan_of`."""
+    return plan_of(course, Composition.of(scheme_id, options), convention)
+
+
+def plan_of(course: Course, composition: Composition, convention: Convention | None = None) -> Plan:
     """Put a scheme with a variant's options into the order of calculation.
+
+    Args:
+        course: what is declared.
+        composition: the scheme and its options.
+        convention: whose version of a formula is the reference; None for the course's.
 
     Raises:
         UsageError: for an unknown scheme, or an option that is missing or unknown.
     """
-    scheme = _scheme(course, scheme_id)
-    _check_options(scheme, options)
+    scheme = _scheme(course, composition.scheme)
+    chosen = composition.options
+    _check_options(scheme, chosen)
+    options = {option.id: chosen[option.id] for option in scheme.options}
     convention = convention or course.convention
     declared = compose(course, scheme, options)
     inputs = {name: direct_inputs(one, convention) for name, one in declared.items()}

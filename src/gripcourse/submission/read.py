@@ -6,7 +6,6 @@ Only named cells are read: the size that a sheet claims to have is never walked 
 import hashlib
 import io
 import re
-import warnings
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
@@ -15,6 +14,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
+from gripcourse.machine.process_wide import without_warnings
 from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -126,9 +126,9 @@ def _opened(data: bytes) -> "Workbook":
     # A fifth of a second to import: only those who read a workbook pay for it.
     from openpyxl import load_workbook  # noqa: PLC0415
 
-    # The library prints of styles that are not there: into our output, if it may.
-    with warnings.catch_warnings(), redirect_stdout(io.StringIO()):
-        warnings.simplefilter("ignore")  # of features that are lost on saving: nothing is saved
+    # The library prints of styles that are not there: into our output, if it may. It warns of
+    # features that are lost on saving: nothing is saved.
+    with without_warnings(), redirect_stdout(io.StringIO()):
         return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
 
 

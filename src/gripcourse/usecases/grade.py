@@ -11,7 +11,7 @@ from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.grades import grades_csv
 from gripcourse.exports.report_result import grades_result
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes, write_text
@@ -170,7 +170,7 @@ def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
         number=incident_number(outcome.trace),
         reason=outcome.reason,
     )
-    return replace(report, flags=(*report.flags, Flag("report_incident", said)))
+    return replace(report, flags=(*report.flags, Flag(FlagCode.REPORT_INCIDENT, said)))
 
 
 def _is_workbook(path: Path) -> bool:

@@ -17,7 +17,7 @@ from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.handout import (
     Handout,
@@ -98,7 +98,7 @@ def issue_order(
     write_register(register_path(course.root), extended.register)
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
-    context = IssuingContext(course, policy, partial(make_plan, course), order.out)
+    context = IssuingContext(course, policy, partial(plan_of, course), order.out)
     return Issuing(_write(context, entries, workers, on_done, issue_one), extended.notes)
 
 

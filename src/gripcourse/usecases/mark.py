@@ -15,7 +15,7 @@ from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
 from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric import Rubric
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
 from gripcourse.variants.sheet import cell_place
 
@@ -161,7 +161,7 @@ def _rubrics(
     issued = context.register.get(student)
     if attempt is None or issued is None:
         return {}
-    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(context.course, issued.variant.composition)
     return {one.id: context.policy.rubrics[one.rubric] for one in plan.manual}
 
 

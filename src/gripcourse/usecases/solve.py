@@ -8,7 +8,7 @@ from pathlib import Path
 from gripcourse.course.model import Convention, Course, Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.machine.files import replacing, write_bytes
-from gripcourse.solver.plan import Plan, default_options, make_plan, usual_values
+from gripcourse.solver.plan import Plan, default_options, make_plan, plan_of, usual_values
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_reading import Unreadable, read_number
 from gripcourse.text.suggestion import did_you_mean
@@ -48,7 +48,7 @@ def solve_from_table(
         what = message("The table has no variant '{variant}'.", variant=identifier)
         raise UsageError([Problem("", "", what, did_you_mean(identifier, by_id))])
     variant = by_id[identifier]
-    plan = make_plan(course, variant.scheme, variant.options, convention)
+    plan = plan_of(course, variant.composition, convention)
     return _solved(plan, variant, variant.given)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.compose import compose
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.issuing.register import read_register, register_path
@@ -118,17 +119,14 @@ def trace(
 
 def _declared(course: Course, variants: Mapping[str, Variant]) -> dict[str, Mapping[str, Quantity]]:
     """Return for each variant every declaration that a number can belong to."""
-    composed: dict[tuple[str, frozenset[tuple[str, str]]], Mapping[str, Quantity]] = {}
+    composed = dict[Composition, Mapping[str, Quantity]]()
     for one in variants.values():
-        kind = (one.scheme, frozenset(one.options.items()))
+        kind = one.composition
         if kind not in composed and one.scheme in course.schemes:
             found = compose(course, course.schemes[one.scheme], one.options)
             composed[kind] = {name: each for name, each in found.items() if each.kind in _TRACED}
     # What was issued from an earlier version of the course has no declarations any more.
-    return {
-        name: composed.get((one.scheme, frozenset(one.options.items())), {})
-        for name, one in variants.items()
-    }
+    return {name: composed.get(one.composition, {}) for name, one in variants.items()}
 
 
 def _named_clue(
@@ -159,5 +157,5 @@ def _clue(
         problems.append(Problem("", shown, refused[0], remedy))
     elif not fitting:
         what = message("The unit fits no quantity that is meant.")
-        problems.append(Problem("", shown, what, message("Leave the unit out, or mend it.")))
+        problems.append(Problem("", shown, what, message("Leave the unit out, or correct it.")))
     return Clue(shown, fitting)

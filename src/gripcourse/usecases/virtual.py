@@ -1,4 +1,4 @@
-"""Measuring the grader with students whose doings are known."""
+"""Measuring the grader with simulated students, whose mistakes are known."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

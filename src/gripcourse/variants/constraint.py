@@ -35,7 +35,7 @@ def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
             found.append((place, Formula(text, parse(text), units)))
         except FormulaFault as fault:
             place.add(
-                "formula", fault.what, message("Mend the formula."), caret(text, fault.span)
+                "formula", fault.what, message("Correct the formula."), caret(text, fault.span)
             )  # fmt: skip
     return found
 

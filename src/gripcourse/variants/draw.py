@@ -12,9 +12,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.words import message
 from gripcourse.variants.counts import counts_of
 from gripcourse.variants.explain import in_short, list_text
@@ -180,7 +181,7 @@ class _Search:
         """Try candidates until enough are accepted, or so many were tried."""
         if not wanted:
             return _Found((), 0, 0, (), ())
-        plan = make_plan(self.course, self.space.scheme, self.case.options)
+        plan = plan_of(self.course, Composition.of(self.space.scheme, self.case.options))
         rows: dict[tuple[float, ...], Mapping[str, float]] = {}
         reasons: Counter[Reason] = Counter()
         set_aside: tuple[Refusal, ...] = ()

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
@@ -18,15 +19,14 @@ class Steps:
     """How much the variants of one scheme with the same options ask for.
 
     Attributes:
-        scheme, options: which they are.
+        composition: which they are.
         variants: how many the table has.
         computed, decided, read: quantities that are computed, decided, read from a table or
             answered with yes or no.
         chain: answers in the longest chain, each needed for the next.
     """
 
-    scheme: str
-    options: tuple[tuple[str, str], ...]
+    composition: Composition
     variants: int
     computed: int
     decided: int
@@ -124,8 +124,7 @@ def _steps(group: Group) -> Steps:
     kinds = [quantity.kind for quantity in group.plan.answered]
     computed, decided = kinds.count(Kind.FORMULA), kinds.count(Kind.CHOICE)
     return Steps(
-        group.plan.scheme.id,
-        tuple(sorted(group.plan.options.items())),
+        group.plan.composition,
         len(group.rows),
         computed,
         decided,

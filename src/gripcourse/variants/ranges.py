@@ -282,7 +282,7 @@ def _check(table: Table, values: tuple[float, ...], quantity: Quantity) -> None:
                 "",
                 message("The value {value} is outside the bounds {low} to {high} of the quantity.",
                         value=value, low=low, high=high),
-                message("Narrow the range, or mend the bounds in {file}.", file=quantity.file),
+                message("Narrow the range, or correct the bounds in {file}.", file=quantity.file),
             )  # fmt: skip
             break
     if quantity.integer and any(not value.is_integer() for value in values):

@@ -5,9 +5,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Option, Quantity, Scheme
 from gripcourse.errors import Problem
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
@@ -35,7 +36,7 @@ class RowReader:
     columns: Mapping[str, TableColumn]
     absent: frozenset[str]
     problems: list[Problem]
-    plans: dict[tuple[str, tuple[str, ...]], Plan] = field(default_factory=dict)
+    plans: dict[Composition, Plan] = field(default_factory=dict)
 
     def read(self) -> list[Variant]:
         """Return the variants of all rows that are right."""
@@ -113,10 +114,10 @@ class RowReader:
         return None
 
     def _plan(self, scheme: Scheme, options: Mapping[str, str]) -> Plan:
-        key = (scheme.id, tuple(options.values()))
-        if key not in self.plans:
-            self.plans[key] = make_plan(self.course, scheme.id, options)
-        return self.plans[key]
+        composition = Composition.of(scheme.id, options)
+        if composition not in self.plans:
+            self.plans[composition] = plan_of(self.course, composition)
+        return self.plans[composition]
 
     def _given(self, row: SheetRow, quantity: Quantity, plan: Plan) -> float | None:
         written = self._cell(row, quantity.id)
@@ -178,13 +179,12 @@ class RowReader:
                 )  # fmt: skip
 
     def _refuse_infeasible(self, rows: list[tuple[SheetRow, Variant]]) -> None:
-        groups: dict[tuple[str, tuple[str, ...]], list[tuple[SheetRow, Variant]]] = {}
+        groups: dict[Composition, list[tuple[SheetRow, Variant]]] = {}
         for row, variant in rows:
-            key = (variant.scheme, tuple(variant.options.values()))
-            groups.setdefault(key, []).append((row, variant))
+            groups.setdefault(variant.composition, []).append((row, variant))
         found: list[tuple[int, Problem]] = []
-        for key, group in groups.items():
-            plan = self.plans[key]
+        for composition, group in groups.items():
+            plan = self.plans[composition]
             given = {
                 quantity.id: np.array([variant.given[quantity.id] for _, variant in group])
                 for quantity in plan.givens

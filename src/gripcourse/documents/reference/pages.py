@@ -34,7 +34,8 @@ from gripcourse.documents.reference.tables import tables_of
 from gripcourse.text.words import Texts, Words
 
 STYLE: Final = "reference.css"
-_INDEX, _SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("", "_scheme", "_errata"))
+INDEX: Final = "reference.html.j2"
+_SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("_scheme", "_errata"))
 _TABULATED: Final = frozenset({Kind.GIVEN, Kind.CONSTANT})
 
 
@@ -126,7 +127,7 @@ def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Do
         f"{content.scheme.id}.html": page(_SCHEME, scheme_values(content, words))
         for content in contents
     }
-    made["index.html"] = page(_INDEX, index_values(course, words))
+    made["index.html"] = page(INDEX, index_values(course, words))
     made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
     return made
 

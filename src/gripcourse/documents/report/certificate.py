@@ -10,8 +10,8 @@ from itertools import groupby
 
 import numpy as np
 
-from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.compose import declared_in
+from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
@@ -209,8 +209,12 @@ def _sentences(
         yield message("too near to another variant; the nearest is {variant}", variant=other)
 
 
+def _scheme_of(steps: Steps) -> str:
+    return steps.composition.scheme
+
+
 def _by_scheme(audit: VariantAudit) -> Iterator[tuple[str, Iterable[Steps]]]:
-    yield from groupby(sorted(audit.steps, key=lambda one: one.scheme), lambda one: one.scheme)
+    yield from groupby(sorted(audit.steps, key=_scheme_of), _scheme_of)
 
 
 def _steps(title: str, steps: Sequence[Steps]) -> tuple[str, ...]:
@@ -280,9 +284,7 @@ def _mean(counts: Sequence[SlipCount]) -> float:
 
 def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, str]:
     """Return the title of every quantity that occurs; the first scheme's counts."""
-    found: dict[str, Quantity] = {}
-    for one in audit.steps:
-        found = compose(course, course.schemes[one.scheme], dict(one.options)) | found
+    found = declared_in(course, (one.composition for one in audit.steps))
     return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
 
 
