@@ -12,7 +12,7 @@ from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.text.shown import shown
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
@@ -57,18 +57,20 @@ def grade_files(
         grade_one: grades one file.
         seconds: that one file may take.
     """
-    done: dict[Path, Graded] = {}
     job = _Job(context, grade_one)
-    for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
-        file = files[number]
-        if isinstance(report, Lost):
-            done[file] = _incident(file, context, report.trace)
-        else:
-            # A name need not be text for every system; from here on it is only read by people.
-            done[file] = Graded(replace(report, file=shown(report.file)), "")
-        on_done(file)
-    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), context)
-    incidents = [done[file].incident for file in files]
+    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+    reports = in_order(jobs, lambda number: on_done(files[number]))
+    graded = (_graded(file, report, context) for file, report in zip(files, reports, strict=True))
+    return compared(tuple(graded), context)
+
+
+def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
+    """Flag the files of a batch that belong together or hold another student's numbers.
+
+    What fails on our side while they are compared stands with the first file.
+    """
+    reports, trace = mark_likeness(mark_doubles([one.report for one in graded]), context)
+    incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
 
@@ -80,6 +82,13 @@ def incident_number(trace: str) -> str:
 
 def _grade(file: Path, job: _Job) -> Report:
     return job.grade_one(file, job.context)
+
+
+def _graded(file: Path, report: Report | Lost, context: GradingContext) -> Graded:
+    if isinstance(report, Lost):
+        return _incident(file, context, report.trace)
+    # A name need not be text for every system; from here on it is only read by people.
+    return Graded(replace(report, file=shown(report.file)), "")
 
 
 def _incident(file: Path, context: GradingContext, trace: str) -> Graded:

@@ -104,6 +104,15 @@ def gradebook_place(chosen: str | None, root: Path) -> str:
     return chosen or str(gradebook_path(root))
 
 
+def say_limits(words: Words) -> None:
+    """Say on the error output what a person should know of the memory of workers, if anything."""
+    from gripcourse.jobs.limits import Limits, memory_notice  # noqa: PLC0415 (not for --help)
+
+    notice = memory_notice(Limits())
+    if notice is not None:
+        typer.echo(words.say(notice), err=True)
+
+
 def decimal_number(written: str) -> float:
     """Read a number with a decimal point or comma.
 

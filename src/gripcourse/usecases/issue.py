@@ -13,7 +13,7 @@ from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.register import read_register, register_path, write_register
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import key_path, read_key
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import make_plan
@@ -108,14 +108,13 @@ def _write(
     on_done: Callable[[str], None],
     issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
-    done: dict[int, Handout] = {}
     shared = (issue_one, context)
     jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
-    for number, handout in jobs:
-        entry = entries[number]
-        done[number] = _lost(context, entry, handout) if isinstance(handout, Lost) else handout
-        on_done(entry.student.id)
-    return tuple(done[number] for number in range(len(entries)))
+    done = in_order(jobs, lambda number: on_done(entries[number].student.id))
+    return tuple(
+        _lost(context, entry, handout) if isinstance(handout, Lost) else handout
+        for entry, handout in zip(entries, done, strict=True)
+    )
 
 
 def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:
