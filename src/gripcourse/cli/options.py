@@ -99,9 +99,9 @@ def day_of(chosen: datetime | None) -> date:
 
 def gradebook_place(chosen: str | None, root: Path) -> str:
     """Return the gradebook to use: the named one, else the course's."""
-    from gripcourse.gradebook.opening import gradebook_path  # noqa: PLC0415 (not for --help)
+    from gripcourse.database.home import home_of  # noqa: PLC0415 (not for --help)
 
-    return chosen or str(gradebook_path(root))
+    return chosen or home_of(root)
 
 
 def say_limits(words: Words) -> None:

@@ -11,7 +11,8 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
 from gripcourse.course.model import Course
-from gripcourse.issuing.register import Register, read_register, write_register
+from gripcourse.issuing.register import Register
+from gripcourse.issuing.register_file import read_register_file, write_register_file
 from gripcourse.jobs.pools import pool_for
 from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.model import Policy
@@ -55,7 +56,7 @@ def write_cohort(
         OSError: the folder cannot be written.
     """
     register = Register(room.context.course.id, tuple(room.context.register.values()))
-    write_register(register_of(out), register)
+    write_register_file(register_of(out), register)
     jobs = run_each(
         _write_one,
         tuple(room.behaviours),
@@ -88,7 +89,7 @@ def grade_cohort(
     Raises:
         GripcourseError: the folder holds no cohort of this course.
     """
-    register = read_register(register_of(out), course.id).by_student()
+    register = read_register_file(register_of(out), course.id).by_student()
     works = read_truth(truth_path(out))
     files = [submission_path(out, work.student) for work in works]
     graded = grade_files(

@@ -10,9 +10,9 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
-from gripcourse.issuing.register import read_register, register_path, write_register
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.issuing.store import extend_register
 from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
@@ -92,9 +92,10 @@ def issue_order(
     students = read_roster(order.roster)
     variants = read_table(order.table, course)
     key = read_key(key_path(course.root))
-    before = read_register(register_path(course.root), course.id)
-    extended = extend(before, students, variants, Terms(key, order.today, order.deadline))
-    write_register(register_path(course.root), extended.register)
+    terms = Terms(key, order.today, order.deadline)
+    extended = extend_register(
+        course.root, course.id, lambda register: extend(register, students, variants, terms)
+    )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     context = IssuingContext(course, policy, partial(make_plan, course), order.out)

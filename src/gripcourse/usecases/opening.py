@@ -4,7 +4,7 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
 
 
@@ -16,5 +16,5 @@ def open_grading(root: Path) -> GradingContext:
         RegisterError: the register cannot be used.
     """
     course = load_course(root)
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     return GradingContext(course, load_policy(course), register)

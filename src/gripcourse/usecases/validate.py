@@ -8,6 +8,7 @@ from gripcourse.course.check import check_course
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem
+from gripcourse.issuing.store import read_register
 from gripcourse.machine.doctor import checks
 from gripcourse.policy.load import load_policy, read_policy
 from gripcourse.simulation.mix import mix_path, read_mix
@@ -29,6 +30,7 @@ def all_problems(root: Path) -> list[Problem]:
         return problems
     problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
     problems += _mix_problems(course)
+    problems += _register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -49,6 +51,14 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
         if not check.ok and check.name.split()[0] in _NEEDED:
             what = message("{fault}.", fault=check.message)
             yield Problem("", check.name, what, check.remedy)
+
+
+def _register_problems(course: Course) -> tuple[Problem, ...]:
+    try:
+        read_register(course.root, course.id)
+    except GripcourseError as error:
+        return error.problems
+    return ()
 
 
 def _mix_problems(course: Course) -> list[Problem]:
