@@ -53,7 +53,7 @@ def audit(
     workers: int,
     on_done: Callable[[], None],
 ) -> ToleranceAudit:
-    """ToleranceAudit the tolerances of a course; see `virtual.tolerance.audit_tolerances`."""
+    """Audit the tolerances of a course; see `virtual.tolerance.audit_tolerances`."""
     return audit_tolerances(course, policy, load_mix(course), variants, workers, on_done)
 
 
