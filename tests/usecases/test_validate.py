@@ -2,19 +2,20 @@
 
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
 import pytest
 from sqlalchemy import text
 
-from gripcourse.course.load import read_course
+from gripcourse.course.model import Course
 from gripcourse.database.home import gradebook_path
 from gripcourse.database.opening import open_engine
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.issuing.store import extend_register
-from gripcourse.usecases.validate import all_problems
+from gripcourse.usecases.validate import all_problems, register_problems
 from gripcourse.variants.model import Student, Variant
 
 REPOSITORY = Path(__file__).parents[2]
@@ -57,17 +58,17 @@ def test_declarations_catalogues_and_policy_are_judged_together(
     }
 
 
-def test_a_changed_register_is_named_with_its_student(broken: Callable[..., Path]) -> None:
-    root, key = broken(("grader/policy.toml", "total = 100", "total = 99")), bytes(range(32))
-    make_key(key_path(root), key)
+def test_a_changed_register_is_named_with_its_student(course: Course, tmp_path: Path) -> None:
+    mine, key = replace(course, root=tmp_path), bytes(range(32))
+    make_key(key_path(tmp_path), key)
     terms = Terms(key, date(2026, 9, 1), None)
     person, variant = Student("s01", "", "", "", "", ""), Variant("001", "", {}, {"mass": 55.0})
-    course = read_course(root)[0]
-    assert course is not None
-    extend_register(root, course.id, lambda one: extend(one, [person], [variant], terms))
-    with open_engine(str(gradebook_path(root))).begin() as connection:
+    extend_register(tmp_path, mine.id, lambda one: extend(one, [person], [variant], terms))
+    assert register_problems(mine) == ()
+    with open_engine(str(gradebook_path(tmp_path))).begin() as connection:
         connection.execute(text("UPDATE register_issued SET given = '{\"mass\": 5}'"))
-    assert "student s01" in {str(one.key) for one in all_problems(root)}
+    (problem,) = register_problems(mine)
+    assert str(problem.key) == "student s01"
 
 
 def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path]) -> None:

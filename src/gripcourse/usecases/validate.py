@@ -30,7 +30,7 @@ def all_problems(root: Path) -> list[Problem]:
         return problems
     problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
     problems += _mix_problems(course)
-    problems += _register_problems(course)
+    problems += register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -53,7 +53,8 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
             yield Problem("", check.name, what, check.remedy)
 
 
-def _register_problems(course: Course) -> tuple[Problem, ...]:
+def register_problems(course: Course) -> tuple[Problem, ...]:
+    """Return what is wrong with what was issued from a course."""
     try:
         read_register(course.root, course.id)
     except GripcourseError as error:
