@@ -25,7 +25,7 @@ from gripcourse.documents.pdf import pdf_from_html, render_pdf
 from gripcourse.documents.registry import document_kinds
 from gripcourse.documents.report.cohort import cohort_report
 from gripcourse.documents.report.student import student_report
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.simulation.cohort import make_classroom
@@ -73,7 +73,7 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     words = Words(course.language)
     table = course.root / "variants" / "tables" / "main.csv"
     variants = read_table(table, course)
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     assigned = out / "assignments" / STUDENT / f"assignment_{STUDENT}.pdf"
     yield "assignment_1", assigned, 1
     yield "assignment_2", assigned, 2

@@ -15,7 +15,7 @@ LEVELS = (
     ("text",),
     ("errors",),
     ("machine",),
-    ("jobs",),
+    ("jobs", "database"),
     ("formula",),
     ("course",),
     ("solver",),

@@ -12,7 +12,7 @@ import pytest
 
 from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
-from gripcourse.issuing.register import register_path
+from gripcourse.database.home import gradebook_path
 
 SCHEME = "rack_parallelogram"
 ROSTER = """\
@@ -306,7 +306,7 @@ class TestWrongUse:
         )
         refused(run, "changed.csv", "row 2", column.split(maxsplit=1)[0])
         assert not out.exists()
-        assert not register_path(course).exists()
+        assert not gradebook_path(course).exists()
 
     @pytest.mark.parametrize(
         ("content", "said"),
@@ -327,7 +327,7 @@ class TestWrongUse:
         run = gripcourse("issue", "--course", course, "--roster", roster, "--out", out)
         refused(run, "roster.csv", *said)
         assert not out.exists()
-        assert not register_path(course).exists()
+        assert not gradebook_path(course).exists()
 
     def test_a_damaged_gradebook_is_refused_before_anything_is_graded(
         self, gripcourse: Command, course: Path, tmp_path: Path

@@ -112,7 +112,6 @@ def test_everything_that_is_promised_is_there(demo: Demo) -> None:
     assert students < folders
     assert len(folders) == 12
     assert all(len(list((demo.assignments / one).iterdir())) == 2 for one in folders)
-    assert (demo.course / "private" / "register.json").exists()
     assert (demo.course / "private" / "gradebook.sqlite").exists()
     assert all(path.stat().st_size > 10_000 for path in demo.graded.rglob("*.pdf"))
 

@@ -12,7 +12,7 @@ from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
 
@@ -60,20 +60,25 @@ def grade_files(
         grade_one: grades one file.
         seconds: that one file may take.
     """
-    done: dict[int, Graded] = {}
     job = _Job(context, grade_one)
-    for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
-        file = files[number]
-        _log.info("graded %s", shown(shown_name(file)))
-        if isinstance(report, Lost):
-            done[number] = _incident(file, context, report.trace)
-        else:
-            # A name need not be text for every system; from here on it is only read by people.
-            done[number] = Graded(replace(report, file=shown(report.file)), "")
-        on_done(file)
-    in_order = [done[number] for number in range(len(files))]
-    reports, trace = mark_likeness(mark_doubles([one.report for one in in_order]), context)
-    incidents = [one.incident for one in in_order]
+    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+
+    def done(number: int) -> None:
+        _log.info("graded %s", shown(shown_name(files[number])))
+        on_done(files[number])
+
+    reports = in_order(jobs, done)
+    graded = (_graded(file, report, context) for file, report in zip(files, reports, strict=True))
+    return compared(tuple(graded), context)
+
+
+def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
+    """Flag the files of a batch that belong together or hold another student's numbers.
+
+    What fails on our side while they are compared stands with the first file.
+    """
+    reports, trace = mark_likeness(mark_doubles([one.report for one in graded]), context)
+    incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
 
@@ -85,6 +90,13 @@ def incident_number(trace: str) -> str:
 
 def _grade(file: Readable, job: _Job) -> Report:
     return job.grade_one(file, job.context)
+
+
+def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> Graded:
+    if isinstance(report, Lost):
+        return _incident(file, context, report.trace)
+    # A name need not be text for every system; from here on it is only read by people.
+    return Graded(replace(report, file=shown(report.file)), "")
 
 
 def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:

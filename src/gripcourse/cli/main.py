@@ -43,6 +43,7 @@ from gripcourse.cli.options import (
     document_language,
     gradebook_place,
     main_table,
+    say_limits,
     words_for,
 )
 from gripcourse.cli.pairs import read_pairs
@@ -162,6 +163,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         today=day_of(on),
         deadline=deadline.date() if deadline else None,
     )
+    say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
@@ -193,6 +195,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = open_grading(course_folder(course))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
+    say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
@@ -238,6 +241,7 @@ def demo(
     from gripcourse.demo.run import run_demo
 
     words = words_for(language)
+    say_limits(words)
     with cli_text.progress() as step:
         done = run_demo(course_folder(course), out, words, workers, step)
     confirm(grading_text.demo_text(done, words))

@@ -62,7 +62,7 @@ def trace(
 ) -> None:
     """Rank the variants and students that numbers may come from, with the odds; no verdict."""
     from gripcourse.course.load import load_course
-    from gripcourse.issuing.register import register_path
+    from gripcourse.issuing.store import read_register
     from gripcourse.usecases import trace as command
 
     if table is not None and issued is not None:
@@ -72,7 +72,7 @@ def trace(
     words = words_for(language)
     loaded = load_course(course_folder(course))
     root = issued or loaded.root
-    if table is None and (issued is not None or register_path(root).is_file()):
+    if table is None and (issued is not None or read_register(root, loaded.id).entries):
         sought = command.in_register(root, loaded)
     else:
         sought = command.in_table(table or main_table(loaded.root), loaded)

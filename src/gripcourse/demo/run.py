@@ -12,12 +12,12 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
+from gripcourse.database.home import home_of
 from gripcourse.demo.students import fill_workbooks
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.gradebook.opening import gradebook_path
-from gripcourse.issuing.register import read_register, register_path
 from gripcourse.issuing.roster import read_roster
+from gripcourse.issuing.store import read_register
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine
@@ -93,7 +93,7 @@ def run_demo(
     )
     tick = step(words.say(message("Issuing")), len(read_roster(order.roster)))
     issuing = issue_order(course, policy, order, workers, lambda _: tick())
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     stories = fill_workbooks(
         course, register, workbooks(folders["assignments"], register), folders["submissions"]
     )
@@ -101,7 +101,7 @@ def run_demo(
     tick = step(words.say(message("Grading")), len(files))
     context = GradingContext(course, policy, register)
     graded = grade(files, context, workers, lambda _: tick())
-    place = str(gradebook_path(course.root))
+    place = home_of(course.root)
     keep(graded, context, place, MARKED_AT)
     marked = next(student for student, story in stories.items() if story == MARKED_STORY)
     marking = mark_drawing(marked, context, place)

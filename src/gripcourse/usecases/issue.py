@@ -10,10 +10,10 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
-from gripcourse.issuing.register import read_register, register_path, write_register
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import key_path, read_key
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.issuing.store import extend_register
+from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
@@ -93,9 +93,10 @@ def issue_order(
     students = read_roster(order.roster)
     variants = read_table(order.table, course)
     key = read_key(key_path(course.root))
-    before = read_register(register_path(course.root), course.id)
-    extended = extend(before, students, variants, Terms(key, order.today, order.deadline))
-    write_register(register_path(course.root), extended.register)
+    terms = Terms(key, order.today, order.deadline)
+    extended = extend_register(
+        course.root, course.id, lambda register: extend(register, students, variants, terms)
+    )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
@@ -109,15 +110,18 @@ def _write(
     on_done: Callable[[str], None],
     issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
-    done: dict[int, Handout] = {}
     shared = (issue_one, context)
     jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
-    for number, handout in jobs:
-        entry = entries[number]
-        done[number] = _lost(context, entry, handout) if isinstance(handout, Lost) else handout
-        _log.info("documents of %s: done", entry.student.id)
-        on_done(entry.student.id)
-    return tuple(done[number] for number in range(len(entries)))
+
+    def written(number: int) -> None:
+        _log.info("documents of %s: done", entries[number].student.id)
+        on_done(entries[number].student.id)
+
+    done = in_order(jobs, written)
+    return tuple(
+        _lost(context, entry, handout) if isinstance(handout, Lost) else handout
+        for entry, handout in zip(entries, done, strict=True)
+    )
 
 
 def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:

@@ -5,7 +5,7 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 
@@ -27,5 +27,5 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
     Raises:
         RegisterError: the register cannot be used.
     """
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     return GradingContext(course, policy, register)

@@ -9,7 +9,7 @@ from gripcourse.course.compose import compose
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.trace import Clue, Origin, rank
 from gripcourse.machine.content import Readable
@@ -63,12 +63,11 @@ def in_register(root: Path, course: Course) -> Sought:
         RegisterError: the register is damaged or of another course.
         UsageError: nothing was issued there.
     """
-    path = register_path(root)
-    entries = read_register(path, course.id).entries
+    entries = read_register(root, course.id).entries
     if not entries:
         what = message("Nothing was issued from this course.")
         remedy = message("Name another folder, or a table of variants.")
-        raise UsageError([Problem(str(path), "", what, remedy, step=NextStep.NAME_TABLE)])
+        raise UsageError([Problem(str(root), "", what, remedy, step=NextStep.NAME_TABLE)])
     variants: dict[str, Variant] = {}
     students: dict[str, tuple[str, ...]] = {}
     for entry in entries:

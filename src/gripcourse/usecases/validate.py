@@ -10,6 +10,7 @@ from gripcourse.course.compose import all_part_ids
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem, UsageError
+from gripcourse.issuing.store import read_register
 from gripcourse.machine.doctor import checks
 from gripcourse.policy.load import load_policy, read_policy
 from gripcourse.proofs.calculations import calculations, differences
@@ -36,6 +37,7 @@ def all_problems(root: Path) -> list[Problem]:
         return problems
     problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
     problems += _mix_problems(course)
+    problems += register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -100,6 +102,15 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
         if not check.ok and check.name.split()[0] in _NEEDED:
             what = message("{fault}.", fault=check.message)
             yield Problem("", check.name, what, check.remedy)
+
+
+def register_problems(course: Course) -> tuple[Problem, ...]:
+    """Return what is wrong with what was issued from a course."""
+    try:
+        read_register(course.root, course.id)
+    except GripcourseError as error:
+        return error.problems
+    return ()
 
 
 def _mix_problems(course: Course) -> list[Problem]:
