@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
 from gripcourse.issuing.register import register_path
 
@@ -96,7 +97,9 @@ class TestHappyPaths:
 
     def test_a_variant_is_solved_as_json(self, gripcourse: Command) -> None:
         run = gripcourse("solve", "001", "--json")
-        values = json.loads(run.out)["values"]
+        plain = json.loads(run.out)
+        values = plain["values"]
+        assert SolutionResult.from_dict(plain).variant == "001"
         assert run.code == 0
         assert values["lifting_load"]["unit"] == "N"
         assert values["lifting_load"]["value"] > 0
@@ -403,7 +406,7 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_pa
 
     done = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert done.code == cli.DONE
-    (report,) = json.loads(done.out)
+    (report,) = json.loads(done.out)["reports"]
     assert report["student"] == "s01"
     assert report["score"] == 0
     assert {one["outcome"] for one in report["findings"]} == {"blank", "manual"}
@@ -462,7 +465,7 @@ def test_a_drawing_from_waiting_to_marked(
 
     again = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert again.code == cli.DONE
-    (report,) = json.loads(again.out)
+    (report,) = json.loads(again.out)["reports"]
     drawing = next(o for o in report["findings"] if o["quantity"] == "general_view_drawing")
     assert drawing["decision"]["marker"] == "Петров"
     assert report["score"] == pytest.approx(0.85 * drawing["max_points"])

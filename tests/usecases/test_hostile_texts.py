@@ -191,6 +191,6 @@ def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_pa
 
 
 def test_json_gives_it_back_as_it_was(report: Report, text: str) -> None:
-    (read,) = json.loads(json_text([report], Words("en")))
+    (read,) = json.loads(json_text([report], Words("en")))["reports"]
     assert read["file"] == text
     assert {finding["typed"] for finding in read["findings"]} == {text}

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from pathlib import Path
 from typing import Final
 
 from gripcourse.course.model import Course
@@ -12,6 +11,7 @@ from gripcourse.grading.identify import submitter
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report, unknown_student_report
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
@@ -38,14 +38,14 @@ class GradingContext:
     register: Mapping[str, Issued]
 
 
-def grade_file(file: Path, context: GradingContext) -> Report:
+def grade_file(source: Readable, context: GradingContext) -> Report:
     """Grade one file; the student's faults are in the report, only ours are exceptions."""
-    raw = read_workbook(file)
+    raw, file = read_workbook(source), shown_name(source)
     if isinstance(raw, Rejected):
-        return rejected_report(raw, submitter(str(file), "", context.register))
-    issued = submitter(str(file), raw.identity.student, context.register)
+        return rejected_report(raw, submitter(file, "", context.register))
+    issued = submitter(file, raw.identity.student, context.register)
     if issued is None:
-        return unknown_student_report(str(file), raw.identity.student, raw.digest)
+        return unknown_student_report(file, raw.identity.student, raw.digest)
     return judge_read(raw, issued, context)
 
 

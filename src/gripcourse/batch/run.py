@@ -3,7 +3,6 @@
 import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
@@ -13,12 +12,13 @@ from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
 
-GradeOne: TypeAlias = Callable[[Path, GradingContext], Report]
+GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
 
@@ -39,10 +39,10 @@ class _Job:
 
 
 def grade_files(
-    files: Sequence[Path],
+    files: Sequence[Readable],
     context: GradingContext,
     workers: int,
-    on_done: Callable[[Path], None] = lambda _: None,
+    on_done: Callable[[Readable], None] = lambda _: None,
     *,
     grade_one: GradeOne = grade_file,
     seconds: float = SECONDS_PER_FILE,
@@ -50,25 +50,26 @@ def grade_files(
     """Grade files in parallel; the result is in the order of the files.
 
     Args:
-        files: to grade.
+        files: to grade; bytes with their names are files too.
         context: the course, its policy, the register.
-        workers: how many processes.
+        workers: how many processes; 0 for none but this one, see `run_each`.
         on_done: called with each file when it is done.
         grade_one: grades one file.
         seconds: that one file may take.
     """
-    done: dict[Path, Graded] = {}
+    done: dict[int, Graded] = {}
     job = _Job(context, grade_one)
     for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
         file = files[number]
         if isinstance(report, Lost):
-            done[file] = _incident(file, context, report.trace)
+            done[number] = _incident(file, context, report.trace)
         else:
             # A name need not be text for every system; from here on it is only read by people.
-            done[file] = Graded(replace(report, file=shown(report.file)), "")
+            done[number] = Graded(replace(report, file=shown(report.file)), "")
         on_done(file)
-    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), context)
-    incidents = [done[file].incident for file in files]
+    in_order = [done[number] for number in range(len(files))]
+    reports, trace = mark_likeness(mark_doubles([one.report for one in in_order]), context)
+    incidents = [one.incident for one in in_order]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
 
@@ -78,12 +79,12 @@ def incident_number(trace: str) -> str:
     return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
-def _grade(file: Path, job: _Job) -> Report:
+def _grade(file: Readable, job: _Job) -> Report:
     return job.grade_one(file, job.context)
 
 
-def _incident(file: Path, context: GradingContext, trace: str) -> Graded:
-    number = incident_number(trace)
-    issued = submitter(str(file), "", context.register)
+def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:
+    number, file = incident_number(trace), shown_name(source)
+    issued = submitter(file, "", context.register)
     told = shown(f"incident {number}: {trace}\n{file}\n")
-    return Graded(incident_report(shown(str(file)), number, issued), told)
+    return Graded(incident_report(shown(file), number, issued), told)

@@ -7,6 +7,7 @@ import typer
 
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     WRONG_USE,
@@ -35,7 +36,7 @@ def validate(course: CourseOption = None, language: LanguageOption = None) -> No
     problems = all_problems(course_folder(course))
     if problems:
         raise GripcourseError(problems)
-    typer.echo(words.say(message("The course is valid.")))
+    confirm(words.say(message("The course is valid.")))
 
 
 @app.command(cls=SpokenCommand)
@@ -51,7 +52,7 @@ def init(
 
     words = words_for(language)
     init_course(folder, secrets.token_bytes(32), words)
-    typer.echo(words.say(message("The course is in {folder}.", folder=str(folder))))
+    confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
 
 
 @app.command(cls=SpokenCommand)
@@ -82,6 +83,15 @@ def atlas(
     loaded = load_course(course_folder(course))
     words = Words(document_language(language, loaded.language))
     for path in draw_atlas(loaded, name, out, words):
+        confirm(str(path))
+
+
+@app.command(cls=SpokenCommand)
+def schema(*, out: OutOption = Path("schema")) -> None:
+    """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
+    from gripcourse.usecases.schema import write_schemas
+
+    for path in write_schemas(out):
         typer.echo(str(path))
 
 
@@ -98,4 +108,4 @@ def reference(
 
     words = Words(document_language(language, LANGUAGES[0]))
     for path in write_reference(load_course(course_folder(course)), out, words):
-        typer.echo(str(path))
+        confirm(str(path))

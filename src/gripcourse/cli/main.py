@@ -20,6 +20,7 @@ from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
 from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.loudness import confirm, is_verbose, prepare_streams
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -42,6 +43,8 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
+from gripcourse.cli.pairs import read_pairs
+from gripcourse.cli.problems import spoken
 from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.text.words import Words, message
 
@@ -49,7 +52,8 @@ from gripcourse.text.words import Words, message
 # ruff: noqa: PLC0415
 
 app = command_group(
-    "Course assignments for robot gripper design: issue variants, check, grade, report."
+    "Course assignments for robot gripper design: issue variants, check, grade, report.",
+    is_program=True,
 )
 for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
@@ -104,7 +108,10 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         variants = read_table(table or main_table(loaded.root), loaded)
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
-        solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
+        shape = message("Write name=value.")
+        given = dict(read_pairs("--set", settings or (), shape))
+        chosen = dict(read_pairs("--option", options or (), shape))
+        solved = command.solve_scheme(loaded, str(scheme), given, chosen, wanted)
     if pdf and xlsx and out is not None:
         raise cli_text.misuse(
             message("--out names one file for two documents."),
@@ -112,11 +119,13 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         )
     words = Words(document_language(language, loaded.language))
     if pdf:
-        typer.echo(str(command.write_solution(solved, out, words)))
+        confirm(str(command.write_solution(solved, out, words)))
     if xlsx:
-        typer.echo(str(command.write_key(solved, out, words)))
+        confirm(str(command.write_key(solved, out, words)))
     if json:
-        typer.echo(command.solution_json(solved))
+        from gripcourse.api.make_results import solution_result
+
+        typer.echo(cli_text.json_text(solution_result(solved, words).to_dict()))
     if not (pdf or xlsx or json):
         typer.echo(cli_text.solution_table(solved, words))
 
@@ -152,7 +161,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     with cli_text.progress() as step:
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
-    typer.echo(cli_text.issuing_text(issuing, out, words))
+    confirm(cli_text.issuing_text(issuing, out, words))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
@@ -187,9 +196,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(graded, context, out, day_of(on), workers, lambda _: tick())
     if json:
-        typer.echo(command.json_text(outcome.reports, words))
+        from gripcourse.exports.report_result import grades_result
+
+        typer.echo(cli_text.json_text(grades_result(outcome.reports, words).to_dict()))
     else:
-        typer.echo(grading_text.grading_text(outcome, out, words))
+        confirm(grading_text.grading_text(outcome, out, words))
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
 
 
@@ -225,12 +236,13 @@ def demo(
     words = words_for(language)
     with cli_text.progress() as step:
         done = run_demo(course_folder(course), out, words, workers, step)
-    typer.echo(grading_text.demo_text(done, words))
+    confirm(grading_text.demo_text(done, words))
 
 
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
+    prepare_streams()
     sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
 
 
@@ -240,13 +252,16 @@ def _guard(run: Callable[[], int | None]) -> int:
     except GripcourseError as error:
         words = chosen_words()
         for problem in error.problems:
-            typer.echo(problem.say(words), err=True)
+            typer.echo(spoken(problem, words), err=True)
         return WRONG_USE
     except OSError as error:
         typer.echo(system_problem(error).say(chosen_words()), err=True)
         return WRONG_USE
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
-        log = cli_text.write_incident(traceback.format_exc())
+        trace = traceback.format_exc()
+        log = cli_text.write_incident(trace)
+        if is_verbose():
+            typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
         typer.echo(chosen_words().say(said), err=True)
         return OUR_MISTAKE

@@ -15,6 +15,7 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
+from gripcourse.cli.pairs import read_pairs
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -66,6 +67,8 @@ def trace(
 
     if table is not None and issued is not None:
         raise cli_text.misuse(message("--table and --issued exclude each other."))
+    shape = message("Write it as in drive_force=1843 or grip_force=2,26 kN.")
+    named = read_pairs("--quantity", quantities or (), shape)
     words = words_for(language)
     loaded = load_course(course_folder(course))
     root = issued or loaded.root
@@ -73,7 +76,7 @@ def trace(
         sought = command.in_register(root, loaded)
     else:
         sought = command.in_table(table or main_table(loaded.root), loaded)
-    traced = command.trace(numbers or (), quantities or (), loaded, sought)
+    traced = command.trace(numbers or (), named, loaded, sought)
     typer.echo(trace_text(traced, words))
 
 

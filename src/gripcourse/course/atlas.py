@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from gripcourse.course.keys import ATLAS
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
@@ -69,10 +70,10 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
     """
     problems: list[Problem] = []
     path = root / "variants" / "atlas" / f"{identifier.replace('-', '_')}.toml"
-    table = read_toml(path, root, problems)
+    table = read_toml(path, root, problems, ATLAS)
     if table is None:
         raise CourseError(problems)
-    table.known_keys({"scheme", "work", "title", "figure", "row"})
+    table.known_keys()
     atlas = Atlas(
         identifier,
         table.text("scheme"),
@@ -87,7 +88,7 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
 
 
 def _figure(table: Table) -> AtlasFigure:
-    table.known_keys({"number", "title", "against", "from", "to", "curves"})
+    table.known_keys()
     return AtlasFigure(
         int(table.number("number")),
         table.texts("title"),
@@ -102,7 +103,7 @@ def _figure(table: Table) -> AtlasFigure:
 
 
 def _row(table: Table) -> AtlasRow:
-    table.known_keys({"number", "title", "inclination", "diameter", "example"})
+    table.known_keys()
     return AtlasRow(
         int(table.number("number")),
         table.texts("title"),

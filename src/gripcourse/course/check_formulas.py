@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 
+from gripcourse.course.check_guards import check_guard
 from gripcourse.course.check_slips import slip_faults
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.errors import Problem
@@ -59,6 +60,7 @@ def check_formulas(
                     caret(formula.text, fault.span),
                 )
         yield from slip_faults(one, columns)
+        yield from check_guard(one)
 
 
 def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from itertools import combinations, product
 from typing import TypeAlias
 
@@ -84,6 +85,25 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}
     return constants | declared
+
+
+def inherited(course: Course) -> Course:
+    """Return the course with every worked example completed by the defaults of its givens."""
+    schemes = {name: _completed(course, scheme) for name, scheme in course.schemes.items()}
+    return replace(course, schemes=schemes)
+
+
+def _completed(course: Course, scheme: Scheme) -> Scheme:
+    if scheme.example is None:
+        return scheme
+    defaults = default_values(compose(course, scheme, scheme.example.options).values())
+    example = replace(scheme.example, given=defaults | dict(scheme.example.given))
+    return replace(scheme, example=example)
+
+
+def default_values(quantities: Iterable[Quantity]) -> dict[str, float]:
+    """Return the defaults of given quantities that have one, in declared units."""
+    return {one.id: one.default for one in quantities if one.default is not None}
 
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:

@@ -21,21 +21,8 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, Texts, message
 
-_COMMON = {"section", "kind", "symbol", "unit", "title", "explain", "source"}
-_BOUNDED = {"bounds", "integer"}
-_JUDGED = {"valid", "tolerance", "slip", "as_printed", "evaluated_in"}
-_KEYS: dict[Kind, set[str]] = {
-    Kind.GIVEN: _COMMON | _BOUNDED,
-    Kind.CONSTANT: _COMMON | _BOUNDED | {"value"},
-    Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | {"formula"},
-    Kind.CHOICE: _COMMON
-    | _BOUNDED
-    | _JUDGED
-    | {"series", "also", "at_least", "condition", "at_most_steps", "rounding"},
-    Kind.PICK: _COMMON | _BOUNDED | _JUDGED | {"formula"},
-    Kind.VERDICT: _COMMON | {"condition"},
-    Kind.MANUAL: _COMMON | {"rubric"},
-}
+_INPUTS = frozenset({Kind.GIVEN, Kind.CONSTANT})
+_COMPUTED = frozenset({Kind.FORMULA, Kind.CHOICE, Kind.PICK})
 _FORMULA_KEY = {
     Kind.FORMULA: "formula",
     Kind.PICK: "formula",
@@ -52,8 +39,10 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
     kind = Kind.CONSTANT if constant else _kind(table)
     if kind is None:
         return _stand_in(identifier, table)
-    table.known_keys(_KEYS[kind])
-    units = _evaluated_in(table)
+    table.known_keys()
+    is_computed = kind in _COMPUTED
+    units = _evaluated_in(table) if is_computed else {}
+    bounds = _bounds(table, kind)
     return Quantity(
         id=identifier,
         section="" if constant else table.text("section"),
@@ -66,12 +55,14 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         formula=_formula(table, _FORMULA_KEY[kind], units) if kind in _FORMULA_KEY else None,
         choice=_choice(table) if kind is Kind.CHOICE else None,
         value=table.number("value") if kind is Kind.CONSTANT else None,
-        valid=_formula(table, "valid", {}) if table.has("valid") else None,
-        tolerance=_tolerance(table),
-        bounds=_bounds(table, kind),
-        integer=table.flag("integer"),
-        slips=tuple(_slip(slip, units) for slip in table.tables("slip")),
-        as_printed=tuple(_as_printed(printed, units) for printed in table.tables("as_printed")),
+        valid=_optional_formula(table, "valid") if is_computed else None,
+        tolerance=_tolerance(table) if is_computed else None,
+        default=_default(table, bounds) if kind is Kind.GIVEN else None,
+        range=table.table("range") if kind is Kind.GIVEN else None,
+        bounds=bounds,
+        integer=table.flag("integer") if is_computed or kind in _INPUTS else False,
+        slips=_slips(table, units) if is_computed else (),
+        as_printed=_versions(table, units) if is_computed else (),
         rubric=_rubric(table) if kind is Kind.MANUAL else "",
         file=table.file,
     )
@@ -90,7 +81,7 @@ def _rubric(table: Table) -> str:
 
 def source(table: Table) -> Source:
     """Read where something comes from."""
-    table.known_keys({"work", "equation", "note"})
+    table.known_keys()
     note = table.texts("note") if "note" in table.values else None
     return Source(table.text("work"), table.text("equation", ""), note)
 
@@ -110,7 +101,7 @@ def _check_id(identifier: str, table: Table) -> None:
 
 def _stand_in(identifier: str, table: Table) -> Quantity:
     """Return what is known of a quantity whose kind is not, lest all its users be reported too."""
-    silent = Table(table.values, table.file, table.key, [])
+    silent = Table(table.values, table.file, table.key, [])  # of no kind: of no shape
     nothing = Texts(dict.fromkeys(LANGUAGES, ""))
     return Quantity(
         id=identifier,
@@ -126,6 +117,8 @@ def _stand_in(identifier: str, table: Table) -> Quantity:
         value=None,
         valid=None,
         tolerance=None,
+        default=None,
+        range=None,
         bounds=_NO_BOUNDS,
         integer=False,
         slips=(),
@@ -163,13 +156,31 @@ def _unit(table: Table, kind: Kind) -> str:
 def _bounds(table: Table, kind: Kind) -> tuple[float, float]:
     if kind is Kind.VERDICT:
         return _TRUTH_BOUNDS
-    if kind is not Kind.MANUAL and not table.has("bounds"):
+    if kind is Kind.MANUAL:
+        return _NO_BOUNDS
+    if not table.has("bounds"):
         table.add(
             "bounds",
             message("This key is missing."),
             message("Write the lowest and the highest value that is physically thinkable."),
         )
     return table.pair("bounds", _NO_BOUNDS)
+
+
+def _default(table: Table, bounds: tuple[float, float]) -> float | None:
+    """Read what a given is where nobody says otherwise; it must be possible."""
+    if not table.has("default"):
+        return None
+    value = table.number("default")
+    low, high = bounds
+    if value < low or value > high:
+        table.add(
+            "default",
+            message("The value {value} is outside the bounds {low} to {high} of the quantity.",
+                    value=value, low=low, high=high),
+            message("Write a value between the bounds, or mend the bounds."),
+        )  # fmt: skip
+    return None if math.isnan(value) else value
 
 
 def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
@@ -181,6 +192,10 @@ def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | Non
     except FormulaFault as fault:
         table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
         return None
+
+
+def _optional_formula(table: Table, name: str) -> Formula | None:
+    return _formula(table, name, {}) if table.has(name) else None
 
 
 def _evaluated_in(table: Table) -> dict[str, str]:
@@ -203,7 +218,7 @@ def _tolerance(table: Table) -> Tolerance | None:
     written = table.table("tolerance")
     if written is None:
         return None
-    written.known_keys({"relative", "absolute"})
+    written.known_keys()
     return tolerance(written)
 
 
@@ -234,7 +249,7 @@ def _choice(table: Table) -> Choice:
         column=table.text("series"),
         also=table.strings("also"),
         rounding=_rounding(table),
-        condition=_formula(table, "condition", {}) if table.has("condition") else None,
+        condition=_optional_formula(table, "condition"),
         steps=None if steps is None else int(steps),
     )
 
@@ -260,8 +275,16 @@ def _wrong_formula(table: Table, units: Mapping[str, str]) -> Formula | None:
     return Formula(formula.text, formula.tree, used)
 
 
+def _slips(table: Table, units: Mapping[str, str]) -> tuple[Slip, ...]:
+    return tuple(_slip(slip, units) for slip in table.tables("slip"))
+
+
+def _versions(table: Table, units: Mapping[str, str]) -> tuple[AsPrinted, ...]:
+    return tuple(_as_printed(printed, units) for printed in table.tables("as_printed"))
+
+
 def _slip(table: Table, units: Mapping[str, str]) -> Slip:
-    table.known_keys({"id", "formula", "credit", "hint"})
+    table.known_keys()
     credit = table.number("credit")
     if credit < 0 or credit > 1:
         table.add(
@@ -275,7 +298,7 @@ def _slip(table: Table, units: Mapping[str, str]) -> Slip:
 
 
 def _as_printed(table: Table, units: Mapping[str, str]) -> AsPrinted:
-    table.known_keys({"erratum", "formula", "rounding", "note"})
+    table.known_keys()
     if table.has("formula") == table.has("rounding"):
         table.add(
             "",

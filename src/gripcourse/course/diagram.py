@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from gripcourse.course.diagram_keys import DIAGRAM
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort, Word
 from gripcourse.course.kinematics import POSITIONS
 from gripcourse.course.toml_table import Table, read_toml
@@ -20,7 +21,6 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "diagram.toml"
-_COMMON = ("kind", "positions", "mirror", "options")
 _NOTHING = Formula("0", parse("0"), {})
 
 
@@ -86,10 +86,10 @@ def read_diagram(
     path = folder / FILE
     if not path.exists():
         return None
-    table = read_toml(path, root, problems)
+    table = read_toml(path, root, problems, DIAGRAM)
     if table is None:
         return None
-    table.known_keys({"axis", "shared", "point", "element"})
+    table.known_keys()
     shared = [one for name in table.strings("shared") for one in _named(table, name, symbols)]
     points = table.table("point")
     return Diagram(
@@ -102,7 +102,7 @@ def read_diagram(
 
 def read_elements(table: Table) -> tuple[Element, ...]:
     """Read a file of elements that several diagrams share."""
-    table.known_keys({"element"})
+    table.known_keys()
     return tuple(_elements(table))
 
 
@@ -127,7 +127,7 @@ def _element(table: Table) -> Element | None:
             what = message("There is no element '{kind}'.", kind=kind)
             table.add("kind", what, did_you_mean(kind, VOCABULARY))
         return None
-    table.known_keys({*_COMMON, *word.roles})
+    table.known_keys()
     of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}
     sizes = of[Sort.LENGTH] | of[Sort.ANGLE] | of[Sort.NUMBER]
     written = {name: role for name, role in sizes.items() if table.has(name) or _has(role)}

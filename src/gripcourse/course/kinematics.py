@@ -6,7 +6,9 @@ serve the proof that a scheme's force ratio is right (virtual work) and its draw
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
+from gripcourse.course.shape import Shape, by_name, number, other, table, text
 from gripcourse.course.toml_table import Table
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
@@ -14,6 +16,43 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
 
 POSITIONS = ("open", "at_max", "at_min")
+_PAIR: Final = {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}
+KINEMATICS: Final = Shape(
+    {
+        "drive": text("Name of the drive's coordinate in the formulas.", required=True),
+        "unit": text("Its unit.", required=True),
+        "coordinate": by_name(
+            "Lengths and angles that depend on it, in order of calculation.",
+            table(
+                "A coordinate.",
+                {
+                    "unit": text("Its unit.", required=True),
+                    "formula": text("What computes it.", required=True),
+                },
+            ),
+        ),
+        "at": table(
+            "The drive's coordinate at each position.",
+            {one: text("A formula.", required=True) for one in POSITIONS},
+            required=True,
+        ),
+        "jaw": text("The coordinate that falls while a jaw closes.", required=True),
+        "jaws": text("Formula: how many jaws the drive moves.", required=True),
+        "ratio": by_name(
+            "The quantity that is the ratio of efforts, by position.",
+            text("Id of a quantity.", required=True),
+        ),
+        "state": by_name(
+            "By position: which coordinate gives each quantity that describes it.",
+            by_name("Coordinate by quantity.", text("A coordinate.", required=True)),
+        ),
+        "lossless": by_name(
+            "Quantities to be set so that the ratio holds no friction.",
+            number("A value.", required=True),
+        ),
+        "point": by_name("Joints, by name.", other("Names of two coordinates.", _PAIR)),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +101,12 @@ class Kinematics:
 
 def read_kinematics(table: Table) -> Kinematics:
     """Read the `[kinematics]` table of a scheme or of a part."""
-    table.known_keys(
-        {"drive", "unit", "coordinate", "at", "jaw", "jaws", "ratio", "state", "lossless", "point"}
-    )
+    table.known_keys()
     states = table.named_tables("state")
     ratio = table.table("ratio")
     points = table.table("point")
     at = table.required_table("at")
-    at.known_keys(POSITIONS)
+    at.known_keys()
     return Kinematics(
         drive=table.text("drive"),
         unit=_unit(table),
@@ -91,7 +128,7 @@ def read_kinematics(table: Table) -> Kinematics:
 
 
 def _coordinate(name: str, table: Table) -> Coordinate:
-    table.known_keys({"unit", "formula"})
+    table.known_keys()
     return Coordinate(name, _unit(table), _formula(table, "formula"))
 
 

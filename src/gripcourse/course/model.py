@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.toml_table import Table
 from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import Texts
@@ -138,6 +139,10 @@ class Quantity:
         value: of a CONSTANT, in `unit`; None for the others.
         valid: guard: only a student's value that satisfies it is carried on; None for no guard.
         tolerance: None where the policy's default applies.
+        default: of a GIVEN, what a worked example or a calculation by hand takes where it states no
+            other, in `unit`; None where each must state it.
+        range: of a GIVEN, what variants draw it from, as it is written: only `variants` knows all
+            that is needed to read it. None where each space must say it.
         bounds: lowest and highest value that is physically thinkable, in `unit`.
         integer: whether only whole numbers make sense.
         slips: anticipated wrong methods.
@@ -161,6 +166,8 @@ class Quantity:
     value: float | None
     valid: Formula | None
     tolerance: Tolerance | None
+    default: float | None
+    range: Table | None
     bounds: tuple[float, float]
     integer: bool
     slips: tuple[Slip, ...]

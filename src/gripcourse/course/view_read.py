@@ -32,8 +32,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
 
     None where a shared file could not be read: what it brings would be called unknown.
     """
-    keys = {"behind", "before", "position", "upright", "other", "characteristics"}
-    table.known_keys(keys | _SHARED_KEYS)
+    table.known_keys()
     named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
     views = [one for one in named if one is not None]
     view = View(
@@ -62,11 +61,8 @@ def _named(table: Table, key: str, shared: Mapping[str, View | None]) -> Iterato
 
 def read_shared(table: Table) -> View:
     """Read a file of parts that several views share."""
-    table.known_keys(_SHARED_KEYS)
+    table.known_keys()
     return _read(table)
-
-
-_SHARED_KEYS = {"length", "angle", "count", "part", "dimension", "label"}
 
 
 def _read(table: Table) -> View:
@@ -100,9 +96,7 @@ def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
 
 
 def _part(table: Table) -> ViewPart:
-    table.known_keys(
-        {"id", "title", "nameless", "mirror", "count", "sizes", "mark", "moves", "shape"}
-    )
+    table.known_keys()
     nameless = table.flag("nameless")
     shapes = tuple(_shape(one) for one in table.tables("shape"))
     if not shapes:
@@ -125,7 +119,7 @@ def _shape(table: Table) -> Shape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
-        table.known_keys({"kind", "line", "hatch", "hidden_edges", "face", "repeat", *needs})
+        table.known_keys()
     return Shape(
         kind=kind,
         needs={name: _expressions(table, name, need) for name, need in needs.items()},
@@ -139,7 +133,7 @@ def _shape(table: Table) -> Shape:
 
 
 def _repeat(table: Table) -> Repeat | Ring:
-    table.known_keys({"count", "step", "about"})
+    table.known_keys()
     count = _formula(table, "count", table.text("count")) or Formula("1", parse("1"), {})
     if table.has("about"):
         return Ring(count, _expressions(table, "about", Need.POINT))
@@ -147,7 +141,7 @@ def _repeat(table: Table) -> Repeat | Ring:
 
 
 def _dimension(table: Table) -> ViewDimension:
-    table.known_keys({"quantity", "from", "to", "side", "face", "sign", "at_other"})
+    table.known_keys()
     return ViewDimension(
         quantity=table.text("quantity"),
         start=_expressions(table, "from", Need.POINT),
@@ -162,7 +156,7 @@ def _dimension(table: Table) -> ViewDimension:
 
 
 def _label(table: Table) -> ViewLabel:
-    table.known_keys({"text", "values", "at", "face"})
+    table.known_keys()
     values = table.table("values")
     return ViewLabel(
         text=table.texts("text"),

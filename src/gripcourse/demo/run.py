@@ -119,7 +119,7 @@ def _clear(out: Path, folders: Iterable[Path]) -> None:
     if not mark.is_file() and any(folder.exists() for folder in folders):
         what = message("This folder is not empty.")
         remedy = message("Name a new or empty folder: nothing is ever overwritten.")
-        raise UsageError([Problem(str(out), "--out", what, remedy)])
+        raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
     write_text(mark, "")

@@ -29,7 +29,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gripcourse.errors import CourseError, Problem, UsageError
+from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
@@ -228,8 +228,8 @@ def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
     # Without any font Pango does not say so: it takes the whole process down.
     if not any(fonts_used(FONT_PACKAGES).values()):
         what = message("This machine has no font, so that no page can be laid out.")
-        remedy = message("gripcourse doctor names what is missing and how to install it.")
-        raise UsageError([Problem("", "", what, remedy)])
+        remedy = message("Install one; a check of the machine names what is missing and how.")
+        raise UsageError([Problem("", "", what, remedy, step=NextStep.CHECK_MACHINE)])
     return FontConfiguration()
 
 

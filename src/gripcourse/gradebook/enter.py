@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
+from gripcourse.errors import NextStep
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, Result
 from gripcourse.grading.model import OPEN, Outcome
 from gripcourse.policy.rubric import Rubric, RubricLine
@@ -64,11 +65,13 @@ class EntryFault:
         field: of the draft; a line of the rubric as `line:sizes`.
         what: is wrong.
         remedy: how to mend it.
+        step: what of this program mends it; None for nothing.
     """
 
     field: str
     what: Message
     remedy: Message
+    step: NextStep | None = None
 
 
 def mark_of(
@@ -124,7 +127,8 @@ def _not_graded(draft: Draft, standing: Standing) -> EntryFault:
         return EntryFault(
             "student",
             message("No file of {student} has been graded yet.", student=draft.student),
-            message("Grade it first: gripcourse grade."),
+            message("Grade it first."),
+            NextStep.GRADE,
         )
     return EntryFault(
         "student",
@@ -163,10 +167,11 @@ def _faults(
             "quantity",
             message("'{quantity}' was judged automatically.", quantity=draft.quantity),
             message(
-                "Items that a person marks: {names}. To overrule the automatic result add "
-                "--override and a comment.",
+                "Items that a person marks: {names}. To overrule the automatic result say so, with "
+                "a comment.",
                 names=", ".join(_waiting(attempt)) or "—",
             ),
+            NextStep.OVERRULE,
         )
     if result.outcome is not Outcome.MANUAL and not draft.comment.strip():
         yield EntryFault(
@@ -189,7 +194,8 @@ def _faults_of_withdrawal(draft: Draft, standing: Standing) -> Iterator[EntryFau
         yield EntryFault(
             "withdraw",
             message("A mark is either entered or withdrawn."),
-            message("Leave out the points, or leave out --withdraw."),
+            message("Leave out the points, or do not withdraw it."),
+            NextStep.LEAVE_WITHDRAWAL,
         )
     if not draft.comment.strip():
         yield EntryFault(

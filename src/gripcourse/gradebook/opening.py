@@ -14,7 +14,7 @@ from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError, SQLAlchemyError
 from sqlalchemy.pool import NullPool
 
-from gripcourse.errors import GradebookError, Problem
+from gripcourse.errors import GradebookError, NextStep, Problem
 from gripcourse.gradebook.schema import VERSION, format_table, metadata
 from gripcourse.text.words import Message, message
 
@@ -51,7 +51,8 @@ def open_engine(place: str) -> Engine:
         raise _failure(
             without_password(url),
             message("The driver of this database is not installed: {fault}.", fault=str(fault)),
-            message("Install it, for example psycopg for PostgreSQL, or leave --gradebook out."),
+            message("Install it, for example psycopg for PostgreSQL, or name another gradebook."),
+            NextStep.NAME_GRADEBOOK,
         ) from fault
     with refusals_named(without_password(url)):
         _make_tables(engine)
@@ -161,5 +162,7 @@ def _check_version(engine: Engine) -> None:
         )
 
 
-def _failure(place: str, what: Message, remedy: Message) -> GradebookError:
-    return GradebookError([Problem(place, "", what, remedy)])
+def _failure(
+    place: str, what: Message, remedy: Message, step: NextStep | None = None
+) -> GradebookError:
+    return GradebookError([Problem(place, "", what, remedy, step=step)])

@@ -55,7 +55,7 @@ _SAID = {
 
 
 def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[AnswerCheck, ...]:
-    """AnswerCheck a workbook against itself: its own given values, the student's own numbers.
+    """Check a workbook against itself: its own given values, the student's own numbers.
 
     Args:
         submission: what was read.

@@ -77,12 +77,16 @@ def run_each(
         work: does one job; it must be found by its name in another process.
         items: one for each job.
         shared: what every job needs.
-        workers: how many processes at most.
+        workers: how many processes at most. 0 does it all in this one, where nothing bounds a job's
+            time and memory: for callers that may not start processes, and files that are trusted.
         seconds: that one job may take.
 
     Yields:
         The place of an item in `items` and what it came to, in the order in which jobs are done.
     """
+    if workers == 0:
+        yield from _in_this_process(work, items, shared)
+        return
     packed = pack((work, shared, seconds))
     waiting: _Waiting = deque(enumerate(items))
     while waiting:
@@ -94,6 +98,17 @@ def run_each(
                 yield number, outcome[0]
         for number in taken_along:
             yield number, _alone(items[number], packed)
+
+
+def _in_this_process(
+    work: Callable[[Item, Shared], Result], items: Sequence[Item], shared: Shared
+) -> Iterator[tuple[int, Result | Lost]]:
+    for number, item in enumerate(items):
+        try:
+            done: Result | Lost = work(item, shared)
+        except Exception:  # noqa: BLE001 (as in a worker)
+            done = Lost(traceback.format_exc())
+        yield number, done
 
 
 def _until_worker_dies(

@@ -10,14 +10,12 @@ from gripcourse.course.model import Course, Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
+from gripcourse.simulation.keys import MIX
 from gripcourse.simulation.model import Carrying, Conduct, Mix, Required, Style
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 _Value = TypeVar("_Value")
-
-_TABLES = ("conduct", "figures", "rounding", "carrying", "style", "pi", "language", "constant")
-_KEYS = (*_TABLES, "share", "slip", "tolerance", "flags", "required")
 
 
 def mix_path(root: Path) -> Path:
@@ -40,18 +38,18 @@ def load_mix(course: Course) -> Mix:
 def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     """Read the mix with all its problems."""
     problems: list[Problem] = []
-    table = read_toml(mix_path(course.root), course.root, problems)
+    table = read_toml(mix_path(course.root), course.root, problems, MIX)
     if table is None:
         return None, problems
-    table.known_keys(_KEYS)
+    table.known_keys()
     share, slip = table.required_table("share"), table.required_table("slip")
-    share.known_keys({"blank", "copied"})
-    slip.known_keys({"apart", "tries"})
+    share.known_keys()
+    slip.known_keys()
     tolerance = table.required_table("tolerance")
-    tolerance.known_keys({"answers", "bands", "wide"})
+    tolerance.known_keys()
     flags, required = table.required_table("flags"), table.required_table("required")
-    flags.known_keys({"copying"})
-    required.known_keys(one.name for one in fields(Required))
+    flags.known_keys()
+    required.known_keys()
     mix = Mix(
         conduct=_named(table, "conduct", Conduct),
         figures={int(key): weight for key, weight in _numbered(table, "figures").items()},

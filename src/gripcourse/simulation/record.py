@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.machine.files import write_text
 from gripcourse.simulation.arithmetic import DigitRounding
 from gripcourse.simulation.model import (
@@ -86,5 +86,5 @@ def _action(written: object) -> Action:
 
 
 def _failure(path: Path, what: Message) -> UsageError:
-    remedy = message("Make the cohort again: gripcourse simulate.")
-    return UsageError([Problem(str(path), "", what, remedy)])
+    remedy = message("Make the cohort again.")
+    return UsageError([Problem(str(path), "", what, remedy, step=NextStep.SIMULATE)])

@@ -5,7 +5,12 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from gripcourse.course.catalogue import columns_of
-from gripcourse.course.compose import compose, direct_inputs, reference_formula
+from gripcourse.course.compose import (
+    compose,
+    default_values,
+    direct_inputs,
+    reference_formula,
+)
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
@@ -91,6 +96,23 @@ def default_options(scheme: Scheme) -> dict[str, str]:
     if scheme.example is not None:
         return dict(scheme.example.options)
     return {option.id: option.choices[0].id for option in scheme.options}
+
+
+def usual_values(plan: Plan) -> dict[str, float]:
+    """Return givens and constants as the worked example has them, else the defaults of givens.
+
+    Args:
+        plan: of any options; what the example says of others' quantities is left out.
+
+    Returns:
+        Values in declared units; of constants only those that the example changes.
+    """
+    example = plan.scheme.example
+    stated = {} if example is None else example.given
+    inputs = {one.id for one in (*plan.givens, *plan.constants)}
+    return default_values(plan.givens) | {
+        name: value for name, value in stated.items() if name in inputs
+    }
 
 
 def _scheme(course: Course, scheme_id: str) -> Scheme:

@@ -14,6 +14,7 @@ from gripcourse.issuing.register import read_register, register_path, write_regi
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import make_plan
@@ -42,14 +43,14 @@ class Order:
     """What is to be issued.
 
     Attributes:
-        roster, table: files.
+        roster, table: files, or their bytes.
         out: folder to write the students' folders to.
         today: day of the issue.
         deadline: last day for handing in, None for none.
     """
 
-    roster: Path
-    table: Path
+    roster: Readable
+    table: Readable
     out: Path
     today: date
     deadline: date | None
@@ -81,7 +82,7 @@ def issue_order(
         course: its folder holds the key and the register.
         policy: printed in the documents.
         order: what to issue.
-        workers: how many processes lay out documents.
+        workers: how many processes lay out documents; 0 for none but this one.
         on_done: called with each student's id.
         issue_one: writes one student's documents.
 

@@ -20,7 +20,7 @@ from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report
 from gripcourse.policy.model import Policy, Reveal
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, make_plan, usual_values
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Rejected, Submission
 from gripcourse.text.words import Words, message
@@ -67,8 +67,7 @@ def samples(
         if example is None:
             continue
         plan = make_plan(course, scheme.id, example.options)
-        given = {one.id: example.given[one.id] for one in plan.givens if one.id in example.given}
-        variant = Variant("001", scheme.id, dict(plan.options), given)
+        variant = Variant("001", scheme.id, dict(plan.options), usual_values(plan))
         student = Student("s1", name, "", "", words.language, "")
         issued = Issued(student, variant, DAY, DAY, "0" * 64)
         yield SampleDocument(course, policy, tuple(spaces), plan, issued, words)

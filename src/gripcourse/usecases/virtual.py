@@ -57,7 +57,7 @@ def simulate(
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         what = message("This folder is not empty.")
         remedy = message("Name a new or empty folder: nothing is ever overwritten.")
-        raise UsageError([Problem(str(out), "--out", what, remedy)])
+        raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
     room = make_classroom(
         course, policy, load_mix(course), cohort.count, cohort.seed, cohort.scheme
     )

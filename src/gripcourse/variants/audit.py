@@ -134,7 +134,7 @@ class VariantAudit:
 def audit(
     course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
 ) -> VariantAudit:
-    """VariantAudit a table.
+    """Audit a table.
 
     Args:
         course: whose variants they are.

@@ -25,7 +25,7 @@ def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
     """
     found: list[tuple[Table, Formula]] = []
     for place in table.tables("constraint"):
-        place.known_keys(("formula", "evaluated_in"))
+        place.known_keys()
         text = place.text("formula")
         units = _units(place)
         if not text:

@@ -1,14 +1,19 @@
-"""The ranges that variants are drawn from: `variants/spaces/*.toml`, one file per scheme.
+"""The ranges that variants are drawn from.
+
+A range stands beside its given. A file `variants/spaces/*.toml` says what is peculiar to a
+scheme: its share, the options that are mixed, constraints, and ranges of its own. A scheme whose
+givens all have ranges needs no such file.
 
 Every range is turned into the list of values it allows, so that students get tidy numbers and
 nothing has to be rounded later.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
-from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.compose import all_part_ids
+from gripcourse.course.model import Course, Option, Quantity, Scheme
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.tree import Formula
@@ -16,9 +21,8 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Follower, Range, RangeReader
-
-_KEYS = ("scheme", "weight", "options", "given", "constraint")
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,14 +69,37 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
     problems: list[Problem] = []
     spaces: list[Space] = []
     for path in sorted((course.root / "variants" / "spaces").glob("*.toml")):
-        table = read_toml(path, course.root, problems)
+        table = read_toml(path, course.root, problems, SPACE)
         space = None if table is None else _space(course, table)
         if table is not None and space is not None:
             _refuse_second(table, spaces, space)
             spaces.append(space)
+    named = {space.scheme for space in spaces}
+    if not problems:  # else a file that cannot be read may be the one of the scheme
+        spaces += [
+            _plain_space(course, scheme, problems)
+            for scheme in course.schemes.values()
+            if scheme.id not in named and _has_ranges(course, scheme)
+        ]
     if problems:
-        raise CourseError(problems)
-    return tuple(spaces)
+        raise CourseError(
+            {(one.file, str(one.key), str(one.what)): one for one in problems}.values()
+        )
+    return tuple(sorted(spaces, key=lambda space: space.file))
+
+
+def _has_ranges(course: Course, scheme: Scheme) -> bool:
+    """Tell whether a scheme without a file means to be drawn from: one of its givens says how."""
+    parts = [course.parts[part].quantities for part in all_part_ids(scheme)]
+    declared = (*parts, scheme.quantities, *scheme.overrides.values())
+    return any(one.range is not None for quantities in declared for one in quantities.values())
+
+
+def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Space:
+    """Make the space of a scheme that leaves everything to the ranges beside its givens."""
+    file = f"variants/spaces/{scheme.id}.toml"
+    table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
+    return Space(scheme.id, 1.0, _cases(course, table, _plans(course, scheme, table)), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -87,7 +114,7 @@ def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
 
 
 def _space(course: Course, table: Table) -> Space | None:
-    table.known_keys(_KEYS)
+    table.known_keys()
     id_ = table.text("scheme")
     if id_ not in course.schemes:
         if id_:
@@ -134,42 +161,56 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
 
 
 def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCase, ...]:
-    ranges = table.named_tables("given")
+    own = table.named_tables("given")
     givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
-    for id_, written in ranges.items():
+    for id_, written in own.items():
         if id_ not in givens:
             written.add(
                 "",
                 message("No such quantity is given in this scheme."),
                 did_you_mean(id_, givens),
             )
-    for id_ in givens:
-        if id_ not in ranges:
-            table.add(
-                f"given.{id_}",
-                message("The given quantity has no range."),
-                message("Write low, high and step, or values, or catalogue, or follows."),
-            )
-    known = {id_: written for id_, written in ranges.items() if id_ in givens}
     options: dict[str, set[str]] = {}
     for plan in plans:
         for name, choice in plan.options.items():
             options.setdefault(name, set()).add(choice)
     constraints = read_constraints(table)
-    for place, constraint in constraints:
-        check_constraint(place, constraint, plans)
+    for line, constraint in constraints:
+        check_constraint(line, constraint, plans)
     reader = RangeReader(course, givens, options)
-    read = {id_: reader.read(written, givens[id_]) for id_, written in known.items()}
-    reader.check_leaders(known, read)
+    declared = {id(one): one for plan in plans for one in plan.givens}
+    found = ((key, one, _written(one, own, table)) for key, one in declared.items())
+    places = {key: (one, place) for key, one, place in found if place is not None}
+    read = {
+        key: reader.read(place, one, is_own=one.id in own) for key, (one, place) in places.items()
+    }
+    reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
     return tuple(_case(plan, read, [one for _, one in constraints]) for plan in plans)
 
 
-def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula]) -> SpaceCase:
+def _written(quantity: Quantity, own: Mapping[str, Table], space: Table) -> Table | None:
+    """Return where the range of a given stands: in the space, else beside its declaration."""
+    if quantity.id in own:
+        return own[quantity.id]
+    if quantity.range is not None:
+        return replace(quantity.range, problems=space.problems)
+    space.add(
+        f"given.{quantity.id}",
+        message("The given quantity has no range."),
+        message(
+            "Write range = {{ low = …, high = …, step = … }} beside it in {file}, or a table here.",
+            file=quantity.file,
+        ),
+    )
+    return None
+
+
+def _case(plan: Plan, read: Mapping[int, Range], constraints: Sequence[Formula]) -> SpaceCase:
     """Take from the ranges what counts for one combination of options."""
     chosen = {
-        quantity.id: read[quantity.id].chosen(plan.options)
+        quantity.id: read[id(quantity)].chosen(plan.options)
         for quantity in plan.givens
-        if quantity.id in read
+        if id(quantity) in read
     }
     return SpaceCase(
         plan.options,
