@@ -80,9 +80,9 @@ class TestSolving:
         assert caught.value.problems[0].parameter == "given"
 
     def test_what_is_chosen_by_name_must_be_known(self, own: gc.Course) -> None:
-        with pytest.raises(UsageError, match="^convention: There is no convention 'gide'"):
+        with pytest.raises(UsageError, match=r"^convention: There is no convention 'gide'"):
             own.scheme_solution(SCHEME, convention="gide")
-        with pytest.raises(UsageError, match="^language: There is no language 'de'"):
+        with pytest.raises(UsageError, match=r"^language: There is no language 'de'"):
             own.speaking("de")
 
 

@@ -81,6 +81,16 @@ def test_quiet_keeps_problems_and_results(say: Say, monkeypatch: pytest.MonkeyPa
     assert say("-q", "--version")[1]
 
 
+def test_verbose_tells_how_it_ended(
+    say: Say, monkeypatch: pytest.MonkeyPatch, library_log: logging.Logger
+) -> None:
+    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _: [])
+    library_log.handlers.clear()
+    code, said, error = say("-v", "validate")
+    assert (code, said) == (0, "The course is valid.\n")
+    assert "exit code 0" in error
+
+
 def test_verbose_shows_the_trace_of_our_own_mistake(
     say: Say,
     monkeypatch: pytest.MonkeyPatch,

@@ -28,15 +28,17 @@ def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
 ) -> None:
     problem = draft.append(file, "[quantity").problem()
     assert problem.file == file
-    assert str(problem.what).startswith("This is not valid TOML: ")
-    assert "line" in str(problem.what)
-    assert str(problem.remedy) == "Mend the line that is named."
+    assert str(problem.key).startswith("line ")
+    assert problem.excerpt.strip() == "[quantity"
+    assert "A bracket" in str(problem.what)
+    assert str(problem.remedy).startswith("Compare this line")
 
 
 def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
     file = "variants/options/parallel_grip_model.toml"
-    found = [(one.file, one.key) for one in draft.append(file, "[quantity").problems()]
-    assert found == [(file, ""), (SCHEME, "options")]
+    problems = draft.append(file, "[quantity").problems()
+    assert [one.file for one in problems] == [file, SCHEME]
+    assert problems[1].key == "options"
 
 
 def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") -> None:
@@ -69,6 +71,22 @@ def test_an_editor_may_mark_a_file_as_utf_8(draft: "Draft") -> None:
     for file in (SECTION, SCHEME, POLICY, "variants/catalogues/pin.csv"):
         draft.put(file, codecs.BOM_UTF8 + (draft.root / file).read_bytes())
     assert draft.problems() == ()
+
+
+def test_a_course_file_without_its_key_parts_names_them_all(draft: "Draft") -> None:
+    draft.put("variants/course.toml", b"")
+    found = {one.key for one in draft.problems() if one.file == "variants/course.toml"}
+    assert {"id", "language", "title", "section"} <= found
+
+
+def test_a_worked_example_states_only_what_differs_from_the_defaults(draft: "Draft") -> None:
+    part = "variants/sections/grip_object.toml"
+    course = (
+        draft.edit(EXAMPLE, "mass = 60\n", "").edit(part, "default = 20", "default = 45").load()
+    )
+    example = course.schemes["rack_parallelogram"].example
+    assert example is not None
+    assert example.given["mass"] == 45
 
 
 def test_a_course_without_schemes_says_only_that(draft: "Draft") -> None:

@@ -1,6 +1,7 @@
 """Grading a whole batch: each file in a worker that may die; none is lost, none a zero."""
 
 import hashlib
+import logging
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
@@ -14,6 +15,8 @@ from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
+
+_log = logging.getLogger(__name__)
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
@@ -61,6 +64,7 @@ def grade_files(
     job = _Job(context, grade_one)
     for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
         file = files[number]
+        _log.info("graded %s", shown(shown_name(file)))
         if isinstance(report, Lost):
             done[number] = _incident(file, context, report.trace)
         else:

@@ -69,7 +69,6 @@ def prepare_streams() -> None:
             stream.reconfigure(errors="replace")
     logger = logging.getLogger("gripcourse")
     logger.setLevel(logging.DEBUG if is_verbose() else logging.WARNING)
-    logger.propagate = True
     if is_verbose() and not logger.handlers:
         handler = logging.StreamHandler()
         handler.setFormatter(logging.Formatter("%(asctime)s %(name)s: %(message)s"))

@@ -3,11 +3,13 @@
 Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid course; 3 our mistake.
 """
 
+import logging
 import sys
 import traceback
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
+from time import perf_counter
 from typing import Annotated
 
 import typer
@@ -50,6 +52,8 @@ from gripcourse.text.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
+
+_log = logging.getLogger(__name__)
 
 app = command_group(
     "Course assignments for robot gripper design: issue variants, check, grade, report.",
@@ -243,7 +247,10 @@ def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
     prepare_streams()
-    sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
+    started = perf_counter()
+    code = _guard(lambda: app(prog_name="gripcourse", standalone_mode=False))
+    _log.info("exit code %d after %.1f s", code, perf_counter() - started)
+    sys.exit(code)
 
 
 def _guard(run: Callable[[], int | None]) -> int:

@@ -9,6 +9,7 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Texts, message
 
 
@@ -70,6 +71,15 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
     """
     problems: list[Problem] = []
     path = root / "variants" / "atlas" / f"{identifier.replace('-', '_')}.toml"
+    if not path.exists():
+        known = [one.stem.replace("_", "-") for one in path.parent.glob("*.toml")]
+        what = message("The course has no atlas '{name}'.", name=identifier)
+        remedy = (
+            did_you_mean(identifier, known)
+            if known
+            else message("Write one: its keys are on the page that 'gripcourse schema' makes.")
+        )
+        raise CourseError([Problem(path.relative_to(root).as_posix(), "", what, remedy)])
     table = read_toml(path, root, problems, ATLAS)
     if table is None:
         raise CourseError(problems)

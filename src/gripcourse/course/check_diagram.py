@@ -1,6 +1,6 @@
 """Checking the diagram of a scheme: the points, sizes, quantities and options it refers to."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
@@ -38,22 +38,34 @@ def check_diagram(
     known = _dimensions(scheme, quantities)
     joints = {*diagram.points, *(scheme.kinematics.points if scheme.kinematics else ())}
     drawn = [one for one in diagram.elements if one.is_drawn(options)]
-    used = {name for one in drawn for names_ in one.points.values() for name in names_}
-    for name, pair in diagram.points.items():
-        for formula in pair if name in used else ():
-            yield from _formula_faults(diagram.file, f"point.{name}", formula, "mm", known)
+    yield from _point_faults(diagram, drawn, known)
     for element in drawn:
         yield from _unknown_points(element, joints)
-        for role, formula in element.sizes.items():
-            wanted = VOCABULARY[element.kind].roles[role]
-            if wanted.default == "" and not known.keys() >= set(formula.names):
-                continue  # not a size of this composition
-            key = f"{element.key}.{role}"
-            yield from _formula_faults(element.file, key, formula, _UNITS[wanted.sort], known)
+        yield from _size_faults(element, known)
         if element.quantity and element.quantity not in quantities:
             what = message("There is no quantity '{name}'.", name=element.quantity)
             remedy = did_you_mean(element.quantity, quantities)
             yield Problem(element.file, f"{element.key}.quantity", what, remedy)
+
+
+def _point_faults(
+    diagram: Diagram, drawn: Sequence[Element], known: Mapping[str, Dimension]
+) -> Iterator[Problem]:
+    """Yield the problems of points that some drawn element uses."""
+    used = {name for one in drawn for names_ in one.points.values() for name in names_}
+    for name in diagram.points.keys() & used:
+        for formula in diagram.points[name]:
+            yield from _formula_faults(diagram.file, f"point.{name}", formula, "mm", known)
+
+
+def _size_faults(element: Element, known: Mapping[str, Dimension]) -> Iterator[Problem]:
+    """Yield the problems of an element's sizes."""
+    for role, formula in element.sizes.items():
+        wanted = VOCABULARY[element.kind].roles[role]
+        if wanted.default == "" and not known.keys() >= set(formula.names):
+            continue  # not a size of this composition
+        key = f"{element.key}.{role}"
+        yield from _formula_faults(element.file, key, formula, _UNITS[wanted.sort], known)
 
 
 def _facts(

@@ -106,6 +106,15 @@ def default_values(quantities: Iterable[Quantity]) -> dict[str, float]:
     return {one.id: one.default for one in quantities if one.default is not None}
 
 
+def declaring_files(course: Course) -> dict[str, tuple[str, ...]]:
+    """Return the files of parts that declare each id: a formula may lack one of these parts."""
+    found: dict[str, tuple[str, ...]] = {}
+    for part in course.parts.values():
+        for name in part.quantities:
+            found[name] = (*found.get(name, ()), part.file)
+    return found
+
+
 def used_names(quantities: Iterable[Quantity]) -> set[str]:
     """Return every id that some formula of some quantity uses."""
     return {name for one in quantities for name in one.uses}

@@ -1,22 +1,26 @@
 """From a TOML table to the declaration of a quantity."""
 
 import math
-from collections.abc import Mapping
 
+from gripcourse.course.declare_formulas import (
+    optional_formula,
+    read_choice,
+    read_evaluated_in,
+    read_formula,
+    read_slips,
+    read_versions,
+)
 from gripcourse.course.model import (
-    AsPrinted,
-    Choice,
     Kind,
     Quantity,
-    Rounding,
-    Slip,
     Source,
     Tolerance,
 )
+from gripcourse.course.quantity_keys import WIDEST_TOLERANCE
 from gripcourse.course.toml_table import Table
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.formula.functions import FUNCTIONS
-from gripcourse.formula.parse import FormulaFault, caret, parse
-from gripcourse.formula.tree import CONSTANTS, Formula, names
+from gripcourse.formula.tree import CONSTANTS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, Texts, message
@@ -41,7 +45,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         return _stand_in(identifier, table)
     table.known_keys()
     is_computed = kind in _COMPUTED
-    units = _evaluated_in(table) if is_computed else {}
+    units = read_evaluated_in(table) if is_computed else {}
     bounds = _bounds(table, kind)
     return Quantity(
         id=identifier,
@@ -52,17 +56,17 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         title=table.texts("title"),
         explain=table.texts("explain") if table.has("explain") else None,
         source=source(table.required_table("source")),
-        formula=_formula(table, _FORMULA_KEY[kind], units) if kind in _FORMULA_KEY else None,
-        choice=_choice(table) if kind is Kind.CHOICE else None,
+        formula=read_formula(table, _FORMULA_KEY[kind], units) if kind in _FORMULA_KEY else None,
+        choice=read_choice(table) if kind is Kind.CHOICE else None,
         value=table.number("value") if kind is Kind.CONSTANT else None,
-        valid=_optional_formula(table, "valid") if is_computed else None,
+        valid=optional_formula(table, "valid") if is_computed else None,
         tolerance=_tolerance(table) if is_computed else None,
         default=_default(table, bounds) if kind is Kind.GIVEN else None,
         range=table.table("range") if kind is Kind.GIVEN else None,
         bounds=bounds,
         integer=table.flag("integer") if is_computed or kind in _INPUTS else False,
-        slips=_slips(table, units) if is_computed else (),
-        as_printed=_versions(table, units) if is_computed else (),
+        slips=read_slips(table, units) if is_computed else (),
+        as_printed=read_versions(table, units) if is_computed else (),
         rubric=_rubric(table) if kind is Kind.MANUAL else "",
         file=table.file,
     )
@@ -148,7 +152,7 @@ def _unit(table: Table, kind: Kind) -> str:
         table.add(
             "unit",
             message("The unit '{unit}' is not known.", unit=unit),
-            message("Write it as in units.csv of the package, for example 'N*m'."),
+            unit_remedy(unit),
         )
     return unit  # as written, so that the check knows what cannot be compared with it
 
@@ -183,37 +187,6 @@ def _default(table: Table, bounds: tuple[float, float]) -> float | None:
     return None if math.isnan(value) else value
 
 
-def _formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
-    text = table.text(name)
-    if not text:
-        return None
-    try:
-        return Formula(text, parse(text), dict(units))
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
-        return None
-
-
-def _optional_formula(table: Table, name: str) -> Formula | None:
-    return _formula(table, name, {}) if table.has(name) else None
-
-
-def _evaluated_in(table: Table) -> dict[str, str]:
-    written = table.table("evaluated_in")
-    if written is None:
-        return {}
-    units = {name: written.text(name) for name in written.values}
-    for name, unit in units.items():
-        if not known_unit(unit):
-            written.add(
-                name,
-                message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
-            )
-            units[name] = ""
-    return units
-
-
 def _tolerance(table: Table) -> Tolerance | None:
     written = table.table("tolerance")
     if written is None:
@@ -224,7 +197,15 @@ def _tolerance(table: Table) -> Tolerance | None:
 
 def tolerance(table: Table) -> Tolerance:
     """Read a band; neither part may be negative."""
-    band = Tolerance(table.number("relative", 0.0), table.number("absolute", 0.0))
+    relative = table.number("relative", 0.0, within=False)
+    band = Tolerance(relative, table.number("absolute", 0.0, within=False))
+    if band.relative > WIDEST_TOLERANCE:
+        table.add(
+            "relative",
+            message("The tolerance {value} is {percent} % of the value.", value=band.relative,
+                    percent=100 * band.relative),
+            message("Write a share of 0.5 at most: 0.02 is 2 %."),
+        )  # fmt: skip
     for name, value in (("relative", band.relative), ("absolute", band.absolute)):
         if value < 0:
             table.add(
@@ -233,82 +214,3 @@ def tolerance(table: Table) -> Tolerance:
                 message("Write 0 or a positive number."),
             )
     return band
-
-
-def _choice(table: Table) -> Choice:
-    steps = table.number("at_most_steps") if table.has("at_most_steps") else None
-    if steps is not None and math.isnan(steps):
-        steps = None  # reported as no number
-    if steps is not None and (steps < 0 or steps != int(steps)):
-        table.add(
-            "at_most_steps",
-            message("The number of steps is {steps}.", steps=steps),
-            message("Write a whole number from 0 on."),
-        )
-    return Choice(
-        column=table.text("series"),
-        also=table.strings("also"),
-        rounding=_rounding(table),
-        condition=_optional_formula(table, "condition"),
-        steps=None if steps is None else int(steps),
-    )
-
-
-def _rounding(table: Table) -> Rounding:
-    written = table.text("rounding", Rounding.UP)
-    if written in list(Rounding):
-        return Rounding(written)
-    table.add(
-        "rounding",
-        message("There is no rounding '{rounding}'.", rounding=written),
-        did_you_mean(written, list(Rounding)),
-    )
-    return Rounding.UP
-
-
-def _wrong_formula(table: Table, units: Mapping[str, str]) -> Formula | None:
-    """Read a wrong version of a formula; of an empirical one it need not use every name."""
-    formula = _formula(table, "formula", {})
-    if formula is None:
-        return None
-    used = {name: unit for name, unit in units.items() if name in names(formula.tree)}
-    return Formula(formula.text, formula.tree, used)
-
-
-def _slips(table: Table, units: Mapping[str, str]) -> tuple[Slip, ...]:
-    return tuple(_slip(slip, units) for slip in table.tables("slip"))
-
-
-def _versions(table: Table, units: Mapping[str, str]) -> tuple[AsPrinted, ...]:
-    return tuple(_as_printed(printed, units) for printed in table.tables("as_printed"))
-
-
-def _slip(table: Table, units: Mapping[str, str]) -> Slip:
-    table.known_keys()
-    credit = table.number("credit")
-    if credit < 0 or credit > 1:
-        table.add(
-            "credit",
-            message("The credit is {credit}.", credit=credit),
-            message("Write a share of the points from 0 to 1."),
-        )
-    fallback = Formula("0", parse("0"), {})
-    formula = _wrong_formula(table, units) or fallback
-    return Slip(table.text("id"), formula, credit, table.texts("hint"))
-
-
-def _as_printed(table: Table, units: Mapping[str, str]) -> AsPrinted:
-    table.known_keys()
-    if table.has("formula") == table.has("rounding"):
-        table.add(
-            "",
-            message("A printed version differs in its formula or in its rounding."),
-            message("Write exactly one of 'formula' and 'rounding'."),
-        )
-    note: Texts = table.texts("note")
-    return AsPrinted(
-        erratum=table.text("erratum"),
-        formula=_wrong_formula(table, units) if table.has("formula") else None,
-        rounding=_rounding(table) if table.has("rounding") else None,
-        note=note,
-    )

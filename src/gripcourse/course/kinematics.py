@@ -10,6 +10,7 @@ from typing import Final
 
 from gripcourse.course.shape import Shape, by_name, number, other, table, text
 from gripcourse.course.toml_table import Table
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import known as known_unit
@@ -160,6 +161,6 @@ def _unit(table: Table) -> str:
     table.add(
         "unit",
         message("The unit '{unit}' is not known.", unit=unit),
-        message("Write it as in units.csv of the package, for example 'N*m'."),
+        unit_remedy(unit),
     )
     return ""

@@ -103,7 +103,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
             id=table.text("id"),
             title=table.texts("title"),
             language=_language(table),
-            sections=tuple(_section(one) for one in table.tables("section")),
+            sections=_sections(table),
             works=_works(table),
             errata=errata or {},
             constants=_quantities(table.named_tables("constant"), constant=True),
@@ -205,6 +205,24 @@ def _symbols(
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:
     found = (read_catalogue(path, root, problems) for path in sorted(folder.glob("*.csv")))
     return {catalogue.id: catalogue for catalogue in found if catalogue is not None}
+
+
+def _sections(table: Table) -> tuple[Section, ...]:
+    found = tuple(_section(one) for one in table.tables("section"))
+    if not found and table.values.get("section", []) == []:
+        table.add(
+            "section",
+            message("The course has no section."),
+            message("Write at least one [[section]] with id, title, short and task."),
+        )
+    for number, one in enumerate(found, 1):
+        if one.id and one.id in {earlier.id for earlier in found[: number - 1]}:
+            table.add(
+                f"section[{number}].id",
+                message("Two sections have the id '{id}'.", id=one.id),
+                message("Give each section an id of its own."),
+            )
+    return found
 
 
 def _section(table: Table) -> Section:

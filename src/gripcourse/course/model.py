@@ -139,10 +139,8 @@ class Quantity:
         value: of a CONSTANT, in `unit`; None for the others.
         valid: guard: only a student's value that satisfies it is carried on; None for no guard.
         tolerance: None where the policy's default applies.
-        default: of a GIVEN, what a worked example or a calculation by hand takes where it states no
-            other, in `unit`; None where each must state it.
-        range: of a GIVEN, what variants draw it from, as it is written: only `variants` knows all
-            that is needed to read it. None where each space must say it.
+        default: of a GIVEN, what an example takes that states no other, in `unit`; None for none.
+        range: of a GIVEN, what variants draw it from, as written; None where spaces must say it.
         bounds: lowest and highest value that is physically thinkable, in `unit`.
         integer: whether only whole numbers make sense.
         slips: anticipated wrong methods.

@@ -32,8 +32,9 @@ SOURCE: Final = Shape(
         "note": texts("What the source says about it, or how it was obtained."),
     }
 )
+WIDEST_TOLERANCE: Final = 0.5
 TOLERANCE: Final = {
-    "relative": number("Share of the expected value: 0.01 is one per cent.", 0, 0.5),
+    "relative": number("Share of the expected value: 0.01 is one per cent.", 0, WIDEST_TOLERANCE),
     "absolute": number("In the unit of the quantity; it counts near zero.", 0),
 }
 RANGE_WAYS: Final = {

@@ -5,12 +5,12 @@ so that an author sees all faults of a course at once.
 """
 
 import math
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.shape import Key, Shape, Sort
+from gripcourse.course.toml_faults import toml_values
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -58,14 +58,15 @@ class Table:
             self._wrong_type(name, message("a text in quotes"))
         return default or ""
 
-    def number(self, name: str, default: float | None = None) -> float:
+    def number(self, name: str, default: float | None = None, *, within: bool = True) -> float:
         """Read a finite number; required where there is no default; NaN where it cannot be used.
 
-        A number outside the bounds that the shape names is reported, and read nevertheless.
+        A number outside the bounds that the shape names is reported, and read nevertheless; with
+        `within` false the reader reports it in words of its own.
         """
         value = self._number(name, default)
         key = self._declared(name, Sort.NUMBER, required=default is None)
-        if key is not None and name in self.values and not key.low <= value <= key.high:
+        if within and key is not None and name in self.values and not key.low <= value <= key.high:
             self._out_of_bounds(name, value, key)
         return value
 
@@ -73,7 +74,9 @@ class Table:
         if math.isnan(value):
             return  # reported as no number
         what = message("The number is {value}.", value=value)
-        if math.isinf(key.high):
+        if math.isinf(key.low):
+            self.add(name, what, message("Write {most} or less.", most=key.high))
+        elif math.isinf(key.high):
             self.add(name, what, message("Write {least} or more.", least=key.low))
         else:
             between = message("Write a number from {low} to {high}.", low=key.low, high=key.high)
@@ -106,9 +109,11 @@ class Table:
 
     def at_least(self, name: str, least: float) -> float:
         """Read a number that is not below another; required; `least` where it cannot be used."""
-        self._declared(name, Sort.NUMBER, required=True)
+        key = self._declared(name, Sort.NUMBER, required=True)
         value = self._number(name, None)
         if value >= least:
+            if key is not None and value > key.high:
+                self._out_of_bounds(name, value, key)
             return value
         if not math.isnan(value):
             self.add(
@@ -297,23 +302,5 @@ def read_toml(
         shape: what may stand in it; None where the reader checks the keys itself.
     """
     file = str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
-    try:
-        return Table(tomllib.loads(path.read_text(encoding="utf-8-sig")), file, "", problems, shape)
-    except FileNotFoundError:
-        problems.append(
-            Problem(file, "", message("The file is missing."), message("Write it or restore it."))
-        )
-    except UnicodeDecodeError:
-        problems.append(
-            Problem(file, "", message("The file is not UTF-8."), message("Save it as UTF-8."))
-        )
-    except tomllib.TOMLDecodeError as fault:
-        problems.append(
-            Problem(
-                file,
-                "",
-                message("This is not valid TOML: {fault}.", fault=str(fault)),
-                message("Mend the line that is named."),
-            )
-        )
-    return None
+    values = toml_values(path, file, problems)
+    return None if values is None else Table(values, file, "", problems, shape)

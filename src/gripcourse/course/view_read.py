@@ -170,21 +170,25 @@ def _label(table: Table) -> ViewLabel:
 
 def _expressions(table: Table, name: str, need: Need) -> tuple[Expression, ...]:
     """Read formulas in the order x, y, x, y…; where they cannot be read, as many as are needed."""
-    value = table.values.get(name)
-    written: list[object] = list(value) if isinstance(value, list) else [value]
-    if need is Need.POINTS:
-        points = [one for one in written if isinstance(one, list)]
-        written = [one for point in points for one in point] if points else written
+    written = _flat(table.values.get(name), need)
     known = all(isinstance(one, str) or one == 0 for one in written)
     if known and _fits(len(written), need):
         return tuple(
             _formula(table, name, one) if isinstance(one, str) else None for one in written
         )
-    if name in table.values:
-        table.add(name, message("The value has the wrong type."), _REMEDIES[need])
-    else:
-        table.add(name, message("This key is missing."), _REMEDIES[need])
-    return (None, None, None, None) if need is Need.POINTS else (None, None)
+    is_absent = name not in table.values
+    what = (
+        message("This key is missing.") if is_absent else message("The value has the wrong type.")
+    )
+    table.add(name, what, _REMEDIES[need])
+    return (None,) * (2 * _TWO if need is Need.POINTS else _TWO)
+
+
+def _flat(value: object, need: Need) -> list[object]:
+    """Return what is written one after the other: of points x, y, x, y and so on."""
+    written: list[object] = list(value) if isinstance(value, list) else [value]
+    points = [one for one in written if isinstance(one, list)] if need is Need.POINTS else []
+    return [one for point in points for one in point] if points else written
 
 
 _REMEDIES: Mapping[Need, Message] = {

@@ -35,7 +35,7 @@ def key_page(kinds: Iterable[FileKind]) -> str:
     lines = [
         "# Keys of the files of a course",
         "",
-        "`gripcourse schema` makes this page from the readers. `*`: a name that the author chooses.",
+        "`gripcourse schema` makes this page from the readers. `*`: a name of the author's.",
     ]
     seen: list[Shape] = []
     for kind in kinds:

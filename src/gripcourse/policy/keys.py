@@ -23,7 +23,7 @@ _PAIRS: Final = {
     "type": "array",
     "items": {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2},
 }
-_WEIGHT: Final = number("A weight.", required=True)
+_WEIGHT: Final = number("A weight.", high=1000, required=True)
 
 POLICY: Final = Shape(
     {

@@ -7,6 +7,7 @@ from pathlib import Path
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import CourseError, Problem
 from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy, Reveal
@@ -156,7 +157,7 @@ def _floors(bands: Table) -> Mapping[str, float]:
             bands.add(
                 f"floor.{unit}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
         if value < 0:
             bands.add(

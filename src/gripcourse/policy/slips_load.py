@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import Problem
 from gripcourse.policy.keys import SLIPS
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
@@ -110,7 +111,7 @@ def _units(table: Table) -> tuple[str, ...]:
             table.add(
                 "units",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
     return tuple(unit for unit in units if known_unit(unit))
 

@@ -126,9 +126,7 @@ def broken_by(
         For each value whether some printed number does not come out with it.
     """
     tried = [(name, place) for name, values in changed.items() for place in range(len(values))]
-    known = {
-        name: np.full(len(tried), value) for name, value in to_si(one.plan, one.known).items()
-    }
+    known = {name: np.full(len(tried), value) for name, value in to_si(one.plan, one.known).items()}
     for name, values in changed.items():
         if name in one.known:
             continue  # decided by the calculation itself: its formula is not used

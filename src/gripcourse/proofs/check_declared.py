@@ -29,11 +29,8 @@ def check_declared(course: Course, declared: DeclaredProofs) -> list[Problem]:
     """Return what is wrong with the proofs that a course declares."""
     columns = column_dimensions(course)
     found = [one for proof in declared.proofs for one in _proof_faults(course, proof, columns)]
-    known = {
-        name
-        for owner in (*course.parts.values(), *course.schemes.values())
-        for name in owner.quantities
-    }
+    known = {name for one in course.parts.values() for name in one.quantities}
+    known |= {name for one in course.schemes.values() for name in one.quantities}
     for one in declared.unshown:
         if one.quantity not in known:
             what = message("The name '{name}' is not known.", name=one.quantity)
@@ -57,7 +54,9 @@ def _proof_faults(
 ) -> Iterator[Problem]:
     scope, wanted = proof.scope, names_used(proof)
     fitting = [
-        one for one in schemes_of(course, proof) if scope.options.keys() <= {o.id for o in one.options}
+        one
+        for one in schemes_of(course, proof)
+        if scope.options.keys() <= {o.id for o in one.options}
     ]
     if not fitting:
         yield Problem(
@@ -65,7 +64,8 @@ def _proof_faults(
             f"{scope.key}.options",
             message("No scheme that it is about has these options."),
             did_you_mean(
-                next(iter(scope.options)), {o.id for s in course.schemes.values() for o in s.options}
+                next(iter(scope.options)),
+                {o.id for s in course.schemes.values() for o in s.options},
             ),
         )
         return
@@ -116,9 +116,7 @@ def _name_faults(
         what = (
             message("The name '{name}' is not known.", name=name)
             if scheme is None
-            else message(
-                "The name '{name}' is not known in {scheme}.", name=name, scheme=scheme.id
-            )
+            else message("The name '{name}' is not known in {scheme}.", name=name, scheme=scheme.id)
         )
         yield Problem(scope.file, f"{scope.key}.{key}", what, did_you_mean(name, quantities))
 

@@ -1,4 +1,4 @@
-"""Trying what a course declares about its formulas: identities, inequalities, virtual work, paths."""
+"""Trying what a course declares: identities, inequalities, virtual work, paths."""
 
 from collections.abc import Iterator
 
@@ -49,7 +49,8 @@ def trials_for(one: DeclaredProof, source: Source, scheme: str | None) -> Iterat
 
 def prove_declared(one: DeclaredProof, source: Source, scheme: str | None) -> ProofResult:
     """Try a declared proof with drawn variants of the schemes that it is about."""
-    proof, compared, problems = proof_of(one), 0, []
+    proof, compared = proof_of(one), 0
+    problems: list[Problem] = []
     for trial in trials_for(one, source, scheme):
         sides = compare(one, trial, trial.plan)
         compared += len(trial.variants)

@@ -50,9 +50,7 @@ def prove_ratios(scheme: Scheme, trials: tuple[Trial, ...]) -> Iterator[ProofRes
         yield concluded(proof, sum(len(one.variants) for one in trials), tuple(problems))
 
 
-def ratio_differs(
-    trial: Trial, plan: Plan, motion: Kinematics, position: str
-) -> NDArray[np.bool_]:
+def ratio_differs(trial: Trial, plan: Plan, motion: Kinematics, position: str) -> NDArray[np.bool_]:
     """Tell for which sets of numbers a force ratio is not the virtual work of the links.
 
     Args:
@@ -100,7 +98,7 @@ def prove_motion(scheme: Scheme, trials: tuple[Trial, ...]) -> ProofResult:
 
 
 def state_differs(trial: Trial, plan: Plan, motion: Kinematics) -> bool:
-    """Tell whether another plan breaks what is declared of the positions, their order and joints."""
+    """Tell whether another plan breaks what is declared of positions, their order and joints."""
     values = {
         name: np.broadcast_to(value, len(trial.variants))
         for name, value in evaluate(plan, trial.known).values.items()
@@ -170,10 +168,10 @@ def _order_faults(
     """Positions follow each other, and the output moves one way between first and last."""
     stops = _stops(motion, values)
     wrong = (np.diff(stops, axis=0) < 0).any(axis=0) | ~(stops[-1] > stops[0])
-    yield "at", wrong, message("The drive goes back between its positions.")
+    yield "at", np.asarray(wrong), message("The drive goes back between its positions.")
     path = np.linspace(stops[0], stops[-1], 2 * _STEPS)
     output = coordinates(motion, values, path)[motion.jaw]
-    wrong = ~(np.diff(output, axis=0) < 0).all(axis=0)
+    wrong = np.asarray(~(np.diff(output, axis=0) < 0).all(axis=0))
     yield "jaw", wrong, message("{coordinate} does not fall all the way.", coordinate=motion.jaw)
 
 
@@ -194,6 +192,4 @@ def _joint_faults(
 def _stops(motion: Kinematics, values: Mapping[str, Array]) -> Array:
     """Return where the drive stands at each position, in order, shape (positions, n)."""
     count = max(np.size(one) for one in values.values())
-    return np.array(
-        [np.broadcast_to(drive_at(motion, values, one), count) for one in motion.at]
-    )
+    return np.array([np.broadcast_to(drive_at(motion, values, one), count) for one in motion.at])

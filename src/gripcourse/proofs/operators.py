@@ -1,6 +1,6 @@
 """A wrong sign in a formula does not go unnoticed: every operator is flipped, one at a time.
 
-A flipped operator is noticed where a printed number does not come out any more, where a proof fails,
+A flipped operator is noticed where a printed number does not come out any more, a proof fails,
 or where the formula then measures something else, which the check of the course refuses.
 """
 
@@ -134,9 +134,7 @@ def flipped_formulas(plan: Plan) -> Iterator[FlippedFormula]:
             if one.kind is Kind.VERDICT and mutant.operator not in _CONDITIONS:
                 continue
             wrong = dataclasses.replace(formula, tree=mutant.tree)
-            yield FlippedFormula(
-                one, formula, wrong, mutant.operator, mutant.span, plan.convention
-            )
+            yield FlippedFormula(one, formula, wrong, mutant.operator, mutant.span, plan.convention)
 
 
 def with_formula(plan: Plan, flipped: FlippedFormula) -> Plan:

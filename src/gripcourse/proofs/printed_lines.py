@@ -25,9 +25,7 @@ _SAME = 1e-6
 _TRIED = 2  # sets of numbers of each composition
 
 
-def printed_line(
-    one: Quantity, formula: Formula, plan: Plan, values: Values, language: str
-) -> str:
+def printed_line(one: Quantity, formula: Formula, plan: Plan, values: Values, language: str) -> str:
     """Print a formula with numbers instead of names, all their figures and their units.
 
     Args:
@@ -55,9 +53,7 @@ def printable(plan: Plan) -> Iterator[tuple[Quantity, Formula]]:
             yield one, formula
 
 
-def reads_back(
-    one: Quantity, formula: Formula, plan: Plan, values: Values, language: str
-) -> bool:
+def reads_back(one: Quantity, formula: Formula, plan: Plan, values: Values, language: str) -> bool:
     """Tell whether a printed line gives the computed value again."""
     line = printed_line(one, formula, plan, values, language)
     size = factor(one.unit) if formula.units else 1.0  # of an empirical one, in its own unit

@@ -112,9 +112,11 @@ def prove(
     yield from prove_subject(subject, kinds)
 
 
-def prove_subject(subject: Subject, kinds: Collection[ProofKind] = ALL_KINDS) -> Iterator[ProofResult]:
+def prove_subject(
+    subject: Subject, kinds: Collection[ProofKind] = ALL_KINDS
+) -> Iterator[ProofResult]:
     """Prove what was loaded; see `prove`."""
-    trials = subject.trials() if kinds - _WITHOUT_TRIALS else {}
+    trials = subject.trials() if set(kinds) - _WITHOUT_TRIALS else {}
     for kind, step in _STEPS:
         if kind in kinds:
             yield from (one for one in step(subject, trials) if one.proof.kind in kinds)

@@ -1,4 +1,4 @@
-"""Reading a printed substitution back: by rules of its own, nothing here is the code that prints."""
+"""Reading a printed substitution back: by rules of its own, not by the code that prints."""
 
 import re
 from typing import Final

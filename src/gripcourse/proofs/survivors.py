@@ -31,7 +31,8 @@ from gripcourse.text.words import message
 from gripcourse.variants.feasible import reasons_infeasible
 
 Key = tuple[str, str, str, tuple[int, int]]
-_TRIED = 2  # compositions with which a proof looks for one flipped operator
+_TRIED = 2  # compositions with which motion and rules are tried for one flipped operator
+_TRIED_BY_PROOF = 6  # and each declared proof
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,13 +110,11 @@ def survey(ground: Ground) -> dict[Key, Flipped]:
         for one in flipped_formulas(trial.plan):
             found.setdefault(one.key, Flipped(one, trial.plan, Noticed.NOTHING))
     columns = column_dimensions(ground.source.course)
-    proofs = [
-        (one, tuple(trials_for(one, ground.source, None))) for one in ground.declared.proofs
-    ]
-    for key, one in found.items():
-        if one.noticed is Noticed.NOTHING:
-            noticed = _noticed(one, ground, columns, proofs)
-            found[key] = Flipped(one.formula, one.plan, noticed)
+    proofs = [(one, tuple(trials_for(one, ground.source, None))) for one in ground.declared.proofs]
+    for key, left in found.items():
+        if left.noticed is Noticed.NOTHING:
+            noticed = _noticed(left, ground, columns, proofs)
+            found[key] = Flipped(left.formula, left.plan, noticed)
     return found
 
 
@@ -140,17 +139,17 @@ def _noticed(
 ) -> Noticed:
     if not is_measurable(one.formula, one.plan, columns):
         return Noticed.DIMENSION
+    # Proofs are about what is right, not about what a source prints.
+    is_right = one.formula.convention is Convention.CORRECTED
+    own = [trial for trial in ground.trials if is_right and _has(trial.plan, one.formula)][:_TRIED]
+    if any(_breaks_motion(trial, one.formula) for trial in own) or (
+        is_right and _breaks_declared(one.formula, proofs)
+    ):
+        return Noticed.PROOF
+    if any(_is_refused(trial, one.formula) for trial in own):
+        return Noticed.REFUSED
     if any(_is_about(reason, one.formula) for reason in ground.declared.unshown):
         return Noticed.UNSHOWN
-    if one.formula.convention is Convention.GUIDE:
-        return Noticed.NOTHING  # proofs are about what is right
-    own = [trial for trial in ground.trials if _has(trial.plan, one.formula)]
-    if any(_breaks_motion(trial, one.formula) for trial in own[:_TRIED]):
-        return Noticed.PROOF
-    if _breaks_declared(one.formula, proofs):
-        return Noticed.PROOF
-    if any(_is_refused(trial, one.formula) for trial in own[:_TRIED]):
-        return Noticed.REFUSED
     return Noticed.NOTHING
 
 
@@ -185,7 +184,7 @@ def _breaks_declared(
             if _has(trial.plan, formula)
             and formula.quantity.id in _upstream(trial.plan, names_used(proof))
         ]
-        for trial in fitting[:_TRIED]:
+        for trial in fitting[:_TRIED_BY_PROOF]:
             if not compare(proof, trial, with_formula(trial.plan, formula))[2].all():
                 return True
     return False

@@ -4,7 +4,7 @@ A wrong method that gives the right number is useless: nobody would be told.
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
 from typing import TypeAlias
@@ -96,18 +96,18 @@ class _Survey:
     """What was found out about wrong methods so far.
 
     Attributes:
-        met: every method that some composition has, with a value of it and where it was met.
+        met: every method that some composition has, with a value of it.
         done: those that showed and were named, or need no name.
         instead: what the grader said of the others that showed.
     """
 
-    met: dict[Method, tuple[WrongValue, Trial]]
+    met: dict[Method, WrongValue]
     done: set[Method]
     instead: dict[Method, Finding]
 
 
 def prove_wrong_methods(
-    source: Source, policy: Policy, trials: Iterable[Trial]
+    source: Source, policy: Policy, trials: Sequence[Trial]
 ) -> Iterator[ProofResult]:
     """Look for a variant that shows each declared wrong method, and let the grader name the slips.
 
@@ -126,20 +126,29 @@ def prove_wrong_methods(
     for trial in trials:
         _look(source.course, policy, trial, survey)
     for method in [one for one in survey.met if one not in survey.done]:
-        more = redrawn(source, survey.met[method][1], _MANY)
-        if more is not None:
-            _look(source.course, policy, more, survey, method)
+        for trial in (one for one in trials if _declares(one, method)):
+            more = redrawn(source, trial, _MANY)
+            if more is not None:
+                _look(source.course, policy, more, survey, method)
+            if method in survey.done:
+                break
     by_file: dict[str, list[Method]] = {}
     for method in survey.met:
         by_file.setdefault(method[0], []).append(method)
     for file, methods in by_file.items():
         proof = Proof(ProofKind.WRONG_METHODS, short_name(file), file, "")
         problems = [
-            _problem(survey.met[one][0], survey.instead.get(one))
+            _problem(survey.met[one], survey.instead.get(one))
             for one in methods
             if one not in survey.done
         ]
         yield concluded(proof, len(methods), tuple(problems))
+
+
+def _declares(trial: Trial, method: Method) -> bool:
+    """Tell whether a composition has the very quantity of a method."""
+    file, name, _ = method
+    return name in trial.plan.quantities and trial.plan.quantities[name].file == file
 
 
 def _look(
@@ -149,7 +158,7 @@ def _look(
     judged = _judge_of(course, policy, trial)
     tried: dict[Method, int] = {}
     for wrong in wrong_values(trial, survey.done, only):
-        survey.met[wrong.method] = (wrong, trial)
+        survey.met[wrong.method] = wrong
         if wrong.method in survey.done:
             continue
         # Of a decision only the rule is wrong: it seldom leads to another entry of the series.

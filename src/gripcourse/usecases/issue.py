@@ -115,6 +115,7 @@ def _write(
     for number, handout in jobs:
         entry = entries[number]
         done[number] = _lost(context, entry, handout) if isinstance(handout, Lost) else handout
+        _log.info("documents of %s: done", entry.student.id)
         on_done(entry.student.id)
     return tuple(done[number] for number in range(len(entries)))
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from gripcourse.course.toml_table import Table
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula, Name, Node, Number, Operation, names, walk
@@ -125,7 +126,7 @@ def _units(place: Table) -> dict[str, str]:
             place.add(
                 f"evaluated_in.{name}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
             units[name] = ""
     return units
