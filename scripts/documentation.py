@@ -24,8 +24,10 @@ from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.occurrence import content_of
+from gripcourse.exports.key_page import key_page
 from gripcourse.text.words import Words
 from gripcourse.usecases.reference import write_reference
+from gripcourse.usecases.schema import FILE_KINDS
 
 if TYPE_CHECKING:
     # The library gives these types no public name.
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
 REPOSITORY = Path(__file__).parents[1]
 BORROWED = {"why/changes.md": "CHANGELOG.md", "why/measured.md": "benchmarks/results.md"}
 """Pages that stand elsewhere in the repository, by the names that they have on the site."""
-GENERATED = ("commands.md", "formulas.md", "functions/index.rst")
+GENERATED = ("commands.md", "formulas.md", "functions/index.rst", "keys.md")
 PUBLIC = "gripcourse.api"
 _LANGUAGE = Words("en")
 
@@ -54,6 +56,7 @@ def main(site: Path) -> None:
         _write(pages / name, (REPOSITORY / origin).read_text(encoding="utf-8"))
     (work / "examples").symlink_to(REPOSITORY / "examples")
     _write(pages / "commands.md", command_pages())
+    _write(pages / "keys.md", key_page(FILE_KINDS))
     write_functions(pages / "functions")
     course = load_course(REPOSITORY)
     write_formulas(course, pages, work / "extra")

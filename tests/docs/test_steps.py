@@ -4,8 +4,20 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.course.load import load_course
 from gripcourse.simulation.write import fill
-from support.steps import Shown, Typed, WrittenFile, missing_from, steps_of, type_line, write
+from gripcourse.variants.space import load_spaces
+from support.steps import (
+    ChangedLine,
+    Shown,
+    Typed,
+    WrittenFile,
+    change,
+    missing_from,
+    steps_of,
+    type_line,
+    write,
+)
 
 DOCS = Path(__file__).parents[2] / "docs"
 FORGETS_PI = {
@@ -34,10 +46,48 @@ def test_the_tutorial_leads_from_an_empty_folder_to_a_graded_answer() -> None:
             case Typed(line):
                 if line.startswith("gripcourse grade"):
                     answer_by_hand()
-                printed = type_line(line)
+                printed = type_line(f"{line}{alone(line)}")
             case Shown():
                 assert missing_from(printed, step) == [], printed
     assert "belt_speed=without_pi" in Path("graded/grades.csv").read_text(encoding="utf-8")
+
+
+@pytest.mark.usefixtures("here")
+def test_a_given_number_is_added_in_one_file_for_all_schemes() -> None:
+    printed = ""
+    before: dict[Path, bytes] = {}
+    for step in steps_of(DOCS / "howto" / "add-a-given.md"):
+        match step:
+            case WrittenFile():
+                before = before or contents()
+                write(step, Path())
+            case ChangedLine():
+                change(step, Path())
+            case Typed(line):
+                printed = type_line(line)
+            case Shown():
+                assert missing_from(printed, step) == [], printed
+    part = Path("variants/sections/pin.toml")
+    assert {path for path, text in contents().items() if before.get(path) != text} == {part}
+    course = load_course(Path())
+    with_pins = {scheme.id for scheme in course.schemes.values() if "pin" in scheme.parts}
+    drawn = {
+        space.scheme
+        for space in load_spaces(course)
+        if any("pin_overload" in case.given for case in space.cases)
+    }
+    assert with_pins
+    assert with_pins <= drawn
+
+
+def contents() -> dict[Path, bytes]:
+    """Every file of the course."""
+    return {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
+
+
+def alone(line: str) -> str:
+    """Let one worker do what two would do: each of them imports for seconds."""
+    return " --workers 1" if line.startswith(("gripcourse issue", "gripcourse grade")) else ""
 
 
 def answer_by_hand() -> None:

@@ -27,6 +27,15 @@ class WrittenFile:
 
 
 @dataclass(frozen=True, slots=True)
+class ChangedLine:
+    """A line of a file that becomes another."""
+
+    path: str
+    old: str
+    new: str
+
+
+@dataclass(frozen=True, slots=True)
 class Typed:
     """A line that the reader types."""
 
@@ -40,15 +49,19 @@ class Shown:
     lines: tuple[str, ...]
 
 
-Step = WrittenFile | Typed | Shown
+Step = WrittenFile | ChangedLine | Typed | Shown
 
 
 def steps_of(page: Path) -> Iterator[Step]:
-    """Read the steps of a page: captioned files, `console` lines, and `text` that follows."""
+    """Read the steps of a page: files, changed lines, `console` lines, `text` that follows."""
     for kind, body in FENCE.findall(page.read_text(encoding="utf-8")):
         if kind.startswith("{code-block}"):
             first, _, text = body.partition("\n")
             caption = first.removeprefix(":caption: ")
+            if kind == "{code-block} diff":
+                old, new = text.splitlines()
+                yield ChangedLine(caption, old.removeprefix("-"), new.removeprefix("+"))
+                continue
             yield WrittenFile(caption.removeprefix(AT_THE_END), text, AT_THE_END in caption)
         elif kind == "console":
             yield from (Typed(line.removeprefix("$ ")) for line in body.splitlines())
@@ -62,6 +75,14 @@ def write(step: WrittenFile, folder: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     before = path.read_text(encoding="utf-8") + "\n" if step.added else ""
     path.write_text(before + step.text, encoding="utf-8")
+
+
+def change(step: ChangedLine, folder: Path) -> None:
+    """Change the one line that the page shows."""
+    path = folder / step.path
+    text = path.read_text(encoding="utf-8")
+    assert text.splitlines().count(step.old) == 1
+    path.write_text(text.replace(step.old, step.new), encoding="utf-8")
 
 
 def type_line(line: str) -> str:
