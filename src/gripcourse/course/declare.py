@@ -6,7 +6,6 @@ from gripcourse.course.declare_formulas import (
     optional_formula,
     read_choice,
     read_evaluated_in,
-    read_formula,
     read_slips,
     read_versions,
 )
@@ -19,6 +18,7 @@ from gripcourse.course.model import (
 from gripcourse.course.quantity_keys import WIDEST_TOLERANCE
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
+from gripcourse.course.written_formula import read_formula
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import CONSTANTS
 from gripcourse.text.suggestion import did_you_mean

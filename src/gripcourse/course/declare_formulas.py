@@ -6,25 +6,14 @@ from collections.abc import Mapping
 from gripcourse.course.model import AsPrinted, Choice, Rounding, Slip
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.course.written_formula import read_formula
+from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula, names
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
 _TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'bore.bore'.")
-
-
-def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
-    """Read a formula; None (and a problem) where it is none."""
-    text = table.text(name)
-    if not text:
-        return None
-    try:
-        return Formula(text, parse(text), dict(units))
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
-        return None
 
 
 def optional_formula(table: Table, name: str) -> Formula | None:

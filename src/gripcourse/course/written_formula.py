@@ -1,9 +1,23 @@
-"""Reading a formula that must be there."""
+"""Reading the formula of a key."""
 
-from gripcourse.course.declare_formulas import read_formula
+from collections.abc import Mapping
+
 from gripcourse.course.toml_table import Table
-from gripcourse.formula.parse import parse
+from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
+from gripcourse.text.words import message
+
+
+def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
+    """Read a formula; None (and a problem) where it is none."""
+    text = table.text(name)
+    if not text:
+        return None
+    try:
+        return Formula(text, parse(text), dict(units))
+    except FormulaFault as fault:
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
+        return None
 
 
 def written_formula(table: Table, name: str) -> Formula:
