@@ -53,7 +53,8 @@ def main(site: Path) -> None:
     pages = work / "docs"
     shutil.copytree(REPOSITORY / "docs", pages)
     for name, origin in BORROWED.items():
-        _write(pages / name, (REPOSITORY / origin).read_text(encoding="utf-8"))
+        borrowed = (REPOSITORY / origin).read_text(encoding="utf-8")
+        _write(pages / name, borrowed.replace("](docs/", "](../"))
     (work / "examples").symlink_to(REPOSITORY / "examples")
     _write(pages / "commands.md", command_pages())
     _write(pages / "keys.md", key_page(FILE_KINDS))

@@ -2,7 +2,7 @@
 
 Each `[[proof]]` states something that its schemes must satisfy whatever the numbers are. It is
 tried with drawn variants and must not repeat the formulas that it proves: geometry, equilibrium,
-another limit. Keys of every kind:
+another limit. Keys of every kind::
 
     id        unique name
     kind      virtual_work, travel, identity or inequality
@@ -19,7 +19,7 @@ another limit. Keys of every kind:
     travel        quantity: a declared path; coordinate: of [kinematics]; start, end: positions of
                   [kinematics]; tolerance: 1e-6
 
-`[[unshown]]` names flipped operators that no number can show, with the reason; see `operators`:
+`[[unshown]]` names flipped operators that no number can show, with the reason; see `operators`::
 
     quantity, operator, reason
 """
