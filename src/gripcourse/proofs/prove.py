@@ -156,7 +156,10 @@ def _declared(subject: Subject, kind: ProofKind) -> Iterator[ProofResult]:
         if proof_of(one).kind is kind and (
             subject.scheme is None or subject.scheme in (one.scope.schemes or {subject.scheme})
         ):
-            yield prove_declared(one, subject.source, subject.scheme)
+            result = prove_declared(one, subject.source, subject.scheme)
+            # Of one scheme only: a proof about whichever scheme has its names is about others.
+            if result.compared or subject.scheme is None or one.scope.schemes:
+                yield result
 
 
 def _travels(subject: Subject, _trials: _Trials) -> Iterator[ProofResult]:

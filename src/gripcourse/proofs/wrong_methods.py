@@ -17,7 +17,7 @@ from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy
-from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded, short_name
+from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded, short_name
 from gripcourse.proofs.samples import Source, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
@@ -142,7 +142,13 @@ def prove_wrong_methods(
             for one in methods
             if one not in survey.done
         ]
-        yield concluded(proof, len(methods), tuple(problems))
+        left = [survey.met[one] for one in methods if one not in survey.done]
+        # No variant is refused for an erratum: one that never shows is a question, no fault.
+        verdict = Verdict.FAILS if any(one.is_slip for one in left) else Verdict.OPEN
+        if left:
+            yield ProofResult(proof, verdict, len(methods), tuple(problems))
+        else:
+            yield concluded(proof, len(methods), ())
 
 
 def _declares(trial: Trial, method: Method) -> bool:
