@@ -33,7 +33,7 @@ _KEYS: dict[Kind, set[str]] = {
     | _JUDGED
     | {"series", "also", "at_least", "condition", "at_most_steps", "rounding"},
     Kind.PICK: _COMMON | _BOUNDED | _JUDGED | {"formula"},
-    Kind.VERDICT: _COMMON | {"condition"},
+    Kind.VERDICT: _COMMON | {"condition", "must_hold"},
     Kind.MANUAL: _COMMON | {"rubric"},
 }
 _FORMULA_KEY = {
@@ -72,6 +72,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         integer=table.flag("integer"),
         slips=tuple(_slip(slip, units) for slip in table.tables("slip")),
         as_printed=tuple(_as_printed(printed, units) for printed in table.tables("as_printed")),
+        must_hold=kind is Kind.VERDICT and table.flag("must_hold", default=True),
         rubric=_rubric(table) if kind is Kind.MANUAL else "",
         file=table.file,
     )
@@ -130,6 +131,7 @@ def _stand_in(identifier: str, table: Table) -> Quantity:
         integer=False,
         slips=(),
         as_printed=(),
+        must_hold=False,
         rubric="",
         file=table.file,
     )

@@ -87,9 +87,9 @@ class Table:
             )
         return least
 
-    def flag(self, name: str) -> bool:
-        """Read true or false; absent is false."""
-        value = self.values.get(name, False)
+    def flag(self, name: str, *, default: bool = False) -> bool:
+        """Read true or false; absent is `default`."""
+        value = self.values.get(name, default)
         if not isinstance(value, bool):
             self._wrong_type(name, message("true or false"))
         return value is True

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
@@ -19,9 +18,6 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.units import factor
-
-# What is taken from a series or a table, and a verdict, has no digits that were not typed.
-_EXACT = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +84,8 @@ def follow(
         )
         for name in kept
         for below, above in [reach_of(answers[name], policy)]
-        if plan.quantities[name].kind not in _EXACT and not plan.quantities[name].integer
+        # What is taken as it stands has no digits that were not typed.
+        if not plan.quantities[name].exact and not plan.quantities[name].integer
     }
     known = inputs | kept | stand_in
     return FollowThrough(
@@ -132,7 +129,7 @@ def _moved(
     worlds |= {
         name: float(evaluation.values[name])
         for name, quantity in plan.quantities.items()
-        if quantity.kind in _EXACT and name not in known
+        if quantity.exact and name not in known
     }
     for number, name in enumerate(moving):
         values = np.full(1 + 2 * len(moving), known[name])
