@@ -20,6 +20,7 @@ SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"
 DRAWINGS = "variants/sections/drawings.toml"
 POLICY = "grader/policy.toml"
 EXAMPLE = "variants/schemes/rack_parallelogram/worked_example.toml"
+DIAGRAM = "variants/schemes/rack_parallelogram/diagram.toml"
 LOAD_OF = {"friction": "upward_load", "contact": "contact_grip"}  # the part that declares it
 
 
@@ -209,6 +210,17 @@ def test_a_scheme_may_do_without_a_worked_example(draft: "Draft") -> None:
     assert default_options(scheme) == first
     with pytest.raises(UsageError, match="These values are not set"):
         solve_scheme(course, scheme.id, [], [], None)
+
+
+def test_only_a_symmetric_diagram_has_its_parts_on_both_sides(draft: "Draft") -> None:
+    def sides() -> set[str]:
+        (scheme,) = draft.load().schemes.values()
+        assert scheme.diagram is not None
+        return {one.mirror for one in scheme.diagram.elements if one.kind == "jaw"}
+
+    assert sides() == {"both"}
+    draft.edit(DIAGRAM, "symmetric = true", "symmetric = false")
+    assert sides() == {"none"}
 
 
 def test_the_worked_example_is_data(course: Course) -> None:
