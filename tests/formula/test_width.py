@@ -10,7 +10,7 @@ from gripcourse.formula.parse import parse
 from gripcourse.formula.typeset import typeset
 from gripcourse.formula.width import SMALLEST, WIDEST, scale_of, width
 
-NUMBERS = {name: Value("1234.5", "mm") for name in "abcdefgh"}
+NUMBERS = {name: Value("123456.7", "N·m") for name in "abcdefgh"}
 
 
 def size(formula: str) -> float:
@@ -23,7 +23,7 @@ def set_(formula: str) -> Box:
     return typeset(parse(formula), NUMBERS)
 
 
-@pytest.mark.parametrize("formula", ["sqrt(a + b)", "a/b", "(a/b + c)*d", "a + b + c + d + e + f"])
+@pytest.mark.parametrize("formula", ["sqrt(a + b)", "a/b", "(a/b + c)*d", "a + b + c + d"])
 def test_what_fits_keeps_its_size(formula: str) -> None:
     assert size(formula) == 1.0
 

@@ -8,7 +8,7 @@ from typing import Final, assert_never
 from gripcourse.formula.boxes import Applied, Box, Fence, Fraction, Root, Row, Script, Text, Value
 
 WIDEST: Final = 44.0
-"""Of what stands on a page unbroken: 165 mm in letters of 10.5 pt."""
+"""Of what stands on a page unbroken: 155 mm in letters of 10 pt."""
 
 SMALLEST: Final = 0.55
 """Of the size of the text: smaller letters nobody reads."""
@@ -29,12 +29,8 @@ def scale_of(box: Box) -> float:
 def width(box: Box) -> float:
     """Estimate the width of a box on one line, in em."""
     match box:
-        case Text("operator" | "relation", _):
-            found = _SIGN
-        case Text("times", sign):
-            found = _SIGN if sign else _LETTER / 2
-        case Text(_, run):
-            found = _LETTER * len(run)
+        case Text():
+            found = _run_width(box)
         case Value(number, unit):
             found = _LETTER * (len(number) + (1 + len(unit) if unit else 0))
         case Row(items):
@@ -54,3 +50,13 @@ def width(box: Box) -> float:
         case _:
             assert_never(box)
     return found
+
+
+def _run_width(run: Text) -> float:
+    match run.kind:
+        case "operator" | "relation":
+            return _SIGN
+        case "times":
+            return _SIGN if run.text else _LETTER / 2
+        case _:
+            return _LETTER * len(run.text)

@@ -48,9 +48,8 @@ def _counted(node: Node, angles: set[str], *, angular: bool) -> Iterator[str]:
             yield from _counted(left, angles, angular=angular)
             yield from _counted(right, angles, angular=angular)
         case Call(function, arguments):
-            reads_table = FUNCTIONS[
-                function
-            ].reads_column  # which is entered with an angle as it is
+            # A table is entered with an angle as it is.
+            reads_table = FUNCTIONS[function].reads_column
             inside = reads_table or function in _TAKE_ANGLES
             inside = inside or (angular and function in _KEEP_ANGLES)
             for argument in arguments:
