@@ -8,6 +8,9 @@ import pytest
 
 from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
 from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.errors import UsageError
+from gripcourse.solver.plan import default_options
+from gripcourse.usecases.solve import solve_scheme
 
 if TYPE_CHECKING:
     from support.drafts import Draft
@@ -17,6 +20,7 @@ SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"
 DRAWINGS = "variants/sections/drawings.toml"
 POLICY = "grader/policy.toml"
 EXAMPLE = "variants/schemes/rack_parallelogram/worked_example.toml"
+DIAGRAM = "variants/schemes/rack_parallelogram/diagram.toml"
 LOAD_OF = {"friction": "upward_load", "contact": "contact_grip"}  # the part that declares it
 
 
@@ -52,7 +56,7 @@ def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") ->
     }
 
 
-@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, EXAMPLE, POLICY])
+@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, POLICY])
 def test_a_missing_file_is_named(draft: "Draft", file: str) -> None:
     problem = draft.remove(file).problem()
     assert problem.file == file
@@ -213,6 +217,28 @@ def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course)
             declared = compose(course, scheme, options)
             constants = {name for name, one in declared.items() if one.kind is Kind.CONSTANT}
             assert constants <= course.constants.keys()
+
+
+def test_a_scheme_may_do_without_a_worked_example(draft: "Draft") -> None:
+    (draft.root / EXAMPLE).unlink()
+    course = draft.load()
+    (scheme,) = course.schemes.values()
+    assert scheme.example is None
+    first = {option.id: option.choices[0].id for option in scheme.options}
+    assert default_options(scheme) == first
+    with pytest.raises(UsageError, match="These values are not set"):
+        solve_scheme(course, scheme.id, [], [], None)
+
+
+def test_only_a_symmetric_diagram_has_its_parts_on_both_sides(draft: "Draft") -> None:
+    def sides() -> set[str]:
+        (scheme,) = draft.load().schemes.values()
+        assert scheme.diagram is not None
+        return {one.mirror for one in scheme.diagram.elements if one.kind == "jaw"}
+
+    assert sides() == {"both"}
+    draft.edit(DIAGRAM, "symmetric = true", "symmetric = false")
+    assert sides() == {"none"}
 
 
 def test_the_worked_example_is_data(course: Course) -> None:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 
 from gripcourse.course.model import Kind, Quantity, Slip
 from gripcourse.formula.evaluate import evaluate
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.policy.bands import band, within
 from gripcourse.solver.solve import to_si
@@ -18,12 +21,11 @@ from gripcourse.text.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from conftest import Case
-    from gripcourse.formula.tree import Formula
 
 ReadAnswer = Callable[..., Answer]
 
 
-def value_of(case: "Case", quantity: Quantity, formula: "Formula") -> float:
+def value_of(case: "Case", quantity: Quantity, formula: Formula) -> float:
     """Compute another formula of a quantity from the reference, in the declared unit."""
     known = {name: np.asarray(v) for name, v in to_si(case.plan, case.reference).items()}
     scale = factor(quantity.unit)
@@ -191,3 +193,20 @@ class TestPicks:
         """One per cent of 144 mm would let a number pass that stands in no table."""
         close = 1.002 * hydraulic.reference["flange_diameter"]
         assert "flange_diameter" in hydraulic.lost({**hydraulic.answers, "flange_diameter": close})
+
+
+def test_a_verdict_whose_right_answer_is_no_earns_for_no_and_not_for_yes(
+    hydraulic: "Case",
+) -> None:
+    """A pin that the course lets fail in bearing."""
+    verdict = hydraulic.plan.quantities["bearing_ok"]
+    failing = Formula("fails", parse("bearing_stress <= 0*bearing_stress_allowed"), {})
+    asked = replace(verdict, formula=failing, must_hold=False)
+    quantities = {**hydraulic.plan.quantities, asked.id: asked}
+    answered = tuple(quantities[one.id] for one in hydraulic.plan.answered)
+    plan = replace(hydraulic.plan, quantities=quantities, answered=answered)
+    case = replace(hydraulic, plan=plan, reference={**hydraulic.reference, asked.id: 0.0})
+    found = {value: case.findings({**case.answers, asked.id: value})[asked.id] for value in (0, 1)}
+    assert found[0].outcome is Outcome.CORRECT
+    assert (found[1].outcome, found[1].points) == (Outcome.WRONG, 0)
+    assert "opposite" in str(found[1].message)

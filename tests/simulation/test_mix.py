@@ -35,6 +35,17 @@ def test_the_reference_mix_knows_every_conduct(mix: Mix) -> None:
     assert mix.required.slip_named == 0.95
 
 
+def test_a_course_whose_constants_nobody_shortens_says_nothing_of_them(
+    changed: Callable[..., Course], course: Course
+) -> None:
+    text = mix_path(course.root).read_text(encoding="utf-8")
+    table = "[constant.gravity]" + text.partition("[constant.gravity]")[2].partition("\n[")[0]
+    mix, problems = read_mix(changed((table, "")))
+    assert not problems
+    assert mix is not None
+    assert mix.constants == {}
+
+
 @pytest.mark.parametrize(
     ("old", "new", "key"),
     [

@@ -67,6 +67,7 @@ def declare(identifier: str, table: Table, *, constant: bool = False) -> Quantit
         integer=table.flag("integer") if is_computed or kind in _INPUTS else False,
         slips=read_slips(table, units) if is_computed else (),
         as_printed=read_versions(table, units) if is_computed else (),
+        must_hold=kind is Kind.VERDICT and table.flag("must_hold", default=True),
         rubric=_rubric(table) if kind is Kind.MANUAL else "",
         file=table.file,
     )
@@ -127,6 +128,7 @@ def _stand_in(identifier: str, table: Table) -> Quantity:
         integer=False,
         slips=(),
         as_printed=(),
+        must_hold=False,
         rubric="",
         file=table.file,
     )

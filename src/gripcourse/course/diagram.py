@@ -7,7 +7,7 @@ several schemes share stand in `variants/diagram/`, and use points that each of 
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.diagram_keys import DIAGRAM
@@ -21,6 +21,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "diagram.toml"
+_UNSAID = ""  # the diagram that takes the element decides
 _NOTHING = Formula("0", parse("0"), {})
 
 
@@ -35,7 +36,8 @@ class Element:
         words: choices by role.
         quantity: id of the quantity whose symbol is written beside it, empty for none.
         positions: of the drive, at which it is drawn.
-        mirror: `none`, `both` (on both sides of the gripper's axis) or `only` (on the other side).
+        mirror: `none`, `both` (on both sides of the axis) or `only` (on the other side); where the
+            author does not say, `both` for the paired elements of a symmetric diagram, else `none`.
         options: it is drawn only where a variant's options are among these.
         file, key: where it stands, for messages.
     """
@@ -90,12 +92,15 @@ def read_diagram(
     if table is None:
         return None
     table.known_keys()
+    symmetric = table.flag("symmetric")
     shared = [one for name in table.strings("shared") for one in _named(table, name, symbols)]
     points = table.table("point")
     return Diagram(
         axis=_one_of(table, "axis", ("x", "y")),
         points={name: _pair(points, name) for name in points.values} if points else {},
-        elements=(*_elements(table), *shared),
+        elements=tuple(
+            _on_its_sides(one, symmetric=symmetric) for one in (*_elements(table), *shared)
+        ),
         file=table.file,
     )
 
@@ -104,6 +109,14 @@ def read_elements(table: Table) -> tuple[Element, ...]:
     """Read a file of elements that several diagrams share."""
     table.known_keys()
     return tuple(_elements(table))
+
+
+def _on_its_sides(element: Element, *, symmetric: bool) -> Element:
+    """Say on which sides an element stands of which its author does not."""
+    if element.mirror != _UNSAID:
+        return element
+    both = symmetric and VOCABULARY[element.kind].paired
+    return replace(element, mirror="both" if both else "none")
 
 
 def _named(
@@ -140,7 +153,7 @@ def _element(table: Table) -> Element | None:
         words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},
         quantity=next(iter(quantities), ""),
         positions=_positions(table, word),
-        mirror=_one_of(table, "mirror", (word.mirror, *MIRRORS)),
+        mirror=_one_of(table, "mirror", (_UNSAID, *MIRRORS)),
         options=_options(table),
         file=table.file,
         key=table.key,

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
-from gripcourse.course.shape import Key, Shape, by_name, other, strings, tables, text
+from gripcourse.course.shape import Key, Shape, by_name, flag, other, strings, tables, text
 
 _POINT: Final = {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}
 _SIZE: Final = {"type": ["string", "number"]}
@@ -52,6 +52,7 @@ SHARED_DIAGRAM: Final = Shape({"element": tables("The symbols, in order of drawi
 DIAGRAM: Final = Shape(
     {
         "axis": text("The coordinate that runs along the axis.", "x", "y"),
+        "symmetric": flag("Whether elements that say nothing are drawn on both sides of the axis."),
         "shared": strings("Files in `variants/diagram` with elements that several diagrams share."),
         "point": by_name(
             "Points that the kinematics does not have, by name.",

@@ -16,6 +16,7 @@ from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import View
+from gripcourse.formula.functions import is_entry
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import Texts
 
@@ -145,6 +146,8 @@ class Quantity:
         integer: whether only whole numbers make sense.
         slips: anticipated wrong methods.
         as_printed: errata of the sources.
+        must_hold: of a VERDICT, whether a variant in which the answer is no is refused; False for
+            the others.
         rubric: id of the rubric of a MANUAL item, empty for the others.
         file: the file that declares it, for messages.
         uses: ids that its formulas use, sorted. Kept, because a course has thousands of
@@ -170,6 +173,7 @@ class Quantity:
     integer: bool
     slips: tuple[Slip, ...]
     as_printed: tuple[AsPrinted, ...]
+    must_hold: bool
     rubric: str
     file: str
     uses: tuple[str, ...] = field(init=False, repr=False, compare=False)
@@ -178,6 +182,17 @@ class Quantity:
         """Find what is used once."""
         found = {name for formula in self.formulas() for name in formula.names}
         object.__setattr__(self, "uses", tuple(sorted(found)))
+
+    @property
+    def exact(self) -> bool:
+        """Whether its answer is taken as it stands: a size, an entry of a table, yes or no.
+
+        No figure of such an answer is left out, so it differs from the right one or it does not.
+        What is interpolated between entries is a computed number like any other.
+        """
+        if self.kind is Kind.PICK:
+            return self.formula is not None and is_entry(self.formula.tree)
+        return self.kind in {Kind.CHOICE, Kind.VERDICT}
 
     def formulas(self) -> Iterator[Formula]:
         """Yield every formula that the declaration holds."""

@@ -125,7 +125,11 @@ KEYS: Final[Mapping[str, Mapping[str, Key]]] = {
     Kind.FORMULA: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
     Kind.CHOICE: _COMMON | _BOUNDED | _JUDGED | _CHOICE,
     Kind.PICK: _COMMON | _BOUNDED | _JUDGED | _COMPUTED,
-    Kind.VERDICT: _PLAIN | {"condition": text("Yes where it holds.", required=True)},
+    Kind.VERDICT: _PLAIN
+    | {
+        "condition": text("Yes where it holds.", required=True),
+        "must_hold": flag("Whether variants are issued only where it is yes; true unless said."),
+    },
     Kind.MANUAL: _PLAIN | {"rubric": text("Id of a rubric in `grader/rubric`.", required=True)},
 }
 QUANTITY: Final = Shape(

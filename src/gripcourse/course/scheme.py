@@ -114,6 +114,9 @@ def _motion(
 
 
 def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample | None:
+    """Read the worked example of a scheme; a scheme may do without."""
+    if not path.exists():
+        return None
     table = read_toml(path, root, problems, EXAMPLE)
     if table is None:
         return None

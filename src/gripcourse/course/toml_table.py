@@ -123,10 +123,10 @@ class Table:
             )
         return least
 
-    def flag(self, name: str) -> bool:
-        """Read true or false; absent is false."""
+    def flag(self, name: str, *, default: bool = False) -> bool:
+        """Read true or false; absent is `default`."""
         self._declared(name, Sort.FLAG, required=False)
-        value = self.values.get(name, False)
+        value = self.values.get(name, default)
         if not isinstance(value, bool):
             self._wrong_type(name, message("true or false"))
         return value is True

@@ -10,6 +10,7 @@ sheets. It offers to every template
     value | percent          a share of one as a percentage
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
+    text | prose             a title or a sentence; a symbol in it looks as in a formula
     box | formula            a formula
     box | mathml             a formula for a browser; mathml(large=True) on a line of its own
     box | plain              a formula as one line of text
@@ -19,6 +20,7 @@ and renders with what is expensive kept for the whole process: compiled template
 style sheets. A value that a template does not get is an error, never an empty place.
 """
 
+import re
 import traceback
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
@@ -31,7 +33,7 @@ from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
-from gripcourse.formula.typeset import declared_symbol
+from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.text.amounts import day_text, percent_text, points_text
@@ -47,6 +49,8 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
+# In a sentence: one letter and its subscript.
+_SYMBOL = re.compile(r"(?<!\w)[^\W\d_]_[^\W_]{1,6}(?!\w)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +149,14 @@ def _markup(box: Box) -> "Markup":
     return Markup(html(box))  # noqa: S704 - see above
 
 
+def _prose(title: object) -> "Markup":
+    """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
+    from markupsafe import Markup, escape
+
+    written = str(escape(_seen(title)))
+    return Markup(_SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
+
+
 def _mathml(box: Box, *, large: bool = False) -> "Markup":
     """Return the MathML of a formula; its text was escaped when it was made."""
     from markupsafe import Markup
@@ -209,6 +221,7 @@ def template_environment(templates: Path, language: str) -> "Environment":
         "points": lambda value: points_text(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
+        "prose": _prose,
         "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
         "mathml": _mathml,

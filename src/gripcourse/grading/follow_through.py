@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
@@ -19,9 +18,6 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.units import factor
-
-# What is taken from a series or a table, and a verdict, has no digits that were not typed.
-_EXACT = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +95,8 @@ def _reaches(
     """Return how far each kept number may be from what was typed, below and above, SI."""
     found = {}
     for quantity in (plan.quantities[name] for name in kept):
-        if quantity.kind not in _EXACT and not quantity.integer:
+        # What is taken as it stands has no digits that were not typed.
+        if not quantity.exact and not quantity.integer:
             below, above = reach_of(answers[quantity.id], policy)
             found[quantity.id] = (below * factor(quantity.unit), above * factor(quantity.unit))
     return found
@@ -137,7 +134,7 @@ def _moved(
     worlds |= {
         name: float(evaluation.values[name])
         for name, quantity in plan.quantities.items()
-        if quantity.kind in _EXACT and name not in known
+        if quantity.exact and name not in known
     }
     for number, name in enumerate(moving):
         values = np.full(1 + 2 * len(moving), known[name])

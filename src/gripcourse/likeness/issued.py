@@ -55,13 +55,13 @@ def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> Is
         variants: each with its owner; one that the course can no longer solve has no values.
     """
     plans = _grouped(course, variants)
-    kinds = {
-        name: one.kind
+    exact = {
+        name: one.exact
         for plan, _ in plans
         for name, one in plan.quantities.items()
         if one.kind in {Kind.GIVEN, Kind.FORMULA, Kind.CHOICE, Kind.PICK}
     }
-    columns = {name: column for column, name in enumerate(kinds)}
+    columns = {name: column for column, name in enumerate(exact)}
     values = np.full((len(variants), len(columns)), math.nan)
     families = np.tile(np.arange(len(columns)), (len(variants), 1))
     for plan, rows in plans:
@@ -76,7 +76,7 @@ def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> Is
         quantities=tuple(columns),
         values=values,
         families=families,
-        discrete=np.array([kind in {Kind.CHOICE, Kind.PICK} for kind in kinds.values()], bool),
+        discrete=np.array(list(exact.values()), bool),
     )
 
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
-from gripcourse.simulation.calculation import is_taken_as_printed
 from gripcourse.simulation.model import Behaviour, Style
 from gripcourse.text.conventions import decimal_sign
 from gripcourse.text.units import dimension, factor, unit_text
@@ -76,7 +75,7 @@ def _is_a_power_of_ten(unit: str, declared: str) -> bool:
 
 def _digits(quantity: Quantity, value: float, behaviour: Behaviour) -> Decimal:
     """Return a number with the zeros at its end that a person writes: 2.50 has three figures."""
-    if is_taken_as_printed(quantity):
+    if quantity.exact:
         return Decimal(f"{value:.12g}")
     if behaviour.rounding is DigitRounding.FULL:
         return Decimal(f"{value:.{DISPLAY}g}")

@@ -130,8 +130,10 @@ def _positive(table: Table, name: str) -> Mapping[str, float]:
 
 
 def _constants(table: Table, course: Course) -> Mapping[str, Mapping[float, float]]:
-    outer = table.required_table("constant")
     found: dict[str, Mapping[float, float]] = {}
+    outer = table.table("constant")
+    if outer is None:
+        return found
     for name in outer.values:
         if name not in course.constants or course.constants[name].kind is not Kind.CONSTANT:
             what = message("The course has no constant '{name}'.", name=name)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array
 from gripcourse.simulation.behaviour import hand_of
@@ -160,10 +160,15 @@ def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation
             computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
             return {str(rng.choice(computed)): Deviation(ActionKind.WRONG_UNIT)} if computed else {}
         case Conduct.ROUNDED_DOWN:
-            sizes = [one.id for one in plan.answered if one.kind is Kind.CHOICE]
+            sizes = [one.id for one in plan.answered if _is_rounded_up(one)]
             return {str(rng.choice(sizes)): Deviation(ActionKind.ROUNDED_DOWN)} if sizes else {}
         case _:
             return {}
+
+
+def _is_rounded_up(quantity: Quantity) -> bool:
+    """Tell whether a size may not be below what is required; to the nearest may go down."""
+    return quantity.choice is not None and quantity.choice.rounding is Rounding.UP
 
 
 def _slips(one: _Student, count: int, rng: np.random.Generator) -> Mapping[str, Deviation]:

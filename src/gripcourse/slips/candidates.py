@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
+from gripcourse.course.column_symbols import column_symbols
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
@@ -91,4 +92,5 @@ def _written(plan: Plan, place: Place, language: str) -> str:
             symbols = {
                 name: symbol_box(plan.quantities[name].symbol.of(language)) for name in names(place)
             }
-            return text(typeset(place, symbols, language))
+            columns = column_symbols(place, None, plan.quantities, language)
+            return text(typeset(place, symbols | columns, language))

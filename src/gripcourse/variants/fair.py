@@ -73,6 +73,26 @@ class DifficultySpread:
     equal: float
 
 
+@dataclass(frozen=True, slots=True)
+class VerdictShare:
+    """How often a verdict comes out as yes in the variants of one scheme.
+
+    Attributes:
+        quantity, scheme: which they are.
+        variants: how many have the verdict.
+        points: that it is worth, the mean over the variants.
+        yes: in how many of them the answer is yes.
+        must_hold: whether the course refuses variants in which it is no.
+    """
+
+    quantity: str
+    scheme: str
+    variants: int
+    points: float
+    yes: int
+    must_hold: bool
+
+
 def steps_of(groups: Sequence[Group]) -> tuple[Steps, ...]:
     """Count the answers that each group of variants is asked for."""
     return tuple(_steps(group) for group in groups)
@@ -117,6 +137,30 @@ def spreads_of(
         _spread(_only(item, scheme), plans[ids[scheme], item.quantity])
         for item in items
         for scheme in np.unique(item.schemes)
+    )
+
+
+def verdicts_of(groups: Sequence[Group], items: Sequence[AnswerItem]) -> tuple[VerdictShare, ...]:
+    """Count how the verdicts come out, scheme by scheme."""
+    ids = scheme_ids(groups)
+    demanded = {
+        (group.plan.scheme.id, quantity.id)
+        for group in groups
+        for quantity in group.plan.answered
+        if quantity.must_hold
+    }
+    return tuple(
+        VerdictShare(
+            item.quantity,
+            ids[scheme],
+            int(own.sum()),
+            float(item.points[own].mean()),
+            int(np.count_nonzero(item.values[own])),
+            (ids[scheme], item.quantity) in demanded,
+        )
+        for item in items
+        for scheme in np.unique(item.schemes)
+        for own in [item.schemes == scheme]
     )
 
 

@@ -16,7 +16,8 @@ from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import TableColumn, plain
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
+from gripcourse.variants.row_faults import CellFault, problems_of
+from gripcourse.variants.sheet import Sheet, SheetRow
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +38,7 @@ class RowReader:
     absent: frozenset[str]
     problems: list[Problem]
     plans: dict[Composition, Plan] = field(default_factory=dict)
+    faults: list[CellFault] = field(default_factory=list)
 
     def read(self) -> list[Variant]:
         """Return the variants of all rows that are right."""
@@ -46,11 +48,12 @@ class RowReader:
             variant = self._variant(row, seen)
             if variant is not None:
                 rows.append((row, variant))
+        self.problems.extend(problems_of(self.sheet.file, self.faults))
         self._refuse_infeasible(rows)
         return [variant for _, variant in rows]
 
     def _variant(self, row: SheetRow, seen: dict[str, SheetRow]) -> Variant | None:
-        before = len(self.problems)
+        before = len(self.faults)
         id_ = self._id(row, seen)
         scheme = self._scheme(row)
         if scheme is None:
@@ -61,7 +64,7 @@ class RowReader:
         plan = self._plan(scheme, options)
         given = {quantity.id: self._given(row, quantity, plan) for quantity in plan.givens}
         self._refuse_unused(row, plan)
-        if len(self.problems) > before:
+        if len(self.faults) > before:
             return None
         return Variant(id_, scheme.id, options, {k: v for k, v in given.items() if v is not None})
 
@@ -213,8 +216,7 @@ class RowReader:
             return
         column = self.columns.get(id_)
         name = column.name if column is not None else id_.removeprefix("option:")
-        place = cell_place(row.number, name)
-        self.problems.append(Problem(self.sheet.file, place, what, remedy))
+        self.faults.append(CellFault(row.number, name, what, remedy))
 
 
 def _means(written: str, id_: str, title: Texts) -> bool:

@@ -15,6 +15,7 @@ from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
+from gripcourse.documents.report.verdict_shares import verdict_rows
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import DECLARED
 from gripcourse.text.amounts import amount_text, percent_text, points_text
@@ -108,6 +109,7 @@ def certificate_values(
         "weak": _weak_rows(weak[:_MOST], titles, declared, words),
         "weak_rest": len(weak[_MOST:]),
         "weak_limit": audit.rules.weak_item,
+        "verdicts": verdict_rows(audit, declared, words),
         "slips_counted": audit.slips_counted,
         "slips": aligned_cells(
             [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
