@@ -27,6 +27,7 @@ from gripcourse.proofs.published_cases import load_published_cases
 from gripcourse.proofs.samples import Source, Trial
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.screening import sifter
@@ -80,7 +81,10 @@ def drawable() -> dict[str, list[Mapping[str, str]]]:
     """Return the combinations of options that variants are drawn with, by scheme."""
     return {
         scheme: [
-            case.options for space in all_spaces() if space.scheme == scheme for case in space.cases
+            options
+            for space in all_spaces()
+            if space.scheme == scheme
+            for options in space.cases.combinations
         ]
         for scheme in reference_course().schemes
     }
@@ -234,10 +238,9 @@ def variants_of(
         if len(tabled) >= DRAWN:
             return tabled[:DRAWN]
         cases = [
-            Space(scheme, 1, (case,), space.file)
+            Space(scheme, 1, Cases.of([case]), space.file)
             for space in spaces
-            for case in space.cases
-            if space.scheme == scheme and case.options == options
+            if space.scheme == scheme and (case := space.cases.with_options(options)) is not None
         ]
         missing = DRAWN - len(tabled)
         if not cases:

@@ -10,8 +10,9 @@ import pytest
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
+from gripcourse.variants.cases import SpaceCase
 from gripcourse.variants.ranges import Follower
-from gripcourse.variants.space import Space, SpaceCase, load_spaces
+from gripcourse.variants.space import Space, load_spaces
 
 Change = Callable[[str, str], Course]
 

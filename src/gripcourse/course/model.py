@@ -334,9 +334,11 @@ class Catalogue:
     file: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Course:
     """Everything that an instructor wrote, loaded.
+
+    Two courses are never the same one, so that what was made of one can be remembered by it.
 
     Attributes:
         id: short name that goes into signatures.

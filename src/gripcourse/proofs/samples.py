@@ -12,14 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.compose import part_ids
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Scheme
 from gripcourse.errors import TableError
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate
 from gripcourse.text.units import factor
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
-from gripcourse.variants.space import Space, SpaceCase
+from gripcourse.variants.space import Space
 
 EXAMPLE = "worked example"
 _MOST_CASES = 2  # combinations of options that a declared proof is tried with, in one scheme
@@ -44,13 +46,26 @@ class Source:
     spaces: tuple[Space, ...]
     count: int
     seed: int
-    drawn: dict[int, "Trial | None"] = field(default_factory=dict, compare=False)
+    drawn: dict[Composition, "Trial | None"] = field(default_factory=dict, compare=False)
     names: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict, compare=False)
 
-    def cases(self, scheme: str) -> list[tuple[Space, SpaceCase]]:
+    def mixed(self, scheme: str) -> list["Mixed"]:
         """Return the combinations of options that variants of a scheme are drawn with."""
         own = (space for space in self.spaces if space.scheme == scheme)
-        return [(space, case) for space in own for case in space.cases]
+        return [
+            Mixed(space, place, options)
+            for space in own
+            for place, options in enumerate(space.cases.combinations)
+        ]
+
+
+@dataclass(frozen=True, slots=True)
+class Mixed:
+    """A combination of options that a space mixes, and its place there."""
+
+    space: Space
+    place: int
+    options: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,15 +109,15 @@ def trials_of(source: Source, scheme: Scheme) -> Iterator[Trial]:
     none.
     """
     example = _example_of(source.course, scheme)
-    cases = source.cases(scheme.id)
+    mixed = source.mixed(scheme.id)
     used = () if example is None else (example.options,)
     if example is not None:
-        same = next((one for one in cases if one[1].options == example.options), None)
-        drawn = None if same is None else _drawn(source, *same)
+        same = next((one for one in mixed if one.options == example.options), None)
+        drawn = None if same is None else _drawn(source, same)
         variants = (example, *(() if drawn is None else drawn.variants))
         yield make_trial(_plan(source.course, example), variants)
-    for space, case in _covering(cases, scheme, used):
-        drawn = _drawn(source, space, case)
+    for one in _covering(mixed, scheme, used):
+        drawn = _drawn(source, one)
         if drawn is not None:
             yield drawn
 
@@ -115,23 +130,23 @@ def trials_with(
     if example is not None and _suits(source, scheme, example.options, options, names):
         yield make_trial(_plan(source.course, example), (example,))
     suited = [
-        (space, case)
-        for space, case in source.cases(scheme.id)
-        if _suits(source, scheme, case.options, options, names)
+        one
+        for one in source.mixed(scheme.id)
+        if _suits(source, scheme, one.options, options, names)
     ]
     # Neighbours in the list differ in the last option only: some from all over it.
     step = max(1, len(suited) // _MOST_CASES)
-    for space, case in suited[::step][:_MOST_CASES]:
-        drawn = _drawn(source, space, case)
+    for one in suited[::step][:_MOST_CASES]:
+        drawn = _drawn(source, one)
         if drawn is not None:
             yield drawn
 
 
 def redrawn(source: Source, trial: Trial, count: int) -> Trial | None:
     """Draw more variants of the composition of a trial; None where there is no range for it."""
-    for space, case in source.cases(trial.plan.scheme.id):
-        if case.options == trial.plan.options:
-            return _drawn(replace(source, count=count, drawn={}), space, case)
+    for one in source.mixed(trial.plan.scheme.id):
+        if one.options == trial.plan.options:
+            return _drawn(replace(source, count=count, drawn={}), one)
     return None
 
 
@@ -175,38 +190,40 @@ def _plan(course: Course, variant: Variant) -> Plan:
 
 
 def _covering(
-    cases: Sequence[tuple[Space, SpaceCase]], scheme: Scheme, used: Sequence[Mapping[str, str]]
-) -> Iterator[tuple[Space, SpaceCase]]:
+    mixed: Sequence[Mixed], scheme: Scheme, used: Sequence[Mapping[str, str]]
+) -> Iterator[Mixed]:
     """Choose combinations until every choice that a space draws was tried.
 
     Always the one with the most choices still missing, and of those the one whose other choices
     were tried least, so that they come in new company.
     """
-    tried = Counter({pair: 0 for _, case in cases for pair in case.options.items()})
+    tried = Counter({pair: 0 for one in mixed for pair in one.options.items()})
     tried.update(pair for options in used for pair in options.items() if pair in tried)
     if not scheme.options and not used:
-        yield from cases[:1]
+        yield from mixed[:1]
     while min(tried.values(), default=1) == 0:
         best = max(
-            cases,
+            mixed,
             key=lambda one: (
-                sum(tried[pair] == 0 for pair in one[1].options.items()),
-                -sum(tried[pair] for pair in one[1].options.items()),
+                sum(tried[pair] == 0 for pair in one.options.items()),
+                -sum(tried[pair] for pair in one.options.items()),
             ),
         )
         yield best
-        tried.update(best[1].options.items())
+        tried.update(best.options.items())
 
 
-def _drawn(source: Source, space: Space, case: SpaceCase) -> Trial | None:
+def _drawn(source: Source, mixed: Mixed) -> Trial | None:
     """Draw variants of one combination; None where the ranges leave no solution."""
-    if id(case) not in source.drawn:
-        only = Space(space.scheme, 1, (case,), space.file)
+    space = mixed.space
+    composition = Composition.of(space.scheme, mixed.options)
+    if composition not in source.drawn:
+        only = replace(space, weight=1.0, cases=Cases.of([space.cases[mixed.place]]))
         try:
             variants = draw(source.course, [only], source.count, source.seed).variants
         except TableError:
             variants = ()  # whoever draws variants is told; here there is nothing to try
-        source.drawn[id(case)] = (
+        source.drawn[composition] = (
             make_trial(_plan(source.course, variants[0]), variants) if variants else None
         )
-    return source.drawn[id(case)]
+    return source.drawn[composition]

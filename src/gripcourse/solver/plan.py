@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from heapq import heappop, heappush
 
 from gripcourse.course.catalogue import columns_of
@@ -18,6 +19,9 @@ from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+
+# Of the thousands of compositions of a course those that a batch or a table has; 50 kB each.
+_REMEMBERED = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +72,7 @@ def make_plan(
     return plan_of(course, Composition.of(scheme_id, options), convention)
 
 
+@lru_cache(maxsize=_REMEMBERED)
 def plan_of(course: Course, composition: Composition, convention: Convention | None = None) -> Plan:
     """Put a scheme with a variant's options into the order of calculation.
 

@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.formula.tree import Formula
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
@@ -107,11 +109,7 @@ def solve_groups(
     together: dict[Composition, list[int]] = {}
     for row, variant in enumerate(variants):
         together.setdefault(variant.composition, []).append(row)
-    constraints = {
-        Composition.of(space.scheme, case.options): case.constraints
-        for space in spaces
-        for case in space.cases
-    }
+    by_scheme = {space.scheme: space.cases for space in spaces}
     groups = []
     for composition, rows in together.items():
         plan = plan_of(course, composition)
@@ -119,9 +117,15 @@ def solve_groups(
             quantity.id: np.array([variants[row].given[quantity.id] for row in rows])
             for quantity in plan.givens
         }
-        judged = reasons_infeasible(plan, given, constraints.get(composition, ()))
+        judged = reasons_infeasible(plan, given, _constraints(by_scheme, composition))
         groups.append(group_of(plan, judged, np.arange(len(rows)), np.array(rows, dtype=np.intp)))
     return tuple(groups)
+
+
+def _constraints(by_scheme: Mapping[str, Cases], composition: Composition) -> tuple[Formula, ...]:
+    cases = by_scheme.get(composition.scheme)
+    case = None if cases is None else cases.with_options(composition.options)
+    return () if case is None else case.constraints
 
 
 def group_of(plan: Plan, judged: Feasibility, positions: Rows, rows: Rows) -> Group:

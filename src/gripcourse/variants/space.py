@@ -8,11 +8,10 @@ Every range is turned into the list of values it allows, so that students get ti
 nothing has to be rounded later.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 
-from gripcourse.course.compose import all_part_ids
+from gripcourse.course.compose import all_part_ids, compose, option_sets, pair_option_sets
 from gripcourse.course.model import Course, Option, Quantity, Scheme
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
@@ -20,26 +19,10 @@ from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+from gripcourse.variants.cases import Cases, SpaceCase
 from gripcourse.variants.constraint import check_constraint, read_constraints
 from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Follower, Range, RangeReader
-
-
-@dataclass(frozen=True, slots=True)
-class SpaceCase:
-    """One combination of options and what may be drawn for it.
-
-    Attributes:
-        options: choice by option id.
-        given: allowed values of the given quantities, in their declared units, ascending.
-        followers: the given quantities that another one decides.
-        constraints: what a variant must satisfy besides being solvable.
-    """
-
-    options: Mapping[str, str]
-    given: Mapping[str, tuple[float, ...]]
-    followers: Mapping[str, Follower]
-    constraints: tuple[Formula, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +38,7 @@ class Space:
 
     scheme: str
     weight: float
-    cases: tuple[SpaceCase, ...]
+    cases: Cases
     file: str
 
 
@@ -99,7 +82,7 @@ def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Spa
     """Make the space of a scheme that leaves everything to the ranges beside its givens."""
     file = f"variants/spaces/{scheme.id}.toml"
     table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
-    return Space(scheme.id, 1.0, _cases(course, table, _plans(course, scheme, table)), file)
+    return Space(scheme.id, 1.0, _cases(course, table, scheme), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -127,23 +110,19 @@ def _space(course: Course, table: Table) -> Space | None:
     weight = table.number("weight", 1.0)
     if not 0 < weight < float("inf"):
         table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
-    plans = _plans(course, course.schemes[id_], table)
-    return Space(id_, weight, _cases(course, table, plans), table.file)
+    return Space(id_, weight, _cases(course, table, course.schemes[id_]), table.file)
 
 
-def _plans(course: Course, scheme: Scheme, table: Table) -> tuple[Plan, ...]:
-    """Make a plan of every combination of the options that the space mixes."""
+def _mixed(scheme: Scheme, table: Table) -> Scheme:
+    """Return the scheme with those choices of its options only that the space mixes."""
     mixed = table.table("options") or Table({}, table.file, "options", table.problems)
     mixed.known_keys(option.id for option in scheme.options)
-    choices = [_choices(option, mixed) for option in scheme.options]
-    return tuple(
-        make_plan(
-            course,
-            scheme.id,
-            {option.id: choice for option, choice in zip(scheme.options, chosen, strict=True)},
-        )
-        for chosen in product(*choices)
-    )
+    options = []
+    for option in scheme.options:
+        listed = _choices(option, mixed)
+        kept = tuple(choice for choice in option.choices if choice.id in listed)
+        options.append(replace(option, choices=kept))
+    return replace(scheme, options=tuple(options))
 
 
 def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
@@ -160,7 +139,14 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
     return tuple(choice for choice in known if choice in listed or not listed)
 
 
-def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCase, ...]:
+def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
+    """Read the ranges and constraints of a scheme; thousands of combinations share them.
+
+    Any two choices of two options are looked at together. A combination is composed when it is
+    asked for.
+    """
+    mixed = _mixed(scheme, table)
+    plans = [make_plan(course, scheme.id, options) for options in pair_option_sets(mixed)]
     own = table.named_tables("given")
     givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
     for id_, written in own.items():
@@ -170,13 +156,10 @@ def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCa
                 message("No such quantity is given in this scheme."),
                 did_you_mean(id_, givens),
             )
-    options: dict[str, set[str]] = {}
-    for plan in plans:
-        for name, choice in plan.options.items():
-            options.setdefault(name, set()).add(choice)
+    options = {option.id: {choice.id for choice in option.choices} for option in mixed.options}
     constraints = read_constraints(table)
     for line, constraint in constraints:
-        check_constraint(line, constraint, plans)
+        check_constraint(line, constraint, (*plans, *_plans_with(course, mixed, plans, constraint)))
     reader = RangeReader(course, givens, options)
     declared = {id(one): one for plan in plans for one in plan.givens}
     found = ((key, one, _written(one, own, table)) for key, one in declared.items())
@@ -185,7 +168,28 @@ def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCa
         key: reader.read(place, one, is_own=one.id in own) for key, (one, place) in places.items()
     }
     reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
-    return tuple(_case(plan, read, [one for _, one in constraints]) for plan in plans)
+    formulas = [one for _, one in constraints]
+
+    def make(options: Mapping[str, str]) -> SpaceCase:
+        return _case(make_plan(course, scheme.id, options), options, read, formulas)
+
+    return Cases.made_by(option_sets(mixed), make)
+
+
+def _plans_with(
+    course: Course, scheme: Scheme, plans: Sequence[Plan], constraint: Formula
+) -> Iterator[Plan]:
+    """Yield a plan that has all quantities of a constraint, where none of `plans` has.
+
+    It is looked for among all combinations: three choices together may bring what no two do.
+    """
+    wanted = set(constraint.names)
+    known = {name for plan in plans for name in plan.quantities}
+    if wanted <= known and not any(wanted <= plan.quantities.keys() for plan in plans):
+        for options in option_sets(scheme):
+            if wanted <= compose(course, scheme, options).keys():
+                yield make_plan(course, scheme.id, options)
+                return
 
 
 def _written(quantity: Quantity, own: Mapping[str, Table], space: Table) -> Table | None:
@@ -205,15 +209,20 @@ def _written(quantity: Quantity, own: Mapping[str, Table], space: Table) -> Tabl
     return None
 
 
-def _case(plan: Plan, read: Mapping[int, Range], constraints: Sequence[Formula]) -> SpaceCase:
+def _case(
+    plan: Plan,
+    options: Mapping[str, str],
+    read: Mapping[int, Range],
+    constraints: Sequence[Formula],
+) -> SpaceCase:
     """Take from the ranges what counts for one combination of options."""
     chosen = {
-        quantity.id: read[id(quantity)].chosen(plan.options)
+        quantity.id: read[id(quantity)].chosen(options)
         for quantity in plan.givens
         if id(quantity) in read
     }
     return SpaceCase(
-        plan.options,
+        options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
         tuple(one for one in constraints if plan.quantities.keys() >= set(one.names)),
