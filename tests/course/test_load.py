@@ -227,7 +227,7 @@ def test_a_scheme_may_do_without_a_worked_example(draft: "Draft") -> None:
     first = {option.id: option.choices[0].id for option in scheme.options}
     assert default_options(scheme) == first
     with pytest.raises(UsageError, match="These values are not set"):
-        solve_scheme(course, scheme.id, [], [], None)
+        solve_scheme(course, scheme.id, {}, {}, None)
 
 
 def test_only_a_symmetric_diagram_has_its_parts_on_both_sides(draft: "Draft") -> None:

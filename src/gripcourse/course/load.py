@@ -36,6 +36,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
+RUBRICS = "grader/rubric"  # items that persons mark name a file there
 _READ = frozenset({".toml", ".csv"})
 
 
@@ -69,9 +70,9 @@ def load_course(root: Path) -> Course:
 
 def _digest(root: Path) -> str | None:
     """Digest all that a course is loaded from; None where some of it cannot be read."""
-    folder = root / VARIANTS
     try:
-        files = [one for one in folder.rglob("*") if one.suffix in _READ and one.is_file()]
+        below = (path for folder in (VARIANTS, RUBRICS) for path in (root / folder).rglob("*"))
+        files = [path for path in below if path.suffix in _READ and path.is_file()]
         return digest_of(root, files)
     except OSError:
         return None
