@@ -1,9 +1,8 @@
 """How the points of a course fall on its items."""
 
-from itertools import product
-
 import pytest
 
+from gripcourse.course.compose import pair_option_sets
 from gripcourse.course.model import Course, Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
@@ -11,12 +10,11 @@ from gripcourse.solver.plan import Plan, make_plan
 
 
 def all_plans(course: Course) -> list[Plan]:
-    """Every scheme with every combination of its options."""
+    """Every scheme with any two choices of its options together."""
     return [
-        make_plan(course, scheme.id, dict(zip(names, chosen, strict=True)))
+        make_plan(course, scheme.id, options)
         for scheme in course.schemes.values()
-        for names in [[option.id for option in scheme.options]]
-        for chosen in product(*([one.id for one in option.choices] for option in scheme.options))
+        for options in pair_option_sets(scheme)
     ]
 
 

@@ -15,7 +15,7 @@ from gripcourse.simulation.mix import load_mix
 from gripcourse.simulation.model import Conduct, Mix, SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of
 
-COUNT, SEED = 200, 5
+COUNT, SEED = 90, 5
 SCHEME = "rack_parallelogram"
 
 WhoAll: TypeAlias = Callable[..., tuple[Classroom, Sequence[SimulatedWork]]]

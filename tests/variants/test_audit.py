@@ -40,7 +40,7 @@ def sound(course: Course, policy: Policy, spaces: tuple[Space, ...]) -> tuple[Va
 @pytest.fixture(scope="module")
 def raw(course: Course, spaces: tuple[Space, ...]) -> tuple[Variant, ...]:
     """A table that was drawn without any rule."""
-    return draw(course, spaces, 80, 3).variants
+    return draw(course, spaces, 40, 3).variants
 
 
 @pytest.fixture(scope="module")
