@@ -236,7 +236,7 @@ def test_a_flipped_operator_breaks_a_case_of_another_method(
 def _with(plan: Plan, one: Quantity, formula: Formula, convention: Convention) -> Plan:
     """Return the plan with another reference formula of a quantity."""
     printed = one.as_printed
-    if convention is Convention.GUIDE:
+    if convention is Convention.AS_PRINTED:
         printed = tuple(dataclasses.replace(p, formula=None) for p in printed)
     changed = dataclasses.replace(one, formula=formula, as_printed=printed)
     return dataclasses.replace(plan, quantities={**plan.quantities, one.id: changed})

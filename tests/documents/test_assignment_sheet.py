@@ -127,7 +127,7 @@ def test_it_says_whether_misprints_of_the_guide_are_accepted(text: Callable[...,
 def test_it_says_when_the_guide_counts_as_it_is_printed(
     issued: Issued, plan: Plan, policy: Policy, course: Course
 ) -> None:
-    printed = replace(plan, convention=Convention.GUIDE)
+    printed = replace(plan, convention=Convention.AS_PRINTED)
     written = read(issued, printed, policy, course, ENGLISH)
     assert "follows the formulas of the guide as they are printed" in written
 

@@ -77,7 +77,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     convention: Annotated[
         str | None,
         typer.Option(
-            metavar="corrected|guide", help="Errata corrected, or as the guide prints it."
+            metavar="corrected|as_printed", help="Errata corrected, or as the sources print it."
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the values as JSON.")] = False,

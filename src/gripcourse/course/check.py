@@ -12,6 +12,7 @@ from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
+from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_view import check_view
 from gripcourse.course.compose import (
@@ -78,6 +79,7 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
+    found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
 

@@ -93,7 +93,7 @@ def used_names(quantities: Iterable[Quantity]) -> set[str]:
 
 def reference_formula(quantity: Quantity, convention: Convention) -> Formula | None:
     """Return the formula that gives the reference in a convention."""
-    if convention is Convention.GUIDE:
+    if convention is Convention.AS_PRINTED:
         printed = (one.formula for one in quantity.as_printed if one.formula is not None)
         return next(printed, quantity.formula)
     return quantity.formula

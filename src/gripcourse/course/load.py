@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Final
 
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
-from gripcourse.course.errata import read_errata
+from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.kinematics import read_kinematics
 from gripcourse.course.model import (
     Catalogue,
@@ -19,6 +20,7 @@ from gripcourse.course.model import (
     Section,
     Work,
 )
+from gripcourse.course.note import read_notes
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import Shared, read_scheme
@@ -30,6 +32,18 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
+COURSE_KEYS: Final = (
+    "id",
+    "language",
+    "convention",
+    "title",
+    "section",
+    "work",
+    "constant",
+    "note",
+)
+SECTION_KEYS: Final = ("id", "title", "short", "task")
+PART_KEYS: Final = ("quantity", "override", "kinematics")
 
 
 def load_course(root: Path) -> Course:
@@ -64,9 +78,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
     table = read_toml(folder / "course.toml", root, problems)
     if table is None:
         return None, problems
-    table.known_keys(
-        {"id", "language", "convention", "title", "section", "work", "constant"},
-    )
+    table.known_keys(COURSE_KEYS)
     parts, raw = _parts(folder / "sections", root, problems)
     errata = read_errata(folder / "errata.toml", root, problems)
     course = Course(
@@ -80,7 +92,8 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         parts=parts,
         schemes=_schemes(folder, root, raw, problems),
         catalogues=_catalogues(folder / "catalogues", root, problems),
-        convention=_convention(table),
+        convention=_convention(table, errata),
+        notes=read_notes(table),
         root=root,
     )
     is_whole = errata is not None and _is_whole(course, folder)
@@ -107,7 +120,7 @@ def _parts(
         table = read_toml(path, root, problems)
         if table is None:
             continue
-        table.known_keys({"quantity", "override", "kinematics"})
+        table.known_keys(PART_KEYS)
         motion = table.table("kinematics")
         raw[path.stem] = RawPart(
             table.named_tables("quantity"),
@@ -171,7 +184,7 @@ def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, 
 
 
 def _section(table: Table) -> Section:
-    table.known_keys({"id", "title", "short", "task"})
+    table.known_keys(SECTION_KEYS)
     return Section(
         table.text("id"), table.texts("title"), table.texts("short"), table.texts("task")
     )
@@ -195,9 +208,16 @@ def _language(table: Table) -> str:
     return LANGUAGES[0]
 
 
-def _convention(table: Table) -> Convention:
+def _convention(table: Table, errata: Mapping[str, Erratum] | None) -> Convention:
     written = table.text("convention", Convention.CORRECTED)
     if written in list(Convention):
+        if written == Convention.AS_PRINTED and errata == {}:
+            table.add(
+                "convention",
+                message("The course lists no errata: nothing is printed otherwise."),
+                message("Write '{corrected}', or list the errata in variants/errata.toml.",
+                        corrected=Convention.CORRECTED),
+            )  # fmt: skip
         return Convention(written)
     table.add(
         "convention",

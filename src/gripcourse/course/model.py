@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.note import Note
 from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import Texts
@@ -40,7 +41,7 @@ class Convention(StrEnum):
     """Whose version of a formula is the reference."""
 
     CORRECTED = "corrected"
-    GUIDE = "guide"  # as printed in the source, errata included
+    AS_PRINTED = "as_printed"  # as the sources print it, errata included
 
 
 class Rounding(StrEnum):
@@ -327,6 +328,7 @@ class Course:
         constants: quantities every scheme knows, for example gravity.
         parts, schemes, catalogues: by id.
         convention: whose version of a formula is the reference.
+        notes: sentences that its documents print.
         root: the folder with `variants`, `templates` and `grader`.
     """
 
@@ -341,4 +343,10 @@ class Course:
     schemes: Mapping[str, Scheme]
     catalogues: Mapping[str, Catalogue]
     convention: Convention
+    notes: tuple[Note, ...]
     root: Path
+
+    @property
+    def conventions(self) -> tuple[Convention, ...]:
+        """Those that differ in this course: without errata nothing is printed otherwise."""
+        return tuple(Convention) if self.errata else (Convention.CORRECTED,)

@@ -70,7 +70,7 @@ def rounded_down(plan: Plan, issued: Issued) -> Typed:
 
 def printed(plan: Plan, issued: Issued) -> Typed:
     """Compute as the source prints it, errata included."""
-    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.GUIDE)
+    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
     return _typed(plan, solve_variant(guide, issued.variant.given))
 
 

@@ -56,11 +56,13 @@ def make_plan(
     """Put a scheme with a variant's options into the order of calculation.
 
     Raises:
-        UsageError: for an unknown scheme, or an option that is missing or unknown.
+        UsageError: for an unknown scheme, an option that is missing or unknown, or a convention
+            that the course does not have.
     """
     scheme = _scheme(course, scheme_id)
     _check_options(scheme, options)
     convention = convention or course.convention
+    _check_convention(course, convention)
     declared = compose(course, scheme, options)
     inputs = {name: direct_inputs(one, convention) for name, one in declared.items()}
     order = _stable_order(inputs)
@@ -98,6 +100,12 @@ def _scheme(course: Course, scheme_id: str) -> Scheme:
         return course.schemes[scheme_id]
     what = message("The course has no scheme '{scheme}'.", scheme=scheme_id)
     raise UsageError([Problem("", "", what, did_you_mean(scheme_id, course.schemes))])
+
+
+def _check_convention(course: Course, convention: Convention) -> None:
+    if convention not in course.conventions:
+        what = message("The course lists no errata: nothing is printed otherwise.")
+        raise UsageError([Problem("", "", what, did_you_mean(convention, course.conventions))])
 
 
 def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:

@@ -114,6 +114,7 @@ def page_documents(course: Course, words: Words) -> dict[str, Document]:
         "style": style,
         "course": course.title.of(words.language),
         "schemes": [_listed(content, words.language) for content in contents],
+        "errata": len(course.errata),
     }
 
     def page(template: str, values: Mapping[str, object]) -> Document:
@@ -124,7 +125,8 @@ def page_documents(course: Course, words: Words) -> dict[str, Document]:
         for content in contents
     }
     made["index.html"] = page(_INDEX, index_values(course, words))
-    made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
+    if course.errata:
+        made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
     return made
 
 
@@ -133,7 +135,6 @@ def index_values(course: Course, words: Words) -> dict[str, object]:
     return {
         "others": titles_elsewhere(course.title, words.language),
         "works": [(work.id, work.title.of(words.language)) for work in course.works.values()],
-        "errata": len(course.errata),
     }
 
 
