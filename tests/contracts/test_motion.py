@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from gripcourse.course.kinematics import POSITIONS, Kinematics
+from gripcourse.course.kinematics import Kinematics
 from gripcourse.course.model import Convention, Course
 from gripcourse.solver.motion import Array, coordinates, declared_ratio, drive_at, work_ratio
 from gripcourse.solver.plan import Plan, make_plan
@@ -119,11 +119,11 @@ def test_what_describes_a_position_are_the_coordinates_there(cases: tuple[Case, 
 def test_jaws_close_while_the_drive_goes_on(cases: tuple[Case, ...]) -> None:
     faults = []
     for one in cases:
-        stops = [float(drive_at(one.motion, one.values, position)) for position in POSITIONS]
+        stops = [float(drive_at(one.motion, one.values, position)) for position in one.motion.at]
         if not stops[0] <= stops[1] < stops[2]:
             faults.append(f"{one.name}: open, at_max, at_min at {stops}")
         drive = np.linspace(stops[0], stops[2], 50)
-        if not (np.diff(coordinates(one.motion, one.values, drive)[one.motion.jaw]) < 0).all():
+        if not (np.diff(coordinates(one.motion, one.values, drive)[one.motion.output]) < 0).all():
             faults.append(f"{one.name}: a jaw opens")
     assert faults == []
 
@@ -133,9 +133,9 @@ def test_jaws_travel_from_open_to_the_smallest_object(cases: tuple[Case, ...]) -
     for one in cases:
         if one.plan.scheme.id in NOT_THE_FACE:
             continue
-        stops = {position: drive_at(one.motion, one.values, position) for position in POSITIONS}
+        stops = {position: drive_at(one.motion, one.values, position) for position in one.motion.at}
         jaw = {
-            position: float(coordinates(one.motion, one.values, drive)[one.motion.jaw])
+            position: float(coordinates(one.motion, one.values, drive)[one.motion.output])
             for position, drive in stops.items()
         }
         travel = jaw["open"] - jaw["at_min"]
@@ -147,7 +147,7 @@ def test_jaws_travel_from_open_to_the_smallest_object(cases: tuple[Case, ...]) -
 def test_joints_have_a_place_wherever_the_drive_stands(cases: tuple[Case, ...]) -> None:
     faults = []
     for one in cases:
-        stops = [drive_at(one.motion, one.values, position) for position in POSITIONS]
+        stops = [drive_at(one.motion, one.values, position) for position in one.motion.at]
         where = coordinates(one.motion, one.values, np.linspace(stops[0], stops[2], 25))
         named = {name for point in one.motion.points.values() for name in point}
         lost = [name for name in sorted(named) if not np.isfinite(where[name]).all()]

@@ -71,7 +71,7 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
                 ("motion", scheme.id, *units), seen
             ):
-                found += check_kinematics(scheme, quantities)
+                found += check_kinematics(scheme, quantities, course.positions)
             if all(known_unit(one.unit) for one in quantities.values()):
                 found += check_diagram(scheme, quantities, options, seen)
         found += check_diagram_use(scheme)

@@ -44,6 +44,7 @@ def check_diagram(
             yield from _formula_faults(diagram.file, f"point.{name}", formula, "mm", known)
     for element in drawn:
         yield from _unknown_points(element, joints)
+        yield from _unknown_positions(element, scheme)
         for role, formula in element.sizes.items():
             wanted = VOCABULARY[element.kind].roles[role]
             if wanted.default == "" and not known.keys() >= set(formula.names):
@@ -111,6 +112,15 @@ def _unknown_points(element: Element, joints: set[str]) -> Iterator[Problem]:
                 yield Problem(
                     element.file, f"{element.key}.{role}", what, did_you_mean(name, joints)
                 )
+
+
+def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
+    known = scheme.kinematics.at if scheme.kinematics is not None else {}
+    for one in element.positions:
+        if one not in known:
+            what = message("There is no position '{position}'.", position=one)
+            remedy = did_you_mean(one, known)
+            yield Problem(element.file, f"{element.key}.positions", what, remedy)
 
 
 def _formula_faults(

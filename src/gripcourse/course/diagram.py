@@ -9,9 +9,9 @@ several schemes share stand in `variants/diagram/`, and use points that each of 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
-from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort, Word
-from gripcourse.course.kinematics import POSITIONS
+from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
@@ -20,7 +20,9 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "diagram.toml"
-_COMMON = ("kind", "positions", "mirror", "options")
+DIAGRAM_KEYS: Final = ("axis", "shared", "point", "element")
+SHARED_DIAGRAM_KEYS: Final = ("element",)
+ELEMENT_KEYS: Final = ("kind", "positions", "mirror", "options")
 _NOTHING = Formula("0", parse("0"), {})
 
 
@@ -34,8 +36,9 @@ class Element:
         sizes: formulas by role; a length in SI, an angle, or a plain number.
         words: choices by role.
         quantity: id of the quantity whose symbol is written beside it, empty for none.
-        positions: of the drive, at which it is drawn.
-        mirror: `none`, `both` (on both sides of the gripper's axis) or `only` (on the other side).
+        positions: of the drive, at which it is drawn; empty for those that the course shows.
+        moves: see `Word.moves`.
+        mirror: `none`, `both` (on both sides of the axis) or `only` (on the other side).
         options: it is drawn only where a variant's options are among these.
         file, key: where it stands, for messages.
     """
@@ -46,6 +49,7 @@ class Element:
     words: Mapping[str, str]
     quantity: str
     positions: tuple[str, ...]
+    moves: bool
     mirror: str
     options: Mapping[str, tuple[str, ...]]
     file: str
@@ -61,7 +65,7 @@ class Diagram:
     """The picture of a scheme.
 
     Attributes:
-        axis: the coordinate that runs along the gripper's axis, `x` or `y`.
+        axis: the coordinate that runs along the axis, `x` or `y`.
         points: points that the kinematics does not have: along the axis, across it.
         elements: in the order in which they are drawn.
         file: for messages.
@@ -89,7 +93,7 @@ def read_diagram(
     table = read_toml(path, root, problems)
     if table is None:
         return None
-    table.known_keys({"axis", "shared", "point", "element"})
+    table.known_keys(DIAGRAM_KEYS)
     shared = [one for name in table.strings("shared") for one in _named(table, name, symbols)]
     points = table.table("point")
     return Diagram(
@@ -102,7 +106,7 @@ def read_diagram(
 
 def read_elements(table: Table) -> tuple[Element, ...]:
     """Read a file of elements that several diagrams share."""
-    table.known_keys({"element"})
+    table.known_keys(SHARED_DIAGRAM_KEYS)
     return tuple(_elements(table))
 
 
@@ -127,7 +131,7 @@ def _element(table: Table) -> Element | None:
             what = message("There is no element '{kind}'.", kind=kind)
             table.add("kind", what, did_you_mean(kind, VOCABULARY))
         return None
-    table.known_keys({*_COMMON, *word.roles})
+    table.known_keys({*ELEMENT_KEYS, *word.roles})
     of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}
     sizes = of[Sort.LENGTH] | of[Sort.ANGLE] | of[Sort.NUMBER]
     written = {name: role for name, role in sizes.items() if table.has(name) or _has(role)}
@@ -139,7 +143,8 @@ def _element(table: Table) -> Element | None:
         sizes={name: _size(table, name, role) for name, role in written.items()},
         words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},
         quantity=next(iter(quantities), ""),
-        positions=_positions(table, word),
+        positions=table.strings("positions"),
+        moves=word.moves,
         mirror=_one_of(table, "mirror", (word.mirror, *MIRRORS)),
         options=_options(table),
         file=table.file,
@@ -199,16 +204,6 @@ def _one_of(table: Table, name: str, words: tuple[str, ...]) -> str:
         table.add(name, what, did_you_mean(written, words))
         return words[0]
     return written
-
-
-def _positions(table: Table, word: Word) -> tuple[str, ...]:
-    if not table.has("positions"):
-        return word.positions
-    for one in (written := table.strings("positions")):
-        if one not in POSITIONS:
-            what = message("There is no position '{position}'.", position=one)
-            table.add("positions", what, did_you_mean(one, POSITIONS))
-    return tuple(one for one in written if one in POSITIONS)
 
 
 def _options(table: Table) -> dict[str, tuple[str, ...]]:

@@ -9,7 +9,7 @@ from gripcourse.course.check import check_course
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.errata import Erratum, read_errata
-from gripcourse.course.kinematics import read_kinematics
+from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -40,6 +40,7 @@ COURSE_KEYS: Final = (
     "section",
     "work",
     "constant",
+    "position",
     "note",
 )
 SECTION_KEYS: Final = ("id", "title", "short", "task")
@@ -93,6 +94,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         schemes=_schemes(folder, root, raw, problems),
         catalogues=_catalogues(folder / "catalogues", root, problems),
         convention=_convention(table, errata),
+        positions=read_positions(table),
         notes=read_notes(table),
         root=root,
     )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
-from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.kinematics import JointPosition, Kinematics
 from gripcourse.course.note import Note
 from gripcourse.course.view import View
 from gripcourse.formula.tree import Formula
@@ -328,6 +328,7 @@ class Course:
         constants: quantities every scheme knows, for example gravity.
         parts, schemes, catalogues: by id.
         convention: whose version of a formula is the reference.
+        positions: of the drive, that schemes may have, by id in order.
         notes: sentences that its documents print.
         root: the folder with `variants`, `templates` and `grader`.
     """
@@ -343,6 +344,7 @@ class Course:
     schemes: Mapping[str, Scheme]
     catalogues: Mapping[str, Catalogue]
     convention: Convention
+    positions: Mapping[str, JointPosition]
     notes: tuple[Note, ...]
     root: Path
 

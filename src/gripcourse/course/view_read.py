@@ -1,8 +1,8 @@
 """Reading the general view of a scheme, and what several views share."""
 
 from collections.abc import Iterator, Mapping
+from typing import Final
 
-from gripcourse.course.kinematics import POSITIONS
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import (
     HATCHES,
@@ -26,20 +26,22 @@ from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 
+VIEW_KEYS: Final = ("behind", "before", "position", "upright", "other", "characteristics")
+SHARED_VIEW_KEYS: Final = ("length", "angle", "count", "part", "dimension", "label")
+
 
 def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
     """Read the view of a scheme, between the shared files that lie `behind` and `before` it.
 
     None where a shared file could not be read: what it brings would be called unknown.
     """
-    keys = {"behind", "before", "position", "upright", "other", "characteristics"}
-    table.known_keys(keys | _SHARED_KEYS)
+    table.known_keys((*VIEW_KEYS, *SHARED_VIEW_KEYS))
     named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
     views = [one for one in named if one is not None]
     view = View(
-        position=_one_of(table, "position", ("", *POSITIONS), ""),
+        position=table.text("position", ""),
         upright=table.flag("upright"),
-        other=_one_of(table, "other", ("", *POSITIONS), ""),
+        other=table.text("other", ""),
         measures={name: one for view in views for name, one in view.measures.items()},
         parts=tuple(one for view in views for one in view.parts),
         dimensions=tuple(one for view in views for one in view.dimensions),
@@ -62,11 +64,8 @@ def _named(table: Table, key: str, shared: Mapping[str, View | None]) -> Iterato
 
 def read_shared(table: Table) -> View:
     """Read a file of parts that several views share."""
-    table.known_keys(_SHARED_KEYS)
+    table.known_keys(SHARED_VIEW_KEYS)
     return _read(table)
-
-
-_SHARED_KEYS = {"length", "angle", "count", "part", "dimension", "label"}
 
 
 def _read(table: Table) -> View:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
 from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.documents.pdf import Document, picture, render_fitting
-from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
+from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
@@ -53,7 +53,7 @@ class SheetDiagram:
         text: what it shows, for a reader who does not see it.
         width, height: mm.
         beside: whether it is narrow enough for text beside it.
-        moves: whether it shows more than one position.
+        lines: what thick lines show and what thin ones do; None where one position is shown.
     """
 
     address: str
@@ -61,7 +61,7 @@ class SheetDiagram:
     width: float
     height: float
     beside: bool
-    moves: bool
+    lines: tuple[str, str] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +182,7 @@ def drawn_diagram(
         width=round(diagram.width, 2),
         height=round(diagram.height, 2),
         beside=diagram.width <= _NARROW,
-        moves=plan.scheme.kinematics is not None,
+        lines=line_titles(plan, words),
     )
 
 
