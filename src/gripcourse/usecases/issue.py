@@ -1,6 +1,7 @@
 """Issuing assignments: from a roster and a variant table to a folder per student."""
 
 import logging
+import secrets
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -12,7 +13,7 @@ from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.register import read_register, register_path, write_register
 from gripcourse.issuing.roster import read_roster
-from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
@@ -75,7 +76,8 @@ def issue_order(
     """Issue variants to everybody on the roster and write their documents.
 
     The register is written before any document: nothing is handed out that it does not know.
-    Documents that cannot be made are named in the handout of their student; the others are made.
+    A course that has issued nothing gets its key now. Documents that cannot be made are named in
+    the handout of their student; the others are made.
 
     Args:
         course: its folder holds the key and the register.
@@ -91,14 +93,28 @@ def issue_order(
     """
     students = read_roster(order.roster)
     variants = read_table(order.table, course)
-    key = read_key(key_path(course.root))
     before = read_register(register_path(course.root), course.id)
+    place = key_path(course.root)
+    known = key_of(place, issued=bool(before.entries))
+    key = known or secrets.token_bytes(KEY_BYTES)
     extended = extend(before, students, variants, Terms(key, order.today, order.deadline))
+    if known is None:
+        make_key(place, key)
     write_register(register_path(course.root), extended.register)
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     context = IssuingContext(course, policy, partial(make_plan, course), order.out)
-    return Issuing(_write(context, entries, workers, on_done, issue_one), extended.notes)
+    notes = (*(_key_notes(course) if known is None else ()), *extended.notes)
+    return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
+
+
+def _key_notes(course: Course) -> tuple[Message, ...]:
+    """Say that a key was made: who loses it can check no workbook any more."""
+    place = str(key_path(course.root))
+    said = message(
+        "A key that signs the workbooks was made: {place}. Keep a copy of it.", place=place
+    )
+    return (said,)
 
 
 def _write(

@@ -30,6 +30,7 @@ from gripcourse.documents.reference.occurrence import (
     parts_of,
 )
 from gripcourse.documents.reference.tables import tables_of
+from gripcourse.machine.resources import template_file
 from gripcourse.text.words import Texts, Words
 
 STYLE: Final = "reference.css"
@@ -108,7 +109,7 @@ def pages(course: Course, words: Words) -> dict[str, str]:
 
 def page_documents(course: Course, words: Words) -> dict[str, Document]:
     """Return what every page is made of by the name of its file; see `pages`."""
-    style = (course.root / "templates" / "style" / STYLE).read_text(encoding="utf-8")
+    style = template_file(course.root / "templates", f"style/{STYLE}").read_text(encoding="utf-8")
     contents = [content_of(course, scheme) for scheme in course.schemes.values()]
     common: dict[str, object] = {
         "style": style,
