@@ -1,5 +1,6 @@
 """The mix: every fault of its file is named with its key."""
 
+import math
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -33,6 +34,19 @@ def changed(course: Course, tmp_path: Path) -> Callable[..., Course]:
 def test_the_reference_mix_knows_every_conduct(mix: Mix) -> None:
     assert set(mix.conduct) == set(Conduct)
     assert mix.required.slip_named == 0.95
+
+
+def test_a_course_need_not_say_how_constants_are_shortened(
+    course: Course, changed: Callable[..., Course]
+) -> None:
+    text = mix_path(course.root).read_text(encoding="utf-8")
+    pi = text[text.index("[pi]") : text.index("[constant.gravity]")]
+    gravity = text[text.index("[constant.gravity]") : text.index("[language]")]
+    found, problems = read_mix(changed((pi, ""), (gravity, "")))
+    assert problems == []
+    assert found is not None
+    assert found.pi == {math.pi: 1.0}
+    assert found.constants == {}
 
 
 @pytest.mark.parametrize(

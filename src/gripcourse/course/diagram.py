@@ -181,7 +181,7 @@ def _pair(points: Table, name: str) -> tuple[Formula, Formula]:
     points.add(
         name,
         message("The value has the wrong type."),
-        message("Write two formulas, along the axis and across it: ['jaw_x', 'jaw_y/2']."),
+        message("Write two formulas, along the axis and across it: ['pin_x', 'pin_y/2']."),
     )
     return _NOTHING, _NOTHING
 

@@ -124,10 +124,10 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     # Bodies.
     "plate": _moving(through=_POINTS, line=_LINES, hatch=Role(Sort.WORD, words=("none", "hatch"))),
     "roller": _moving(at=_POINT, diameter=_LENGTH),
-    "jaw": _moving(at=_POINT, holds=_POINT, surface=_SURFACES, radius=_if_any(Sort.LENGTH),
+    "contact": _moving(at=_POINT, holds=_POINT, surface=_SURFACES, radius=_if_any(Sort.LENGTH),
                    angle=_if_any(Sort.ANGLE), mouth=_if_any(Sort.LENGTH), smallest=_LENGTH,
                    largest=_LENGTH, long=_number(14), thick=_number(2.5)),
-    "prism": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH,
+    "vee": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH,
                      diameter=_LENGTH, radius=_if_any(Sort.LENGTH)),
     "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, "none", moves=True),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),

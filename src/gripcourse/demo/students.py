@@ -105,7 +105,7 @@ TOLD: Mapping[str, Message] = {
     "early_slip": message("slips early and computes on faultlessly"),
     "blank": message("hands in a blank workbook"),
     "text_and_units": message("types text and units into the cells"),
-    "rounded_down": message("rounds two sizes down"),
+    "rounded_down": message("rounds sizes down"),
     "as_printed": message("computes as the source prints it"),
     COPIED: message("hands in another student's workbook"),
 }

@@ -46,6 +46,11 @@ def course_root(given: Path | None = None, package: Path = _PACKAGE) -> Path:
     raise UsageError([problem])
 
 
+def skeleton_root(package: Path = _PACKAGE) -> Path:
+    """Return the folder of the small course that new courses begin with."""
+    return package / "skeleton"
+
+
 def template_folders(templates: Path, package: Path = _PACKAGE) -> tuple[Path, ...]:
     """Return the folders in which a template or a style sheet is looked for, in order.
 

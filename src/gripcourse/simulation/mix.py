@@ -58,7 +58,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         rounding=_named(table, "rounding", DigitRounding),
         carrying=_named(table, "carrying", Carrying),
         style=_named(table, "style", Style),
-        pi=_numbered(table, "pi"),
+        pi=_numbered(table, "pi") if table.has("pi") else {math.pi: 1.0},
         language=_weights(table, "language", str, LANGUAGES),
         constants=_constants(table, course),
         blank=share.share("blank"),
@@ -122,7 +122,7 @@ def _positive(table: Table, name: str) -> Mapping[str, float]:
 
 
 def _constants(table: Table, course: Course) -> Mapping[str, Mapping[float, float]]:
-    outer = table.required_table("constant")
+    outer = table.table("constant") or Table({}, table.file, "constant", table.problems)
     found: dict[str, Mapping[float, float]] = {}
     for name in outer.values:
         if name not in course.constants or course.constants[name].kind is not Kind.CONSTANT:

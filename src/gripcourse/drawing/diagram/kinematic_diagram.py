@@ -54,7 +54,7 @@ def kinematic_diagram(
     """Draw a variant's kinematic diagram.
 
     It shows the mechanism where the smallest object is held (thick) and where the largest is
-    (thin), to scale; joints, drives and jaws are symbols of one size (GOST 2.770).
+    (thin), to scale; joints, drives and contacts are symbols of one size (GOST 2.770).
 
     Args:
         plan: of the scheme with the variant's options.

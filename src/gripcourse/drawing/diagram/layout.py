@@ -6,7 +6,7 @@ from itertools import product
 from typing import Final, TypeAlias
 
 from gripcourse.course.diagram import Diagram, Element
-from gripcourse.drawing.diagram import bodies, drives, gears, jaws, joints, measures
+from gripcourse.drawing.diagram import bodies, contacts, drives, gears, joints, measures
 from gripcourse.drawing.diagram.letters import LetterBox, Written, bounds, lines_of, write_letters
 from gripcourse.drawing.diagram.marks import Letter, Mark, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.diagram.places import (
@@ -48,8 +48,8 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "spring": gears.spring,
     "plate": bodies.plate,
     "roller": bodies.roller,
-    "jaw": jaws.jaw,
-    "prism": jaws.prism,
+    "contact": contacts.contact,
+    "vee": contacts.vee,
     "object": bodies.held_object,
     "cup": bodies.cup,
     "coil": bodies.coil,
