@@ -38,7 +38,8 @@ STEMS = (
 )
 # Why a word may stand in the engine after all: by the word, where, and the reason.
 ALLOWED = {
-    "gripcourse": "the name of the program",
+    "fingerprint": "of a file",
+    "fingerprints": "as above",
     "cylinder": "a symbol of GOST 2.780, and the shape",
     "cylinders": "the shape, in Hertz's theory of contact",
     "piston": "a part of that symbol",
@@ -47,9 +48,11 @@ ALLOWED = {
     "guided": "the verb",
     "guides": "as above",
 }
+# What a course asks for and the engine draws: the word is the same.
+KINDS_OF_DOCUMENT = {"kinematic_diagram", "general_view"}
 WORD = re.compile(r"[^\W\d_]+")
-# Where the look of a document or an example names the course that comes with the program.
-_NAMES = re.compile(r"gripcourse|floating_cylinder")
+# Names that are not read as words.
+_NAMES = re.compile(r"gripcourse|floating_cylinder", re.IGNORECASE)
 
 
 def words_of(text: str) -> Iterator[str]:
@@ -99,6 +102,6 @@ def test_the_engine_names_nothing_that_the_course_declares(declared: set[str]) -
         f"{path.relative_to(REPOSITORY)}:{line}: {one}"
         for path, line, text in texts()
         for one in name.findall(text)
-        if one in declared
+        if one in declared and one not in KINDS_OF_DOCUMENT
     ]
     assert found == []

@@ -1,3 +1,3 @@
-"""Course assignments for robot gripper design: issue variants, check answers, grade and report."""
+"""Course assignments: issue variants, check answers, grade and report."""
 
 __version__ = "0.1.0"

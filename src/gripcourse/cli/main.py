@@ -48,9 +48,7 @@ from gripcourse.text.words import Words, message
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-app = command_group(
-    "Course assignments for robot gripper design: issue variants, check, grade, report."
-)
+app = command_group("Course assignments: issue variants, check, grade, report.")
 for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
@@ -71,7 +69,7 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     options: Annotated[
         list[str] | None,
         typer.Option(
-            "--option", metavar="name=choice", help="What is chosen, for example drive=hydraulic."
+            "--option", metavar="name=choice", help="What is chosen, for example drive=electric."
         ),
     ] = None,
     convention: Annotated[

@@ -46,7 +46,7 @@ def trace(
         typer.Option(
             "--quantity",
             metavar="name=value",
-            help="A number whose meaning is known: drive_force=1843.",
+            help="A number whose meaning is known: mass=60.",
         ),
     ] = None,
     table: TableOption = None,

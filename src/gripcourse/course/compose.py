@@ -15,7 +15,7 @@ _Pair: TypeAlias = tuple[tuple[int, int], tuple[int, int]]
 def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
     """Return the parts that a scheme uses with these options, in order.
 
-    A part that two choices bring, as the angle of a prism, is there once.
+    A part that two choices bring, as the size of a key, is there once.
     """
     chosen = (
         choice.parts

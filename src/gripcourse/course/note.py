@@ -1,6 +1,6 @@
 """Notes of a course: sentences that its documents print, in the author's own words.
 
-What a student of one subject must be told ("a grip force acts at one jaw") means nothing in
+What a student of one subject must be told ("the force is that of one belt") means nothing in
 another; so it stands in `course.toml`, with where it is to be read.
 """
 

@@ -196,7 +196,7 @@ _REMEDIES: Mapping[Need, Message] = {
     Need.POINT: message("Write two formulas or zeros: ['pin_x', 0]."),
     Need.POINTS: message("Write two points or more: [['pin_x', 0], ['pin_x', 'pin_y']]."),
     Need.RANGE: message("Write two formulas or zeros: ['pin_x', 0]."),
-    Need.LENGTH: message("Write a formula: 'pin_diameter'."),
+    Need.LENGTH: message("Write a formula: '2*radius'."),
     Need.ANGLES: message("Write two formulas or zeros: ['pin_x', 0]."),
 }
 _TWO = 2

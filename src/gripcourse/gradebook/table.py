@@ -69,7 +69,7 @@ def read_marks(path: Path, lines: Collection[str]) -> MarksTable:
         if before != row.number:
             cells.add(
                 "quantity",
-                message("SheetRow {row} marks the same item.", row=before),
+                message("Row {row} marks the same item.", row=before),
                 message("Leave one of them."),
             )
         rows.append(DraftRow(draft, row.number))

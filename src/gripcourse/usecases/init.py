@@ -170,8 +170,8 @@ def _guide(words: Words) -> str:
         "\n".join(f"- `{folder}/`: {say(purpose)}" for folder, purpose in _PURPOSES.items()),
         say(
             message(
-                "A template that the folder `templates` lacks, or all of them, are taken from "
-                "the program: put only what you change there."
+                "What the folder `templates` lacks is taken from the program: put there only "
+                "what you change."
             )
         ),
         say(

@@ -143,7 +143,7 @@ def _named_clue(text: str, quantities: Mapping[str, Quantity], problems: list[Pr
     return _clue(text, number, {name: quantities[name]}, problems)
 
 
-_EXAMPLE = message("Write it as in drive_force=1843 or grip_force=2,26 kN.")
+_EXAMPLE = message("Write it as in mass=60 or force=2,26 kN.")
 
 
 def _clue(
