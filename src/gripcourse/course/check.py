@@ -79,6 +79,7 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             found += check_view(scheme, every, dimensions)
         found += check_example(course, scheme)
     found += _check_used_parts(course)
+    found += _check_columns(course)
     found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
@@ -144,6 +145,33 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
                 "",
                 message("No scheme uses this part."),
                 message("Name it in the parts of a scheme, or remove the file."),
+            )
+
+
+def _check_columns(course: Course) -> Iterator[Problem]:
+    """Yield the givens that two schemes declare in different units: tables have one column."""
+    first: dict[str, Quantity] = {}
+    scopes = (
+        *(part.quantities for part in course.parts.values()),
+        *(scheme.quantities for scheme in course.schemes.values()),
+        *(own for scheme in course.schemes.values() for own in scheme.overrides.values()),
+    )
+    for one in (quantity for scope in scopes for quantity in scope.values()):
+        if one.kind is not Kind.GIVEN or not known_unit(one.unit):
+            continue
+        other = first.setdefault(one.id, one)
+        if other.unit != one.unit:
+            yield Problem(
+                one.file,
+                f"quantity.{one.id}.unit",
+                message(
+                    "The given '{name}' is in '{unit}' here and in '{other}' in {file}.",
+                    name=one.id,
+                    unit=one.unit,
+                    other=other.unit,
+                    file=other.file,
+                ),
+                message("Write one unit: a table of variants has one column for it."),
             )
 
 

@@ -86,7 +86,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         id=table.text("id"),
         title=table.texts("title"),
         language=_language(table),
-        sections=tuple(_section(one) for one in table.tables("section")),
+        sections=_sections(table),
         works=_works(table),
         errata=errata or {},
         constants=_quantities(table.named_tables("constant"), constant=True),
@@ -183,6 +183,24 @@ def _symbols(
 def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:
     found = (read_catalogue(path, root, problems) for path in sorted(folder.glob("*.csv")))
     return {catalogue.id: catalogue for catalogue in found if catalogue is not None}
+
+
+def _sections(table: Table) -> tuple[Section, ...]:
+    tables = table.tables("section")
+    if not tables:
+        what = message("The course has no section.")
+        table.add("section", what, message("Write at least one [[section]]."))
+    sections = tuple(_section(one) for one in tables)
+    seen: set[str] = set()
+    for section, one in zip(sections, tables, strict=True):
+        if section.id and section.id in seen:
+            one.add(
+                "id",
+                message("'{name}' is declared more than once.", name=section.id),
+                message("Give each section an id of its own."),
+            )
+        seen.add(section.id)
+    return sections
 
 
 def _section(table: Table) -> Section:
