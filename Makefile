@@ -36,6 +36,17 @@ test: test-packages .venv/dev.stamp ## lint, types and all tests
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST_OPTIONS) || status=$$?; \
 	exit $$status
 
+.PHONY: check
+check: .venv/dev.stamp ## lint, types and the tests of what changed; BASE=commit measures from there
+	@status=0; $(LINT); tests=$$($(BIN)/python scripts/tests_of_changes.py $(BASE)) && \
+	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST_OPTIONS) $$tests || status=$$?; \
+	exit $$status
+
+.PHONY: coverage
+coverage: test-packages .venv/dev.stamp ## all tests, and the lines that none of them runs
+	$(BIN)/python -m pytest -n auto --dist loadfile --cov --cov-report=term-missing:skip-covered \
+	  $(PYTEST_OPTIONS)
+
 .PHONY: lint
 lint: .venv/dev.stamp ## only lint and types
 	@status=0; $(LINT); exit $$status
@@ -48,10 +59,9 @@ bench: .venv/dev.stamp ## measure what the documentation states
 gallery: demo | test-packages ## pictures of every kind of page, in docs/gallery/
 	$(BIN)/python scripts/gallery.py $(OUT) docs/gallery
 
-.PHONY: reference
-reference: .venv/run.stamp ## the formula reference in docs/reference/, from the declarations
-	@rm -f docs/reference/*.html
-	$(BIN)/python -m gripcourse reference --out docs/reference
+.PHONY: docs
+docs: .venv/docs.stamp | run-packages ## the documentation site in build/docs/; warnings are errors
+	$(BIN)/python scripts/documentation.py build/docs
 
 .PHONY: pot
 pot: .venv/dev.stamp ## bring the catalogues of translations up to date with the sources
@@ -75,6 +85,10 @@ clean: ## remove everything that make made
 
 .venv/dev.stamp: .venv/run.stamp
 	@$(PIP_INSTALL) --group dev
+	@touch $@
+
+.venv/docs.stamp: .venv/run.stamp
+	@$(PIP_INSTALL) --group docs
 	@touch $@
 
 .PHONY: run-packages

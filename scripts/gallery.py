@@ -4,7 +4,8 @@
 
 OUT is the folder that the demo was made in. What the demo has no example of is made here by the
 same functions: the longest assignment under the longest name, a report after publication, a cohort
-of sixty, all kinematic diagrams, the certificate, the atlas.
+of sixty, all kinematic diagrams, the certificate, the atlas; of every kind of document that has no
+picture yet, the first page of each of its samples.
 """
 
 import subprocess
@@ -19,23 +20,27 @@ from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
 from gripcourse.documents.assignment_sheet import assignment_sheet, drawn_diagram
-from gripcourse.documents.pdf import pdf_from_html
+from gripcourse.documents.kind import DocumentKind
+from gripcourse.documents.pdf import pdf_from_html, render_pdf
+from gripcourse.documents.registry import document_kinds
 from gripcourse.documents.report.cohort import cohort_report
 from gripcourse.documents.report.student import student_report
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.mix import load_mix
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.words import Words
 from gripcourse.usecases.atlas import draw_atlas
 from gripcourse.usecases.audit import audit_table
 from gripcourse.usecases.grade import grade
 from gripcourse.usecases.handout import workbook_path
+from gripcourse.usecases.samples import samples
 from gripcourse.usecases.solve import solve_from_table, write_solution
 from gripcourse.variants.model import Issued, Student, Variant
+from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 
 DOTS_PER_INCH = 80
@@ -44,6 +49,8 @@ LONG_NAME = "Константинопольський-Верхньодніпро
 LONG_GROUP = "РТК-41мн, друга вища освіта, вечірня форма навчання"
 COHORT, SEED, WORKERS = 60, 1, 2
 WIDEST_DIAGRAM = 82.0  # mm, two in a row
+# Kinds of documents that have pictures with better data than a sample's; a browser shows one kind.
+PICTURED = frozenset({"assignment", "student", "cohort", "solution", "certificate", "atlas"})
 
 Shown = tuple[str, Path, int]
 """A picture: its name, the document, and the page, counted from the end where negative."""
@@ -66,7 +73,7 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     words = Words(course.language)
     table = course.root / "variants" / "tables" / "main.csv"
     variants = read_table(table, course)
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     assigned = out / "assignments" / STUDENT / f"assignment_{STUDENT}.pdf"
     yield "assignment_1", assigned, 1
     yield "assignment_2", assigned, 2
@@ -97,6 +104,16 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     for path in draw_atlas(course, "lever-arms", made / "atlas", words):
         if path.suffix == ".pdf":
             yield "atlas", path, 1
+    sample = next(samples(course, policy, load_spaces(course), words))
+    for kind in unpictured():
+        for name, make in kind.samples(sample).items():
+            document = render_pdf(make(), course.root / "templates", words)
+            yield name, _written(made / f"{name}.pdf", document), 1
+
+
+def unpictured() -> tuple[DocumentKind, ...]:
+    """Return the kinds of printed documents that only their samples show."""
+    return tuple(one for one in document_kinds() if one.printed and one.id not in PICTURED)
 
 
 def _longest_sheet(variants: Sequence[Variant], policy: Policy, course: Course) -> bytes:
@@ -144,7 +161,7 @@ def _diagrams(variants: Sequence[Variant], course: Course, words: Words) -> byte
 
 
 def _plan(variant: Variant, course: Course) -> Plan:
-    return make_plan(course, variant.scheme, variant.options)
+    return plan_of(course, variant.composition)
 
 
 def _as_pdf(workbook: Path, folder: Path) -> Path:

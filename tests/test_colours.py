@@ -61,7 +61,7 @@ def test_text_stands_out_from_whatever_it_stands_on(sheet: Path) -> None:
 def test_verdicts_are_told_apart_without_colour() -> None:
     """Each has a sign and a word; their colours are for those who see them."""
     answers = (REPOSITORY / "templates" / "parts" / "answers.html.j2").read_text(encoding="utf-8")
-    assert '<td class="{{ row.outcome }}">{{ row.sign }} {{ row.verdict }}</td>' in answers
+    assert '<td class="{{ row.style }}">{{ row.sign }} {{ row.verdict }}</td>' in answers
 
 
 def test_bars_of_a_plot_stand_out_in_grey() -> None:

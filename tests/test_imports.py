@@ -15,7 +15,7 @@ LEVELS = (
     ("text",),
     ("errors",),
     ("machine",),
-    ("jobs",),
+    ("jobs", "database"),
     ("formula",),
     ("course",),
     ("solver",),
@@ -38,7 +38,8 @@ LEVELS = (
     ("api",),
     ("demo",),
     ("cli",),
-    ("__main__",),
+    # The bare package, and the program.
+    ("", "__main__"),
 )
 LEVEL_OF = {part: level for level, parts in enumerate(LEVELS) for part in parts}
 

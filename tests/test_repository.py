@@ -2,16 +2,19 @@
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 REPOSITORY = Path(__file__).parents[1]
 FOLDERS = (
     ".ci",
+    ".github",
     "benchmarks",
     "docs",
+    "examples",
     "grader",
     "scripts",
     "src",
@@ -70,13 +73,15 @@ def plain_name(requirement: str) -> str:
     return re.sub(r"[-_.]+", "-", re.split(r"[\s=<>~!;\[]", requirement, maxsplit=1)[0]).lower()
 
 
+def wished_for(project: Mapping[str, Any]) -> list[str]:
+    """Every requirement that the project itself names: to run, to develop, to document."""
+    groups = project["dependency-groups"].values()
+    return [*project["project"]["dependencies"], *(each for group in groups for each in group)]
+
+
 def test_every_dependency_has_one_exact_version() -> None:
     project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))
-    wanted = [
-        *project["build-system"]["requires"],
-        *project["project"]["dependencies"],
-        *project["dependency-groups"]["dev"],
-    ]
+    wanted = [*project["build-system"]["requires"], *wished_for(project)]
     constraints = (REPOSITORY / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pins = [line for line in constraints if line and not line.startswith("#")]
     assert [pin for pin in pins if not re.fullmatch(r"[a-z0-9-]+==[\w.]+", pin)] == []
@@ -87,7 +92,7 @@ def test_every_dependency_has_one_exact_version() -> None:
 
 def test_every_dependency_has_its_reason() -> None:
     project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text(encoding="utf-8"))
-    wanted = [*project["project"]["dependencies"], *project["dependency-groups"]["dev"]]
+    wanted = wished_for(project)
     record = REPOSITORY / "docs" / "decisions" / "0002-dependencies.md"
     explained = re.findall(
         r"^- \*\*([\w.-]+)\*\*:", record.read_text(encoding="utf-8"), re.MULTILINE
@@ -101,5 +106,5 @@ def test_commands_can_be_run(command: str) -> None:
 
 
 def test_decisions_are_numbered_without_gaps() -> None:
-    records = sorted(path.name for path in (REPOSITORY / "docs" / "decisions").glob("*.md"))
+    records = sorted(path.name for path in (REPOSITORY / "docs" / "decisions").glob("[0-9]*"))
     assert [name[:5] for name in records] == [f"{n:04d}-" for n in range(1, len(records) + 1)]

@@ -5,7 +5,7 @@
     ├── TableError              a variant table or a roster
     ├── RegisterError           the register of issued variants, or its key
     ├── GradebookError          the gradebook of attempts and marks
-    └── UsageError              a command called with something that cannot be used
+    └── UsageError              the program called with something that cannot be used
 
 A student's mistake is never an exception: it is a `Finding` or a `Rejected` file.
 Our own mistake is any other exception; a batch records it as an incident and goes on.
@@ -14,9 +14,29 @@ Our own mistake is any other exception; a batch records it as an incident and go
 import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
+from enum import StrEnum
 
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Words, message
+
+
+class NextStep(StrEnum):
+    """What mends a problem, where that is done with this program and not in a file.
+
+    The sentence of a remedy says it for everybody; a front end adds its own words for it: the
+    command line the command or the option, a web page a button.
+    """
+
+    CHECK_MACHINE = "check_machine"
+    GRADE = "grade"
+    LEAVE_WITHDRAWAL = "leave_withdrawal"
+    MAKE_COURSE = "make_course"
+    NAME_COURSE = "name_course"
+    NAME_GRADEBOOK = "name_gradebook"
+    NAME_TABLE = "name_table"
+    OVERRULE = "overrule"
+    SET_VALUES = "set_values"
+    SIMULATE = "simulate"
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +50,9 @@ class Problem:
         what: what is wrong.
         remedy: how to mend it.
         excerpt: lines to show under the sentence, for example a formula with a caret.
+        parameter: name of the library's parameter that was called with something unusable; a front
+            end shows what it calls it. Empty for none.
+        step: what of this program mends it; None for nothing.
     """
 
     file: str
@@ -37,12 +60,15 @@ class Problem:
     what: Message
     remedy: Message
     excerpt: str = ""
+    parameter: str = ""
+    step: NextStep | None = None
 
     def say(self, words: Words) -> str:
         """Put the problem into words: place, fault, remedy, and the excerpt on lines below."""
         said = f"{words.say(self.what)} {words.say(self.remedy)}".strip()
         key = self.key if isinstance(self.key, str) else words.say(self.key)
-        line = ": ".join(part for part in (shown(self.file), shown(key), said) if part)
+        places = (shown(self.file), shown(self.parameter), shown(key))
+        line = ": ".join(part for part in (*places, said) if part)
         return f"{line}\n{shown(self.excerpt)}" if self.excerpt else line
 
 
@@ -114,4 +140,4 @@ class GradebookError(GripcourseError):
 
 
 class UsageError(GripcourseError):
-    """A command was called with something that cannot be used."""
+    """The program was called with something that cannot be used."""

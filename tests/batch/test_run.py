@@ -65,12 +65,12 @@ def test_a_file_that_was_only_taken_along_is_graded_after_all(
     assert [one.report.judged for one in graded] == [True, True]
 
 
-@pytest.mark.parametrize("order", ["raise", "exhaust"])
+@pytest.mark.parametrize(("order", "workers"), [("raise", 1), ("exhaust", 1), ("raise", 0)])
 def test_our_failure_is_an_incident_with_a_number_and_never_a_zero(
-    context: GradingContext, fake: ModuleType, inbox: Inbox, order: str
+    context: GradingContext, fake: ModuleType, inbox: Inbox, order: str, workers: int
 ) -> None:
     files = inbox(s01=order, s02="good")
-    failed, good = grade_files(files, context, 1, grade_one=fake.obey)
+    failed, good = grade_files(files, context, workers, grade_one=fake.obey)
     assert good.report.judged
     assert not failed.report.judged
     assert failed.report.max_score == 0

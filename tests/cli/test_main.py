@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
-from gripcourse.issuing.register import register_path
+from gripcourse.database.home import gradebook_path
 
 SCHEME = "rack_parallelogram"
 ROSTER = """\
@@ -96,7 +97,9 @@ class TestHappyPaths:
 
     def test_a_variant_is_solved_as_json(self, gripcourse: Command) -> None:
         run = gripcourse("solve", "001", "--json")
-        values = json.loads(run.out)["values"]
+        plain = json.loads(run.out)
+        values = plain["values"]
+        assert SolutionResult.from_dict(plain).variant == "001"
         assert run.code == 0
         assert values["lifting_load"]["unit"] == "N"
         assert values["lifting_load"]["value"] > 0
@@ -303,7 +306,7 @@ class TestWrongUse:
         )
         refused(run, "changed.csv", "row 2", column.split(maxsplit=1)[0])
         assert not out.exists()
-        assert not register_path(course).exists()
+        assert not gradebook_path(course).exists()
 
     @pytest.mark.parametrize(
         ("content", "said"),
@@ -324,7 +327,7 @@ class TestWrongUse:
         run = gripcourse("issue", "--course", course, "--roster", roster, "--out", out)
         refused(run, "roster.csv", *said)
         assert not out.exists()
-        assert not register_path(course).exists()
+        assert not gradebook_path(course).exists()
 
     def test_a_damaged_gradebook_is_refused_before_anything_is_graded(
         self, gripcourse: Command, course: Path, tmp_path: Path
@@ -403,7 +406,7 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_pa
 
     done = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert done.code == cli.DONE
-    (report,) = json.loads(done.out)
+    (report,) = json.loads(done.out)["reports"]
     assert report["student"] == "s01"
     assert report["score"] == 0
     assert {one["outcome"] for one in report["findings"]} == {"blank", "manual"}
@@ -462,7 +465,7 @@ def test_a_drawing_from_waiting_to_marked(
 
     again = gripcourse("grade", *place, own, "--out", graded, "--json")
     assert again.code == cli.DONE
-    (report,) = json.loads(again.out)
+    (report,) = json.loads(again.out)["reports"]
     drawing = next(o for o in report["findings"] if o["quantity"] == "general_view_drawing")
     assert drawing["decision"]["marker"] == "Петров"
     assert report["score"] == pytest.approx(0.85 * drawing["max_points"])

@@ -20,8 +20,14 @@ from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Convention, Course, Kind, Scheme
 from gripcourse.policy.model import Policy
+from gripcourse.proofs.calculations import PrintedCalculation, calculations
+from gripcourse.proofs.declared import DeclaredProof, load_declared_proofs
+from gripcourse.proofs.prove import Subject
+from gripcourse.proofs.published_cases import load_published_cases
+from gripcourse.proofs.samples import Source, Trial
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.screening import sifter
@@ -30,6 +36,7 @@ from gripcourse.variants.table import read_table
 
 REPOSITORY = Path(__file__).parents[2]
 DRAWN = 12  # variants of each combination of options, besides the worked example
+COUNT = 3  # variants of each combination of options that a proof is tried with
 SEED = 26063
 
 
@@ -74,7 +81,10 @@ def drawable() -> dict[str, list[Mapping[str, str]]]:
     """Return the combinations of options that variants are drawn with, by scheme."""
     return {
         scheme: [
-            case.options for space in all_spaces() if space.scheme == scheme for case in space.cases
+            options
+            for space in all_spaces()
+            if space.scheme == scheme
+            for options in space.cases.combinations
         ]
         for scheme in reference_course().schemes
     }
@@ -118,7 +128,7 @@ def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Give every composition, and every number of a worked example, a test of its own."""
+    """Give every composition, and everything that is proved, a test of its own."""
     schemes = reference_course().schemes
     if "scheme_id" in metafunc.fixturenames:
         metafunc.parametrize("scheme_id", list(schemes))
@@ -131,15 +141,43 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
-    if "expected_key" in metafunc.fixturenames:
-        expected = [
-            (scheme.id, convention, quantity)
-            for scheme in schemes.values()
-            if scheme.example is not None
-            for convention, values in scheme.example.expected.items()
-            for quantity in values
-        ]
-        metafunc.parametrize("expected_key", expected, ids=["-".join(key) for key in expected])
+    if "declared_proof" in metafunc.fixturenames:
+        proofs = declared_proofs()
+        metafunc.parametrize("declared_proof", proofs, ids=[one.scope.id for one in proofs])
+    if "calculation" in metafunc.fixturenames:
+        printed = printed_calculations()
+        metafunc.parametrize("calculation", printed, ids=[one.name for one in printed])
+
+
+@cache
+def declared_proofs() -> tuple[DeclaredProof, ...]:
+    """Read what the course declares, once for the collection and for the tests."""
+    return load_declared_proofs(reference_course()).proofs
+
+
+@cache
+def printed_calculations() -> tuple[PrintedCalculation, ...]:
+    """Plan every calculation with printed results, once."""
+    course = reference_course()
+    return tuple(calculations(course, load_published_cases(course)))
+
+
+@pytest.fixture(scope="session")
+def subject(course: Course, policy: Policy) -> Subject:
+    """What is proved of the reference course."""
+    return Subject(
+        Source(course, all_spaces(), COUNT, SEED),
+        policy,
+        load_declared_proofs(course),
+        printed_calculations(),
+        None,
+    )
+
+
+@pytest.fixture(scope="session")
+def trials(subject: Subject) -> dict[str, tuple[Trial, ...]]:
+    """Numbers to try each scheme with."""
+    return subject.trials()
 
 
 @pytest.fixture(scope="session")
@@ -200,10 +238,9 @@ def variants_of(
         if len(tabled) >= DRAWN:
             return tabled[:DRAWN]
         cases = [
-            Space(scheme, 1, (case,), space.file)
+            Space(scheme, 1, Cases.of([case]), space.file)
             for space in spaces
-            for case in space.cases
-            if space.scheme == scheme and case.options == options
+            if space.scheme == scheme and (case := space.cases.with_options(options)) is not None
         ]
         missing = DRAWN - len(tabled)
         if not cases:

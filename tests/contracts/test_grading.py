@@ -1,7 +1,9 @@
 """What answers earn in every scheme: all right everything, one wrong all but its own item."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
+from functools import cache
 from typing import TYPE_CHECKING
 
 import pytest
@@ -11,6 +13,9 @@ from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.slips.model import Candidate
+from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.variants.model import Issued, Student, Variant
@@ -21,7 +26,17 @@ if TYPE_CHECKING:
 MOVED = 1.1  # bands
 
 
-def judged(composition: "Composition", answers: dict[str, float], policy: Policy) -> Report:
+def methods_of(plan: Plan, policy: Policy) -> Callable[[str], tuple[Candidate, ...]]:
+    """Make the wrong methods of each quantity once for all answers of a composition."""
+    return cache(lambda name: candidates_of(plan, name, policy.slips))
+
+
+def judged(
+    composition: "Composition",
+    answers: dict[str, float],
+    policy: Policy,
+    methods: Callable[[str], tuple[Candidate, ...]] | None = None,
+) -> Report:
     """Judge answers to the composition's first set of numbers."""
     plan, given = composition.plan, composition.example.given
     variant = Variant("001", plan.scheme.id, plan.options, given)
@@ -33,7 +48,7 @@ def judged(composition: "Composition", answers: dict[str, float], policy: Policy
         for name, value in answers.items()
     }
     submission = Submission("s01.xlsx", "0" * 64, identity, "", dict(given), read, ())
-    return judge(submission, issued, plan, policy)
+    return judge(submission, issued, plan, policy, methods)
 
 
 def reference_answers(composition: "Composition") -> dict[str, float]:
@@ -59,10 +74,10 @@ def test_one_answer_outside_its_band_loses_that_item_only(
 ) -> None:
     strict = replace(policy, printed_credit=None)  # else near a printed one it would earn all
     right = reference_answers(composition)
-    faults = []
+    methods, faults = methods_of(composition.plan, strict), []
     for one in composition.plan.answered:
         answers = {**right, one.id: moved(one, right[one.id], strict)}
-        report = judged(composition, answers, strict)
+        report = judged(composition, answers, strict, methods)
         lost = {
             found.quantity for found in report.findings if found.points < found.max_points - 1e-9
         }

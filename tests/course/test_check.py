@@ -45,7 +45,7 @@ def test_a_fault_is_one_problem_with_its_place_and_remedy(draft: "Draft", fault:
     if "shuffled" in fault.new:
         _shuffle(draft)
     problem = draft.edit(fault.file, fault.old, fault.new).problem()
-    assert (problem.file, problem.key) == (fault.place or fault.file, fault.key)
+    assert (problem.file, str(problem.key)) == (fault.place or fault.file, fault.key)
     assert fault.what in str(problem.what)
     assert fault.remedy in str(problem.remedy)
 
@@ -91,6 +91,19 @@ def test_a_missing_rubric_is_named_with_its_file(draft: "Draft") -> None:
     assert problem.key == "quantity.general_view_drawing.rubric"
     assert str(problem.what) == "There is no rubric 'general_view'."
     assert str(problem.remedy) == "Write grader/rubric/general_view.toml."
+
+
+def test_a_name_of_a_part_that_is_not_there_leads_to_that_part(draft: "Draft") -> None:
+    file = f"{SECTIONS}friction_grip.toml"
+    problem = draft.edit(file, "/(2*friction)", "/(2*friction)*jaw_angle/jaw_angle").problem()
+    assert (problem.file, problem.key) == (file, "quantity.grip_force.formula")
+    assert f"a part that declares it, as {SECTIONS}prism_angle.toml" in str(problem.remedy)
+
+
+def test_a_circle_hides_what_seems_unused_in_it(draft: "Draft") -> None:
+    fault = FAULTS["circle"]
+    draft.edit(fault.file, "dynamic_factor*lifting_load/(2*friction)", "drive_force")
+    assert [one.key for one in draft.problems()] == [fault.key]
 
 
 def test_a_part_that_no_scheme_uses_is_named(draft: "Draft") -> None:

@@ -8,6 +8,9 @@ import pytest
 
 from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
 from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.errors import UsageError
+from gripcourse.solver.plan import default_options
+from gripcourse.usecases.solve import solve_scheme
 
 if TYPE_CHECKING:
     from support.drafts import Draft
@@ -17,6 +20,7 @@ SCHEME = "variants/schemes/rack_parallelogram/scheme.toml"
 DRAWINGS = "variants/sections/drawings.toml"
 POLICY = "grader/policy.toml"
 EXAMPLE = "variants/schemes/rack_parallelogram/worked_example.toml"
+DIAGRAM = "variants/schemes/rack_parallelogram/diagram.toml"
 LOAD_OF = {"friction": "upward_load", "contact": "contact_grip"}  # the part that declares it
 
 
@@ -28,15 +32,17 @@ def test_a_syntax_error_is_the_only_problem_of_a_course_that_lacks_the_file(
 ) -> None:
     problem = draft.append(file, "[quantity").problem()
     assert problem.file == file
-    assert str(problem.what).startswith("This is not valid TOML: ")
-    assert "line" in str(problem.what)
-    assert str(problem.remedy) == "Mend the line that is named."
+    assert str(problem.key).startswith("line ")
+    assert problem.excerpt.strip() == "[quantity"
+    assert "A bracket" in str(problem.what)
+    assert str(problem.remedy).startswith("Compare this line")
 
 
 def test_an_option_that_cannot_be_read_is_missed_by_its_schemes(draft: "Draft") -> None:
     file = "variants/options/parallel_grip_model.toml"
-    found = [(one.file, one.key) for one in draft.append(file, "[quantity").problems()]
-    assert found == [(file, ""), (SCHEME, "options")]
+    problems = draft.append(file, "[quantity").problems()
+    assert [one.file for one in problems] == [file, SCHEME]
+    assert problems[1].key == "options"
 
 
 def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") -> None:
@@ -50,7 +56,7 @@ def test_faults_of_other_files_are_told_beside_a_syntax_error(draft: "Draft") ->
     }
 
 
-@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, EXAMPLE, POLICY])
+@pytest.mark.parametrize("file", ["variants/course.toml", SCHEME, POLICY])
 def test_a_missing_file_is_named(draft: "Draft", file: str) -> None:
     problem = draft.remove(file).problem()
     assert problem.file == file
@@ -69,6 +75,22 @@ def test_an_editor_may_mark_a_file_as_utf_8(draft: "Draft") -> None:
     for file in (SECTION, SCHEME, POLICY, "variants/catalogues/pin.csv"):
         draft.put(file, codecs.BOM_UTF8 + (draft.root / file).read_bytes())
     assert draft.problems() == ()
+
+
+def test_a_course_file_without_its_key_parts_names_them_all(draft: "Draft") -> None:
+    draft.put("variants/course.toml", b"")
+    found = {one.key for one in draft.problems() if one.file == "variants/course.toml"}
+    assert {"id", "language", "title", "section"} <= found
+
+
+def test_a_worked_example_states_only_what_differs_from_the_defaults(draft: "Draft") -> None:
+    part = "variants/sections/grip_object.toml"
+    course = (
+        draft.edit(EXAMPLE, "mass = 60\n", "").edit(part, "default = 20", "default = 45").load()
+    )
+    example = course.schemes["rack_parallelogram"].example
+    assert example is not None
+    assert example.given["mass"] == 45
 
 
 def test_a_course_without_schemes_says_only_that(draft: "Draft") -> None:
@@ -195,6 +217,28 @@ def test_only_constants_that_are_used_are_quantities_of_a_scheme(course: Course)
             declared = compose(course, scheme, options)
             constants = {name for name, one in declared.items() if one.kind is Kind.CONSTANT}
             assert constants <= course.constants.keys()
+
+
+def test_a_scheme_may_do_without_a_worked_example(draft: "Draft") -> None:
+    (draft.root / EXAMPLE).unlink()
+    course = draft.load()
+    (scheme,) = course.schemes.values()
+    assert scheme.example is None
+    first = {option.id: option.choices[0].id for option in scheme.options}
+    assert default_options(scheme) == first
+    with pytest.raises(UsageError, match="These values are not set"):
+        solve_scheme(course, scheme.id, {}, {}, None)
+
+
+def test_only_a_symmetric_diagram_has_its_parts_on_both_sides(draft: "Draft") -> None:
+    def sides() -> set[str]:
+        (scheme,) = draft.load().schemes.values()
+        assert scheme.diagram is not None
+        return {one.mirror for one in scheme.diagram.elements if one.kind == "contact"}
+
+    assert sides() == {"both"}
+    draft.edit(DIAGRAM, "symmetric = true", "symmetric = false")
+    assert sides() == {"none"}
 
 
 def test_the_worked_example_is_data(course: Course) -> None:

@@ -39,6 +39,22 @@ def document() -> Document:
     return Document("plain.html.j2", ("plain.css",), values)
 
 
+@pytest.mark.parametrize(
+    ("title", "shown"),
+    [
+        ("speed v_1 of the belt", "speed v1 of the belt"),
+        ("коэффициент K_тр", "коэффициент Kтр"),
+        ("file a_b_c.csv, key no_value", "file a_b_c.csv, key no_value"),
+        ("a < b", "a &lt; b"),
+    ],
+)
+def test_a_symbol_in_a_title_looks_as_in_a_formula(templates: Path, title: str, shown: str) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    page = render_html(Document("title.html.j2", (), {"title": title}), templates, Words("en"))
+    assert re.sub(r"<[^>]*>", "", page) == shown
+    assert ("<sub>" in page) is ("_" in title and "_" not in shown)
+
+
 def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
     first = render_pdf(document, templates, Words("en"))
     assert first == render_pdf(document, templates, Words("en"))

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from gripcourse.exports.grades import grades_csv, grades_text
-from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import message
 
 Change = Callable[..., Report]
@@ -39,7 +40,7 @@ def test_the_columns_of_the_sections_add_up_to_the_score(perfect: Report, wrong:
 
 def test_a_rejected_file_has_a_row_and_no_zero(perfect: Report, rejected: Change) -> None:
     flagged = replace(
-        rejected(perfect), flags=(Flag("rejected", message("Protected by a password.")),)
+        rejected(perfect), flags=(Flag(FlagCode.REJECTED, message("Protected by a password.")),)
     )
     _, row = rows(grades_text([perfect, flagged]))
     assert row["file"] == "inbox/s017.xlsx"
@@ -94,9 +95,15 @@ def test_excel_is_told_that_it_is_utf8(perfect: Report, tmp_path: Path) -> None:
 def test_recognised_slips_are_listed_where_they_were_made(
     perfect: Report, with_finding: Change
 ) -> None:
-    slipped = with_finding(perfect, "bore_required", outcome=Outcome.SLIP, slip="unit:cm")
+    slipped = with_finding(
+        perfect, "bore_required", outcome=Outcome.SLIP, slip=SlipId.parse("unit:cm")
+    )
     earlier = with_finding(
-        slipped, "drive_force", outcome=Outcome.CARRIED, slip="swapped:a", roots=("grip_force",)
+        slipped,
+        "drive_force",
+        outcome=Outcome.CARRIED,
+        slip=SlipId.parse("swapped:a"),
+        roots=("grip_force",),
     )
     (row,) = rows(grades_text([earlier]))
     assert set(row["slips"].split("; ")) == {"bore_required=unit:cm", "grip_force=swapped:a"}

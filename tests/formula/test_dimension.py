@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.formula.dimension import check_dimension, dimension_of, is_condition
+from gripcourse.formula.dimension import check_dimension, is_condition, measured_by
 from gripcourse.formula.fault import FormulaFault
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
@@ -71,7 +71,7 @@ def test_a_formula_of_the_right_dimension_passes(
     formula = formula_of(text)
     check_dimension(formula, unit, DIMENSIONS, COLUMNS)
     if not text.startswith("0"):
-        assert dimension_of(formula.tree, DIMENSIONS, COLUMNS) == dimension(unit)
+        assert measured_by(formula.tree, DIMENSIONS, COLUMNS) == dimension(unit)
 
 
 @pytest.mark.parametrize(
@@ -168,10 +168,10 @@ _products = st.recursive(
 @given(_products, _products)
 def test_the_dimension_of_a_product_is_the_product_of_the_dimensions(a: str, b: str) -> None:
     def measure(text: str) -> object:
-        return dimension_of(parse(text), DIMENSIONS, COLUMNS)
+        return measured_by(parse(text), DIMENSIONS, COLUMNS)
 
-    left = dimension_of(parse(a), DIMENSIONS, COLUMNS)
-    right = dimension_of(parse(b), DIMENSIONS, COLUMNS)
+    left = measured_by(parse(a), DIMENSIONS, COLUMNS)
+    right = measured_by(parse(b), DIMENSIONS, COLUMNS)
     assert measure(f"({a})*({b})") == left * right
     assert measure(f"({a})/({b})") == left / right
     assert measure(f"sqrt(({a})*({a}))") == left
@@ -179,10 +179,10 @@ def test_the_dimension_of_a_product_is_the_product_of_the_dimensions(a: str, b: 
 
 @given(_products, _products)
 def test_only_like_things_add_up(a: str, b: str) -> None:
-    left = dimension_of(parse(a), DIMENSIONS, COLUMNS)
-    right = dimension_of(parse(b), DIMENSIONS, COLUMNS)
+    left = measured_by(parse(a), DIMENSIONS, COLUMNS)
+    right = measured_by(parse(b), DIMENSIONS, COLUMNS)
     if left == right:
-        assert dimension_of(parse(f"{a} + {b}"), DIMENSIONS, COLUMNS) == left
+        assert measured_by(parse(f"{a} + {b}"), DIMENSIONS, COLUMNS) == left
     else:
         with pytest.raises(FormulaFault):
-            dimension_of(parse(f"{a} + {b}"), DIMENSIONS, COLUMNS)
+            measured_by(parse(f"{a} + {b}"), DIMENSIONS, COLUMNS)

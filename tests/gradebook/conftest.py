@@ -10,7 +10,7 @@ import pytest
 from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, attempt_of
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import not_judged_flags
-from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
+from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.text.words import message
 
 MORNING = datetime(2026, 12, 2, 9, tzinfo=UTC)
@@ -41,7 +41,7 @@ def _finding(quantity: str, outcome: Outcome, points: float, possible: float) ->
         inputs={},
         points=points,
         max_points=possible,
-        slip="",
+        slip=None,
         message=message("No answer."),
         remarks=(),
     )
@@ -52,7 +52,7 @@ def _report(
 ) -> Report:
     """The report of one file; `bore=(Outcome.CORRECT, 2, 2)` changes an item."""
     findings = tuple(_finding(name, *one) for name, one in {**ITEMS, **items}.items())
-    judged = [one for one in findings if one.outcome not in OPEN]
+    judged = [one for one in findings if not one.is_open]
     return Report(
         file=f"inbox/{student}.xlsx",
         student=student,
@@ -63,7 +63,7 @@ def _report(
         language="ru",
         score=sum(one.points for one in judged),
         max_score=sum(one.max_points for one in judged),
-        open_points=sum(one.max_points for one in findings if one.outcome in OPEN),
+        open_points=sum(one.max_points for one in findings if one.is_open),
         flags=tuple(not_judged_flags(findings)),
         findings=findings,
         remarks=(),

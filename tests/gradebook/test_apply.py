@@ -10,11 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gripcourse.gradebook.apply import OUTDATED, with_marks
+from gripcourse.gradebook.apply import with_marks
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.grading.flags import NOT_JUDGED
-from gripcourse.grading.model import OPEN, Finding, Flag, Outcome, Report
+from gripcourse.grading.model import Finding, Flag, FlagCode, Outcome, Report
 from gripcourse.text.words import message
 
 MakeReport = Callable[..., Report]
@@ -90,7 +89,7 @@ class TestDecisions:
     def test_what_we_could_not_judge_is_decided_and_its_flag_goes(
         self, report: MakeReport, enter: Enter
     ) -> None:
-        assert codes(report()) == [NOT_JUDGED]
+        assert codes(report()) == [FlagCode.NOT_JUDGED]
         after = with_marks(report(), [enter("stroke", 1.0, comment="верно")])
         stroke = item(after, "stroke")
         assert stroke.points == 1
@@ -101,7 +100,7 @@ class TestDecisions:
     def test_the_flag_names_what_is_left_to_judge(self, report: MakeReport, enter: Enter) -> None:
         two = report(rod=(Outcome.NOT_JUDGED, 0.0, 1.0))
         after = with_marks(two, [enter("stroke", 1.0, against=two)])
-        assert codes(after) == [NOT_JUDGED]
+        assert codes(after) == [FlagCode.NOT_JUDGED]
         assert "rod" in str(after.flags[0].message)
         assert "stroke" not in str(after.flags[0].message)
 
@@ -122,7 +121,7 @@ class TestDecisions:
         assert with_marks(report(), history) == report()
 
     def test_other_flags_stay(self, report: MakeReport, enter: Enter) -> None:
-        odd = Flag("signature", message("The file is empty: it has no bytes."))
+        odd = Flag(FlagCode.SIGNATURE, message("The file is empty: it has no bytes."))
         before = replace(report(), flags=(odd, *report().flags))
         assert with_marks(before, [enter()]).flags == before.flags
 
@@ -130,7 +129,7 @@ class TestDecisions:
 class TestLookAgain:
     def test_nothing_has_changed(self, report: MakeReport, enter: Enter) -> None:
         after = with_marks(replace(report(), file="moved/s01.xlsx"), [enter()])
-        assert OUTDATED not in codes(after)
+        assert FlagCode.MARK_OUTDATED not in codes(after)
 
     @pytest.mark.parametrize("change", ["file", "another result", "points of another item"])
     def test_a_change_of_the_automatic_part_is_flagged_and_the_mark_still_counts(
@@ -142,7 +141,7 @@ class TestLookAgain:
             "points of another item": report(bore=(Outcome.WRONG, 0.0, 3.0)),
         }[change]
         after = with_marks(now, [enter(credit=0.75)])
-        assert codes(after) == [NOT_JUDGED, OUTDATED]
+        assert codes(after) == [FlagCode.NOT_JUDGED, FlagCode.MARK_OUTDATED]
         assert "drawing" in str(after.flags[1].message)
         drawing = item(after, "drawing")
         assert drawing.points == 7.5
@@ -154,7 +153,7 @@ class TestLookAgain:
     ) -> None:
         now = report(digest="b" * 64)
         again = [enter(credit=0.75), enter(credit=0.75, number=2, against=now)]
-        assert OUTDATED not in codes(with_marks(now, again))
+        assert FlagCode.MARK_OUTDATED not in codes(with_marks(now, again))
 
     def test_a_mark_of_an_item_that_is_gone_is_not_forgotten_silently(
         self, report: MakeReport, enter: Enter
@@ -164,7 +163,7 @@ class TestLookAgain:
             whole, findings=tuple(one for one in whole.findings if one.quantity != "drawing")
         )
         after = with_marks(without, [enter()])
-        assert OUTDATED in codes(after)
+        assert FlagCode.MARK_OUTDATED in codes(after)
         assert "no longer asks for drawing" in " ".join(str(one.message) for one in after.flags)
 
 
@@ -228,7 +227,7 @@ def follow(
             else:
                 assert finding.points == credit * finding.max_points
                 assert not finding.is_open
-        closed = [one for one in marked.findings if one.outcome not in OPEN or one.decision]
+        closed = [one for one in marked.findings if not one.is_open]
         assert marked.score == sum(one.points for one in closed)
         assert marked.max_score + marked.open_points == sum(
             one.max_points for one in marked.findings

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gripcourse.errors import NextStep
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.grading.model import Outcome, Report
@@ -121,7 +122,7 @@ class TestAMark:
     ) -> None:
         wanted = draft("bore", points=2.0, comment="другой каталог")
         assert "'bore' was judged automatically" in str(context.fault(wanted).what)
-        assert "--override" in str(context.fault(wanted).remedy)
+        assert context.fault(wanted).step is NextStep.OVERRULE
         assert "stroke, drawing" in str(context.fault(wanted).remedy)
         assert context.enter(replace(wanted, override=True)).credit == 1.0
 
@@ -193,7 +194,7 @@ class TestFaults:
         waiting = GradingContext(replace(context.standing, attempt=None), context.now)
         fault = waiting.fault(replace(draft(points=1.0), student="s02"))
         assert "No file of s02 has been graded yet" in str(fault.what)
-        assert "gripcourse grade" in str(fault.remedy)
+        assert fault.step is NextStep.GRADE
 
     def test_all_come_at_once(self, context: GradingContext) -> None:
         lines = {"sizes": 2.0, "size": 1.0, "assembly": 0.5}

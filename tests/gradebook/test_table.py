@@ -7,6 +7,7 @@ from openpyxl import Workbook
 
 from gripcourse.errors import TableError
 from gripcourse.gradebook.table import read_marks
+from gripcourse.machine.content import NamedBytes
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 
 LINES = ("sizes", "assembly", "standards", "symbols")
@@ -43,6 +44,12 @@ class TestReading:
         assert drawing.comment == "Масштаб?"
         assert diagram.lines == {"symbols": 1.0}
         assert second.lines == {"sizes": 0.0, "assembly": 0.0, "standards": 0.0}
+
+    def test_bytes_are_read_as_their_file_is(self, tmp_path: Path) -> None:
+        path = written(tmp_path, TABLE)
+        sent = read_marks(NamedBytes("mine.csv", path.read_bytes()), LINES)
+        assert sent.rows == read_marks(path, LINES).rows
+        assert sent.file == "mine.csv"
 
     def test_a_decimal_comma_in_quotation_marks_is_read_between_commas(
         self, tmp_path: Path

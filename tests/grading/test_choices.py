@@ -1,15 +1,18 @@
 """Design decisions: a set of sound entries, by the reference or by the student's own numbers."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.model import Kind, Rounding
 from gripcourse.grading.model import Against, Finding, Outcome
+from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor
 
 if TYPE_CHECKING:
     from conftest import Case
+    from gripcourse.variants.model import Issued
 
 # The guide's example with g = 9.81 m/s² needs a bore of 59.7 mm, a module of 5.08 mm and a pin of
 # 10.1 mm; the series are those of GOST 6540-68, GOST 9563-60 and GOST 9650-80.
@@ -97,7 +100,7 @@ class TestWrongRule:
     def test_the_loads_of_the_other_execution_are_a_known_slip(self, square: "Case") -> None:
         found = finding(square, "flange_size", 90.0)
         assert (found.outcome, found.points) == (Outcome.SLIP, 0)
-        assert found.slip == "loads_of_the_round_flange"
+        assert str(found.slip) == "loads_of_the_round_flange"
         assert "execution I" in str(found.message)
 
     def test_another_size_is_only_too_small(self, square: "Case") -> None:
@@ -157,3 +160,64 @@ class TestPrintedRounding:
         found = finding(hydraulic.with_policy(printed_credit=None), "pin_diameter", 10.0)
         assert (found.outcome, found.points) == (Outcome.WRONG, 0)
         assert str(found.message) == "Rounded down: the size is below the required value."
+
+
+class TestNearest:
+    """The guide's bore of 59.7 mm between 50 and 63 mm, taken to the nearest size."""
+
+    @pytest.fixture
+    def nearest(self, hydraulic: "Case") -> "Case":
+        return rounding_to_nearest(hydraulic, None)
+
+    def test_the_nearest_size_is_sound_and_no_other(self, nearest: "Case") -> None:
+        found = {size: finding(nearest, "bore", size) for size in (50.0, 63.0, 80.0)}
+        assert {size: one.outcome for size, one in found.items()} == {
+            50.0: Outcome.WRONG,
+            63.0: Outcome.CORRECT,
+            80.0: Outcome.WRONG,
+        }
+        assert "another one is nearer" in str(found[50.0].message)
+        assert "another one is nearer" in str(found[80.0].message)
+
+    def test_a_size_below_what_is_required_may_be_the_nearest(self, nearest: "Case") -> None:
+        """A mass of 39 kg needs about 52.7 mm: 50 mm is nearest, 63 mm too large."""
+        given = {**nearest.given, "mass": 39.0}
+        light = replace(nearest, issued=issued_with(nearest, given),
+                        reference=solve_variant(nearest.plan, given))  # fmt: skip
+        assert light.reference["bore_required"] == pytest.approx(52.7, abs=0.2)
+        assert light.reference["bore"] == pytest.approx(50)
+        assert finding(light, "bore", 50.0).outcome is Outcome.CORRECT
+        assert finding(light, "bore", 63.0).outcome is Outcome.WRONG
+
+    def test_so_many_steps_are_sound_on_either_side(self, hydraulic: "Case") -> None:
+        case = rounding_to_nearest(hydraulic, 1)
+        sizes = series(case, "bore")
+        place = sizes.index(63.0)
+        found = [finding(case, "bore", size) for size in sizes[place - 2 : place + 3]]
+        right, wrong = Outcome.CORRECT, Outcome.WRONG
+        assert [one.outcome for one in found] == [wrong, right, right, right, wrong]
+        assert "more than 1 steps from the nearest size" in str(found[0].message)
+
+    def test_a_second_row_is_sound_where_it_is_as_near(self, nearest: "Case") -> None:
+        """70 mm of the second row is farther from 59.7 mm than 63 mm."""
+        assert finding(nearest, "bore", 70.0).outcome is Outcome.WRONG
+
+    def test_the_students_own_required_value_counts_too(self, nearest: "Case") -> None:
+        answers = {**nearest.answers, "bore_required": 82.0, "bore": 80.0}
+        found = nearest.findings(answers)["bore"]
+        assert found.outcome is Outcome.CARRIED
+
+
+def rounding_to_nearest(case: "Case", steps: int | None) -> "Case":
+    """The case in a course that rounds the bore to the nearest size."""
+    bore = case.plan.quantities["bore"]
+    assert bore.choice is not None
+    rule = replace(bore.choice, rounding=Rounding.NEAREST, steps=steps)
+    changed = {**case.plan.quantities, "bore": replace(bore, choice=rule)}
+    answered = tuple(changed[one.id] for one in case.plan.answered)
+    plan = replace(case.plan, quantities=changed, answered=answered)
+    return replace(case, plan=plan, reference=solve_variant(plan, case.given))
+
+
+def issued_with(case: "Case", given: dict[str, float]) -> "Issued":
+    return replace(case.issued, variant=replace(case.issued.variant, given=given))

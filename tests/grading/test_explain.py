@@ -56,7 +56,7 @@ class TestTypedPrecision:
             "lifting_load": typed("lifting_load", load, 3),
             "grip_force": typed("grip_force", slip, 5),
         }
-        assert hydraulic.findings(answers)["grip_force"].slip == "one_jaw_only"
+        assert str(hydraulic.findings(answers)["grip_force"].slip) == "one_jaw_only"
 
     def test_zeros_that_a_cell_has_lost_do_not_hide_a_slip(
         self, hydraulic: "Case", answer: "Callable[..., Answer]"
@@ -65,7 +65,7 @@ class TestTypedPrecision:
         whole = 2 * hydraulic.reference["pitch_radius"]
         assert whole == int(whole)
         shown = replace(answer("pitch_radius", whole), half_unit=0.5)
-        assert finding(hydraulic, "pitch_radius", shown).slip == "diameter_for_radius"
+        assert str(finding(hydraulic, "pitch_radius", shown).slip) == "diameter_for_radius"
 
     def test_a_large_number_rounded_to_three_figures_is_named(
         self, hydraulic: "Case", answer: "Callable[..., Answer]"
@@ -83,7 +83,7 @@ class TestTypedPrecision:
         self, hydraulic: "Case", answer: "Callable[..., Answer]"
     ) -> None:
         found = finding(hydraulic, "drive_force", answer("drive_force", 0.0))
-        assert (found.outcome, found.slip) == (Outcome.WRONG, "")
+        assert (found.outcome, found.slip) == (Outcome.WRONG, None)
 
 
 class TestCertainty:
@@ -120,7 +120,7 @@ class TestCertainty:
         )
         slip = 2 * hydraulic.reference["grip_force"]
         found = finding(replace(hydraulic, plan=plan), "grip_force", typed("grip_force", slip, 5))
-        assert {found.slip, *found.tied} == {"one_jaw_only", "twin"}
+        assert {str(one) for one in (found.slip, *found.tied)} == {"one_jaw_only", "twin"}
         assert "Or:" in str(found.message)
 
     def test_a_coarse_number_decides_nothing(
@@ -148,7 +148,7 @@ class TestCertainty:
             for name, value in later.items()
         }
         answers |= {"lifting_load": wrong, "grip_force": typed("grip_force", slip, 3)}
-        assert hydraulic.findings(answers)["grip_force"].slip == "one_jaw_only"
+        assert str(hydraulic.findings(answers)["grip_force"].slip) == "one_jaw_only"
 
 
 class TestLeftOutSteps:
@@ -164,7 +164,7 @@ class TestLeftOutSteps:
         }
         found = hydraulic.findings(answers)["drive_force"]
         assert found.outcome is Outcome.CARRIED
-        assert (found.slip, found.roots) == ("one_jaw_only", ("grip_force",))
+        assert (str(found.slip), found.roots) == ("one_jaw_only", ("grip_force",))
         assert found.points == pytest.approx(found.max_points)
 
     def test_a_sound_size_that_was_not_written_down_may_be_used(self, hydraulic: "Case") -> None:

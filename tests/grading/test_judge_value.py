@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 
 from gripcourse.course.model import Kind, Quantity, Slip
 from gripcourse.formula.evaluate import evaluate
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.policy.bands import band, within
 from gripcourse.solver.solve import to_si
@@ -18,12 +21,11 @@ from gripcourse.text.words import LANGUAGES, Words
 
 if TYPE_CHECKING:
     from conftest import Case
-    from gripcourse.formula.tree import Formula
 
 ReadAnswer = Callable[..., Answer]
 
 
-def value_of(case: "Case", quantity: Quantity, formula: "Formula") -> float:
+def value_of(case: "Case", quantity: Quantity, formula: Formula) -> float:
     """Compute another formula of a quantity from the reference, in the declared unit."""
     known = {name: np.asarray(v) for name, v in to_si(case.plan, case.reference).items()}
     scale = factor(quantity.unit)
@@ -63,7 +65,7 @@ class TestSlips:
         for case in drawn[::6]:
             for quantity, slip, value in told_slips(case):
                 finding = case.findings({quantity.id: value})[quantity.id]
-                assert (finding.outcome, finding.slip) == (Outcome.SLIP, slip.id), quantity.id
+                assert (finding.outcome, str(finding.slip)) == (Outcome.SLIP, slip.id), quantity.id
                 assert finding.points == pytest.approx(slip.credit * finding.max_points)
 
     @pytest.mark.parametrize("language", LANGUAGES)
@@ -78,12 +80,12 @@ class TestSlips:
         load = 1234.0  # wrong; then the friction of the second jaw is forgotten on top of it
         force = hydraulic.given["dynamic_factor"] * load / hydraulic.given["friction"]
         finding = hydraulic.findings({"lifting_load": load, "grip_force": force})["grip_force"]
-        assert finding.slip == "one_jaw_only"
+        assert str(finding.slip) == "one_jaw_only"
 
     def test_what_follows_a_slip_is_carried(self, hydraulic: "Case") -> None:
         answers = hydraulic.following(grip_force=2 * hydraulic.reference["grip_force"])
         findings = hydraulic.findings(answers)
-        assert findings["grip_force"].slip == "one_jaw_only"
+        assert str(findings["grip_force"].slip) == "one_jaw_only"
         assert hydraulic.lost(answers) == {"grip_force"}
 
 
@@ -119,7 +121,7 @@ class TestPrintedErrata:
     def test_a_policy_may_refuse_them_and_names_them(self, hydraulic: "Case") -> None:
         strict = hydraulic.with_policy(printed_credit=None)
         for quantity, erratum, finding in printed_findings(strict):
-            assert (finding.outcome, finding.slip) == (Outcome.SLIP, erratum), quantity
+            assert (finding.outcome, str(finding.slip)) == (Outcome.SLIP, erratum), quantity
             assert finding.points == 0
 
     def test_a_policy_may_give_a_share_of_the_points(self, hydraulic: "Case") -> None:
@@ -191,3 +193,20 @@ class TestPicks:
         """One per cent of 144 mm would let a number pass that stands in no table."""
         close = 1.002 * hydraulic.reference["flange_diameter"]
         assert "flange_diameter" in hydraulic.lost({**hydraulic.answers, "flange_diameter": close})
+
+
+def test_a_verdict_whose_right_answer_is_no_earns_for_no_and_not_for_yes(
+    hydraulic: "Case",
+) -> None:
+    """A pin that the course lets fail in bearing."""
+    verdict = hydraulic.plan.quantities["bearing_ok"]
+    failing = Formula("fails", parse("bearing_stress <= 0*bearing_stress_allowed"), {})
+    asked = replace(verdict, formula=failing, must_hold=False)
+    quantities = {**hydraulic.plan.quantities, asked.id: asked}
+    answered = tuple(quantities[one.id] for one in hydraulic.plan.answered)
+    plan = replace(hydraulic.plan, quantities=quantities, answered=answered)
+    case = replace(hydraulic, plan=plan, reference={**hydraulic.reference, asked.id: 0.0})
+    found = {value: case.findings({**case.answers, asked.id: value})[asked.id] for value in (0, 1)}
+    assert found[0].outcome is Outcome.CORRECT
+    assert (found[1].outcome, found[1].points) == (Outcome.WRONG, 0)
+    assert "opposite" in str(found[1].message)

@@ -18,6 +18,7 @@ from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
@@ -171,7 +172,7 @@ def near(values: Floats, expected: Floats) -> Flags:
 @pytest.fixture(scope="session")
 def variants(course: Course) -> tuple[Variant, ...]:
     """Three hundred variants, of every scheme with one choice of its options."""
-    spaces = [replace(space, cases=space.cases[:1]) for space in load_spaces(course)]
+    spaces = [replace(space, cases=Cases.of([space.cases[0]])) for space in load_spaces(course)]
     return tuple(draw(course, spaces, 300, 20261121).variants)
 
 

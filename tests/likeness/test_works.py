@@ -16,6 +16,7 @@ from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.model import Evidence, NumberKind, Typed
 from gripcourse.likeness.works import work_of
 from gripcourse.policy.model import LikenessRule, Policy
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
@@ -157,9 +158,9 @@ def test_a_method_explains_in_part_and_a_wrong_number_does_not(
     grade: Grade, plan: Plan, pair: tuple[Issued, Issued], slip: str, named: str
 ) -> None:
     report = grade(solve_variant(plan, pair[0].variant.given))
-    finding = wrong(report, outcome=Outcome.SLIP, slip=slip)
+    finding = wrong(report, outcome=Outcome.SLIP, slip=SlipId.parse(slip))
     [one] = work_of(replace(report, findings=(finding,)), pair[0], "").numbers
-    assert (one.explained, one.slip) == (False, named)
+    assert (one.explained, str(one.slip or "")) == (False, named)
 
 
 def test_carried_from_a_copied_given_value_is_not_explained(

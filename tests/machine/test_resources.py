@@ -32,7 +32,7 @@ def test_a_named_folder_wins(tmp_path: Path) -> None:
 
 
 def test_a_named_folder_that_does_not_exist_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match=r"nowhere: --course: There is no such folder\."):
+    with pytest.raises(UsageError, match=r"nowhere: course: There is no such folder\."):
         course_root(tmp_path / "nowhere")
 
 

@@ -3,12 +3,15 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.course.model import Tolerance
-from gripcourse.policy.bands import band, tolerance_of, within
+from gripcourse.course.model import Kind, Tolerance
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
+from gripcourse.policy.bands import band, bands, tolerance_of, within
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 
@@ -34,6 +37,27 @@ def test_a_policys_band_of_a_quantity_goes_before_its_declaration(
 
 def test_an_entry_of_a_series_has_no_band_but_floating_point(plan: Plan, policy: Policy) -> None:
     assert band(plan.quantities["bore"], 63, policy) < 0.001
+
+
+@pytest.mark.parametrize(
+    ("text", "exact"),
+    [
+        ('lookup("bore.rod", bore)', True),
+        ('lookup("bore.rod", at_least("bore.bore", bore_required))', True),
+        ('min(lookup("bore.rod", bore), lookup("bore.thread", bore))', True),
+        ('interpolate("bore.rod", bore)', False),
+        ('2*lookup("bore.rod", bore)', False),
+    ],
+)
+def test_what_is_read_between_entries_of_a_table_has_the_band_of_a_computed_value(
+    plan: Plan, policy: Policy, text: str, *, exact: bool
+) -> None:
+    formula = Formula(text, parse(text), {})
+    rod = replace(plan.quantities["rod"], kind=Kind.PICK, choice=None, formula=formula)
+    assert rod.exact is exact
+    width = 40e-6 if exact else 40 * policy.tolerance.relative
+    assert band(rod, 40, policy) == pytest.approx(width)
+    assert bands(rod, np.array([0.04]), policy) == pytest.approx(width / 1000)
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])

@@ -106,7 +106,7 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
         ),
         ("carried = 1.0", "carried = 1.5", "credit.carried", "The share is 1.5.", "from 0 to 1"),
         ("carried = 1.0", 'carried = "all"', "credit.carried", "wrong type", "a number"),
-        ("carried = 1.0", "", "credit.carried", "This key is missing.", "Write it."),
+        ("carried = 1.0", "", "credit.carried", "This key is missing.", "Write '"),
         (
             'reveal = "nothing"',
             'reveal = "noting"',
@@ -169,7 +169,7 @@ LEAST = "least = 0                 # told only where it is certain: a cell keeps
             "Odds of 0.5 to one speak against copying.",
             "0 to look for nothing",
         ),
-        ("odds = 1e3", "", "likeness.odds", "This key is missing.", "Write it."),
+        ("odds = 1e3", "", "likeness.odds", "This key is missing.", "Write '"),
         ("answers = 3", "answers = 2.5", "likeness.answers", "number is 2.5", "a whole number"),
         ("answers = 3", "answer = 3", "likeness.answer", "means nothing here", "'answers'"),
         ("[report]", "[reports]", "reports", "This key means nothing here.", "'report'"),

@@ -92,9 +92,9 @@ class TestLevels:
     ("old", "new", "key", "what", "remedy"),
     [
         ("share = 0.4", "share = 0.5", "line", "add up to 1.1, not to 1", "Change a share"),
-        ("share = 0.4", "", "line[1].share", "This key is missing.", "Write it."),
+        ("share = 0.4", "", "line[1].share", "This key is missing.", "Write '"),
         ("share = 0.4", 'share = "most"', "line[1].share", "wrong type", "a number"),
-        ('id = "sizes"', "", "line[1].id", "This key is missing.", "Write it."),
+        ('id = "sizes"', "", "line[1].id", "This key is missing.", "Write '"),
         ('id = "sizes"', 'id = "Размеры"', "line[1].id", "is no id", "small Latin letters"),
         ('id = "sizes"', 'id = "points"', "line[1].id", "column of the table", "otherwise"),
         ('id = "assembly"', 'id = "sizes"', "line[2].id", "Two lines have the id", "of its own"),
@@ -136,7 +136,7 @@ def test_a_share_that_is_none_is_refused(draft: "Draft", share: str) -> None:
 def test_a_rubric_that_is_no_toml_is_one_problem(draft: "Draft") -> None:
     problem = draft.put(RUBRIC, b"title = {").problem()
     assert problem.file == RUBRIC
-    assert "not valid TOML" in str(problem.what)
+    assert "A bracket" in str(problem.what)
 
 
 def test_faults_of_all_rubrics_come_with_those_of_the_policy(draft: "Draft") -> None:

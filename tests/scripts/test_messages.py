@@ -56,7 +56,9 @@ def test_the_help_of_commands_is_read_where_it_is_declared(root: Path) -> None:
         'def run(speed: Speed) -> None:\n    """Do it."""\n'
         'def other() -> None:\n    """Nothing that is shown."""\n'
     )
-    (root / "src" / "cli_some.py").write_text(source, encoding="utf-8")
+    path = root / "src" / "gripcourse" / "cli" / "some.py"
+    path.parent.mkdir(parents=True)
+    path.write_text(source, encoding="utf-8")
     assert sorted(messages.extracted(root)) == sorted(
         ["Some group.", "number", "How quickly.", "How many.", "processors", "Do it."]
     )

@@ -92,7 +92,7 @@ def test_who_types_another_unit_goes_on_with_the_right_number(
     plan: Plan, policy: Policy, given: dict[str, float]
 ) -> None:
     unit = next(
-        one for one in candidates_of(plan, "drive_force", policy.slips) if one.id == "unit:kN"
+        one for one in candidates_of(plan, "drive_force", policy.slips) if str(one.id) == "unit:kN"
     )
     right = typed(calculate(plan, given, hand(), {}))
     bare = typed(

@@ -9,12 +9,18 @@ from gripcourse.grading.model import Finding, Flag, Outcome
 from gripcourse.simulation.confusion import JudgedWork, Said, evaluate
 from gripcourse.simulation.misses import HEADS, misses_csv
 from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import message
+
+
+def _slip(written: str) -> SlipId | None:
+    return SlipId.parse(written) if written else None
 
 
 def action(quantity: str, done: ActionKind, slip: str = "", twins: tuple[str, ...] = ()) -> Action:
     kind = slip.partition(":")[0]
-    return Action(quantity, done, slip, kind, twins, value=2.0, right=1.0, typed=2.0)
+    made, others = _slip(slip), tuple(SlipId.parse(one) for one in twins)
+    return Action(quantity, done, made, kind, others, value=2.0, right=1.0, typed=2.0)
 
 
 @pytest.fixture
@@ -64,8 +70,8 @@ class Plant:
             self.pattern.report.findings[0],
             quantity=quantity,
             outcome=outcome,
-            slip=slip,
-            tied=tied,
+            slip=_slip(slip),
+            tied=tuple(SlipId.parse(one) for one in tied),
         )
 
 

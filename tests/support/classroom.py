@@ -12,7 +12,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.students import Behaviour
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.write import fill
 from gripcourse.solver.plan import Plan, make_plan
@@ -49,7 +49,7 @@ class Classroom:
 
     @property
     def register(self) -> Mapping[str, Issued]:
-        return read_register(register_path(self.course.root), self.course.id).by_student()
+        return read_register(self.course.root, self.course.id).by_student()
 
     @property
     def context(self) -> GradingContext:

@@ -54,7 +54,7 @@ def perfect(plan: Plan, values: dict[str, float]) -> Report:
             inputs={name: values[name] for name in plan.inputs[one.id]},
             points=0.0 if one.kind is Kind.MANUAL else 2.0,
             max_points=2.0,
-            slip="",
+            slip=None,
             message=message("Correct."),
             remarks=(),
         )

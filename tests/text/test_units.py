@@ -2,6 +2,7 @@ import csv
 from fractions import Fraction
 from importlib.resources import files
 
+import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -153,15 +154,20 @@ def test_only_the_spellings_of_the_table_are_known(unit: str) -> None:
         units.unit_text(unit, "en")
 
 
-def test_a_scale_with_its_own_zero_is_refused_even_if_the_table_lists_it(
-    monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
-) -> None:
-    # What is remembered of the real table, and of this one, must not meet.
-    known.cache_clear()
-    request.addfinalizer(known.cache_clear)
-    monkeypatch.setattr(units, "_table", lambda: {"degC": None})
-    with pytest.raises(UnitError, match="degC"):
-        factor("degC")
+@pytest.mark.parametrize("unit", ["mm**123", "mm**99999999999999999999", "1/s**1000"])
+def test_a_power_that_no_unit_has_is_refused_before_it_is_computed(unit: str) -> None:
+    assert not known(unit)
+    assert read_unit(unit.replace("**", "^")) is None
+
+
+def test_sizes_and_dimensions_are_those_that_another_library_knows() -> None:
+    registry = pint.UnitRegistry()
+    compounds = ["kgf/cm**2", "ohm*mm**2/m", "l/min", "N*m/rad", "A/mm**2", "1/s", "kg/m/s"]
+    for unit in [*(row["unit"] for row in TABLE), *compounds]:
+        one = registry.Quantity(1.0, unit).to_base_units()
+        measured = {str(base).strip("[]"): power for base, power in one.dimensionality.items()}
+        assert factor(unit) == pytest.approx(one.magnitude, rel=1e-14), unit
+        assert dict(dimension(unit).exponents) == measured, unit
 
 
 @pytest.mark.parametrize(

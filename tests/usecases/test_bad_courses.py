@@ -47,7 +47,7 @@ def problems(root: Path) -> list[tuple[str, str, str]]:
         pytest.param([(COURSE, r"\[\[section\]\].*?\n\n", "")],
                      COURSE, "section", "has no section", id="no section"),
         pytest.param([(COURSE, 'id = "sizes"', 'id = "loads"')],
-                     COURSE, "section[2].id", "more than once", id="one section twice"),
+                     COURSE, "section[2].id", "Two sections have", id="one section twice"),
         pytest.param([(POLICY, "loads = 40\n", "")],
                      POLICY, "points.section.loads", "has no points", id="section without points"),
         pytest.param([(POLICY, "loads = 40", "loads = 0"), (POLICY, "sizes = 60", "sizes = 0")],

@@ -16,6 +16,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.model import Kind
 from gripcourse.demo.students import blank, correct, early_slip
 from gripcourse.errors import UsageError
+from gripcourse.exports.report_result import GradesResult
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.grade import GradingOutcome, find_files, grade, json_text, write_results
 
@@ -193,7 +194,9 @@ class TestJson:
     )
 
     def test_every_file_has_its_findings(self, graded: Path, issued: "Classroom") -> None:
-        files = json.loads((graded / "grades.json").read_text(encoding="utf-8"))
+        grades = json.loads((graded / "grades.json").read_text(encoding="utf-8"))
+        assert GradesResult.from_dict(grades).to_dict() == grades
+        files = grades["reports"]
         assert [one["student"] for one in files] == ["s01", "s03", "s02"]
         for one in files:
             assert set(self.FILE_KEYS) <= set(one)
@@ -213,7 +216,7 @@ class TestJson:
     def test_values_are_in_declared_units_and_add_up(
         self, graded: Path, issued: "Classroom"
     ) -> None:
-        first = json.loads((graded / "grades.json").read_text(encoding="utf-8"))[0]
+        first = json.loads((graded / "grades.json").read_text(encoding="utf-8"))["reports"][0]
         findings = {one["quantity"]: one for one in first["findings"]}
         force = findings["grip_force"]
         assert force["outcome"] == "correct"
@@ -229,12 +232,12 @@ class TestJson:
         self, issued: "Classroom", rough_inbox: Path
     ) -> None:
         graded = grade([rough_inbox / "текст.xlsx"], issued.context, 1, nothing)
-        (one,) = json.loads(json_text([graded[0].report], Words("en")))
+        (one,) = json.loads(json_text([graded[0].report], Words("en")))["reports"]
         assert one["score"] is None
         assert one["max_score"] is None
         assert one["findings"] == []
-        assert one["flags"] == ["rejected"]
-        assert one["flag_messages"][0]
+        assert [flag["code"] for flag in one["flags"]] == ["rejected"]
+        assert one["flags"][0]["message"]
 
     def test_declared_texts_are_in_the_readers_language(
         self, issued: "Classroom", inbox: Path
@@ -244,6 +247,6 @@ class TestJson:
         quantity = issued.plan("s02").quantities["grip_force"]
         hint = next(one.hint for one in quantity.slips if one.id == "one_jaw_only")
         for language in LANGUAGES:
-            (one,) = json.loads(json_text([graded.report], Words(language)))
+            (one,) = json.loads(json_text([graded.report], Words(language)))["reports"]
             findings = {each["quantity"]: each for each in one["findings"]}
             assert hint.of(language) in findings["grip_force"]["message"]

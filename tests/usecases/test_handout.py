@@ -17,7 +17,7 @@ from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.roster import read_roster
 from gripcourse.policy.load import load_policy
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
 from gripcourse.usecases import handout as module
 from gripcourse.usecases.handout import Handout, IssuingContext, issue, issue_one
@@ -43,7 +43,7 @@ def entries(course: Course) -> tuple[Issued, ...]:
 
 @pytest.fixture
 def context(course: Course, tmp_path: Path) -> IssuingContext:
-    return IssuingContext(course, load_policy(course), partial(make_plan, course), tmp_path / "out")
+    return IssuingContext(course, load_policy(course), partial(plan_of, course), tmp_path / "out")
 
 
 @pytest.fixture

@@ -17,13 +17,15 @@ from openpyxl import load_workbook
 from gripcourse.cli.grading_text import grading_text
 from gripcourse.cli.text import issuing_text
 from gripcourse.course.model import Course
+from gripcourse.documents.kind import SampleDocument
+from gripcourse.documents.kinds import assignment, cohort, student
 from gripcourse.documents.pdf import Document, pdf_from_html, render_html
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.general_view import general_view
 from gripcourse.errors import Problem
 from gripcourse.exports.grades import grades_text
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import shown
@@ -31,15 +33,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.grade import GradingOutcome, json_text
 from gripcourse.usecases.handout import Handout
 from gripcourse.usecases.issue import Issuing
-from gripcourse.usecases.samples import (
-    SampleDocument,
-    assignment,
-    cohort,
-    refused_report,
-    sample_report,
-    samples,
-    student,
-)
+from gripcourse.usecases.samples import judged_sample, refused_sample, samples
 from gripcourse.workbook.write import answer_workbook
 
 REPOSITORY = Path(__file__).parents[2]
@@ -93,13 +87,15 @@ def text(request: pytest.FixtureRequest) -> str:
 def sample(plain: SampleDocument, text: str) -> SampleDocument:
     """A student of that name."""
     named = replace(plain.issued.student, name=text, group=text)
-    return replace(plain, issued=replace(plain.issued, student=named))
+    issued = replace(plain.issued, student=named)
+    judged = judged_sample(issued, plain.plan, plain.policy)
+    return replace(plain, issued=issued, judged=judged, refused=refused_sample(issued))
 
 
 @pytest.fixture(scope="module")
 def report(sample: SampleDocument, text: str) -> Report:
     """A judged workbook with that text wherever a student can put one."""
-    judged = sample_report(sample)
+    judged = sample.judged
     said = message("The student handed in more files: {files}.", files=text)
     findings = [replace(one, typed=text, remarks=(said,)) for one in judged.findings]
     return replace(
@@ -107,16 +103,20 @@ def report(sample: SampleDocument, text: str) -> Report:
         file=text,
         findings=tuple(findings),
         remarks=(said,),
-        flags=(Flag("several_files", said),),
+        flags=(Flag(FlagCode.SEVERAL_FILES, said),),
     )
 
 
 DOCUMENTS: Mapping[str, Callable[[SampleDocument, Report], Document]] = {
-    "assignment": lambda sample, _: assignment(sample),
-    "student": lambda sample, report: student(sample, report, Reveal.NOTHING),
-    "student_revealed": lambda sample, report: student(sample, report, Reveal.REFERENCE),
-    "student_refused": lambda sample, _: student(sample, refused_report(sample), Reveal.NOTHING),
-    "cohort": lambda sample, report: cohort(sample, [report, report]),
+    "assignment": lambda sample, _: assignment.sheet(sample),
+    "student": lambda sample, report: student.report_page(sample, report, Reveal.NOTHING),
+    "student_revealed": lambda sample, report: student.report_page(
+        sample, report, Reveal.REFERENCE
+    ),
+    "student_refused": lambda sample, _: student.report_page(
+        sample, sample.refused, Reveal.NOTHING
+    ),
+    "cohort": lambda sample, report: cohort.summary(sample, [report, report]),
 }
 
 
@@ -125,7 +125,7 @@ def test_a_page_shows_it_and_has_no_element_of_it(
     plain: SampleDocument, sample: SampleDocument, report: Report, text: str, kind: str
 ) -> None:
     page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
-    usual = render_html(DOCUMENTS[kind](plain, sample_report(plain)), TEMPLATES, plain.words)
+    usual = render_html(DOCUMENTS[kind](plain, plain.judged), TEMPLATES, plain.words)
     read = Page(page)
     assert read.names <= Page(usual).names | {"q", "br"}
     assert shown(text) in "".join(read.words)
@@ -133,7 +133,7 @@ def test_a_page_shows_it_and_has_no_element_of_it(
 
 
 def test_it_can_be_laid_out(sample: SampleDocument) -> None:
-    document = student(sample, refused_report(sample), Reveal.NOTHING)
+    document = student.report_page(sample, sample.refused, Reveal.NOTHING)
     pdf = pdf_from_html(render_html(document, TEMPLATES, sample.words), document.styles, TEMPLATES)
     assert pdf.startswith(b"%PDF")
 
@@ -191,6 +191,6 @@ def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_pa
 
 
 def test_json_gives_it_back_as_it_was(report: Report, text: str) -> None:
-    (read,) = json.loads(json_text([report], Words("en")))
+    (read,) = json.loads(json_text([report], Words("en")))["reports"]
     assert read["file"] == text
     assert {finding["typed"] for finding in read["findings"]} == {text}

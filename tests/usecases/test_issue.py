@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.database.home import gradebook_path
 from gripcourse.errors import GripcourseError, RegisterError, TableError
-from gripcourse.issuing.register import register_path
+from gripcourse.issuing.register_file import old_register_path
 from gripcourse.issuing.signature import key_path, verify
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -157,7 +158,7 @@ class TestRefusals:
         assert [note for note in classroom.issue().notes if str(key) in str(note)] == []
 
     def test_a_damaged_register_is_never_overwritten(self, classroom: "Classroom") -> None:
-        path = register_path(classroom.course.root)
+        path = old_register_path(classroom.course.root)
         path.parent.mkdir(exist_ok=True)
         path.write_text('{"format": 1, "issued": [', encoding="utf-8")
         with pytest.raises(RegisterError):
@@ -176,8 +177,7 @@ def refused(classroom: "Classroom", kind: type[GripcourseError], *said: str) -> 
         classroom.issue()
     assert all(part in str(caught.value) for part in said), str(caught.value)
     assert not classroom.order.out.exists()
-    assert not register_path(classroom.course.root).exists()
-    private = register_path(classroom.course.root).parent
+    private = gradebook_path(classroom.course.root).parent
     assert {path.name for path in private.iterdir()} <= {"key"}
 
 

@@ -2,11 +2,21 @@
 
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
+from datetime import date
 from pathlib import Path
 
 import pytest
+from sqlalchemy import text
 
-from gripcourse.usecases.validate import all_problems
+from gripcourse.course.model import Course
+from gripcourse.database.home import gradebook_path
+from gripcourse.database.opening import open_engine
+from gripcourse.issuing.allotment import Terms, extend
+from gripcourse.issuing.signature import key_path, make_key
+from gripcourse.issuing.store import extend_register
+from gripcourse.usecases.validate import all_problems, register_problems
+from gripcourse.variants.model import Student, Variant
 
 REPOSITORY = Path(__file__).parents[2]
 SPACE = "variants/spaces/rack_parallelogram.toml"
@@ -21,9 +31,9 @@ def broken(tmp_path: Path) -> Callable[..., Path]:
         for folder in ("variants", "grader", "templates"):
             shutil.copytree(REPOSITORY / folder, root / folder)
         for file, old, new in edits:
-            text = (root / file).read_text(encoding="utf-8")
-            assert old in text, file
-            (root / file).write_text(text.replace(old, new, 1), encoding="utf-8")
+            written = (root / file).read_text(encoding="utf-8")
+            assert old in written, file
+            (root / file).write_text(written.replace(old, new, 1), encoding="utf-8")
         return root
 
     return make
@@ -46,6 +56,19 @@ def test_declarations_catalogues_and_policy_are_judged_together(
         ("variants/catalogues/pin.csv", "source"),
         ("grader/policy.toml", "points.section"),
     }
+
+
+def test_a_changed_register_is_named_with_its_student(course: Course, tmp_path: Path) -> None:
+    mine, key = replace(course, root=tmp_path), bytes(range(32))
+    make_key(key_path(tmp_path), key)
+    terms = Terms(key, date(2026, 9, 1), None)
+    person, variant = Student("s01", "", "", "", "", ""), Variant("001", "", {}, {"mass": 55.0})
+    extend_register(tmp_path, mine.id, lambda one: extend(one, [person], [variant], terms))
+    assert register_problems(mine) == ()
+    with open_engine(str(gradebook_path(tmp_path))).begin() as connection:
+        connection.execute(text("UPDATE register_issued SET given = '{\"mass\": 5}'"))
+    (problem,) = register_problems(mine)
+    assert str(problem.key) == "student s01"
 
 
 def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path]) -> None:

@@ -201,6 +201,18 @@ def test_a_quantity_that_hardly_differs_is_named_as_weak(raw_audit: VariantAudit
         assert one.lowest <= one.median <= one.highest
 
 
+def test_a_verdict_with_one_answer_is_weak_and_one_with_both_is_not(
+    raw_audit: VariantAudit,
+) -> None:
+    assert all(one.must_hold and one.yes == one.variants for one in raw_audit.verdicts)
+    assert {one.quantity for one in raw_audit.verdicts} == raw_audit.weak_verdicts
+    first = raw_audit.verdicts[0]
+    mixed = (replace(first, yes=first.variants - 1), *raw_audit.verdicts[1:])
+    assert replace(raw_audit, verdicts=mixed).weak_verdicts == raw_audit.weak_verdicts - {
+        first.quantity
+    }
+
+
 def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: VariantAudit) -> None:
     assert sum(one.variants for one in raw_audit.steps) == len(raw_audit.variants)
     assert {one.scheme for one in raw_audit.steps} == SCHEMES

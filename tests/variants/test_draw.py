@@ -10,6 +10,7 @@ from gripcourse.course.model import Course
 from gripcourse.errors import TableError
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import message
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import Batch, Sifted, draw
 from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.space import load_spaces
@@ -86,7 +87,7 @@ def test_a_space_with_a_single_variant_cannot_give_two(small_course: Course) -> 
     (space,) = load_spaces(small_course)
     (oil, _) = space.cases
     single = {id_: allowed[:1] for id_, allowed in oil.given.items()}
-    narrow = replace(space, cases=(replace(oil, given=single),))
+    narrow = replace(space, cases=Cases.of([replace(oil, given=single)]))
     assert len(draw(small_course, [narrow], 1, 7).variants) == 1
     with pytest.raises(TableError, match="the same numbers as another variant"):
         draw(small_course, [narrow], 2, 7)

@@ -1,5 +1,7 @@
 """What makes a variant impossible is named once, at its cause."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -54,6 +56,14 @@ def test_the_reason_names_quantity_and_values(
     assert (cause, quantity) in [(reason.cause, reason.quantity) for reason in reasons]
     sentences = [str(sentence) for sentence in why_infeasible(plan, given)]
     assert any(said in sentence for sentence in sentences), sentences
+
+
+def test_a_verdict_that_may_come_out_either_way_refuses_nothing(plan: Plan) -> None:
+    over = SOUND | {"pressure": 16.0}
+    asked = replace(plan.quantities["pressure_holds"], must_hold=False)
+    open_plan = replace(plan, quantities={**plan.quantities, asked.id: asked})
+    assert why_infeasible(open_plan, over) == ()
+    assert why_infeasible(plan, over) != ()
 
 
 def test_what_follows_from_a_missing_value_is_not_named_again(plan: Plan) -> None:

@@ -14,6 +14,7 @@ from gripcourse.variants.accepted import Accepted
 from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
 from gripcourse.variants.apart import Limits, limits_of, measure, shared_points
 from gripcourse.variants.audit import audit
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
 from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import load_spaces
@@ -43,9 +44,9 @@ def test_options_without_room_for_one_more_are_made_up_by_others_of_the_scheme(
     course: Course, policy: Policy
 ) -> None:
     (space,) = (one for one in load_spaces(course) if one.scheme == "wedge_slide")
-    first, *others = space.cases[:6]
+    first, *others = [space.cases[place] for place in range(6)]
     single = replace(first, given={id_: allowed[:1] for id_, allowed in first.given.items()})
-    narrow = replace(space, cases=(single, *others))
+    narrow = replace(space, cases=Cases.of((single, *others)))
     variants = draw(course, [narrow], 12, 5, sifter(policy, len(course.sections))).variants
     assert len(variants) == 12
     with pytest.raises(TableError):  # without a rule that needs room it is a fault of the space
@@ -70,11 +71,9 @@ def test_what_was_set_aside_is_counted_by_reason(course: Course, policy: Policy)
 
 def test_a_limit_that_nothing_keeps_is_told_with_its_reason(course: Course, policy: Policy) -> None:
     (space,) = (one for one in load_spaces(course) if one.scheme == "screw")
-    narrow = replace(space, cases=tuple(
-        replace(case, given={id_: allowed[:1] if id_ != "mass" else allowed
-                             for id_, allowed in case.given.items()}, constraints=())
-        for case in space.cases[:1]
-    ))  # fmt: skip
+    case = space.cases[0]
+    given = {id_: all_ if id_ == "mass" else all_[:1] for id_, all_ in case.given.items()}
+    narrow = replace(space, cases=Cases.of([replace(case, given=given, constraints=())]))
     loose = replace(policy, variants=replace(policy.variants, keep_apart=(), step_margin=0.0))
     with pytest.raises(TableError, match="too near to another variant"):
         draw(course, [narrow], 30, 5, sifter(loose, len(course.sections)))

@@ -1,14 +1,18 @@
 """Spaces are read into lists of tidy values, and every mistake in them is told."""
 
+import json
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
+from gripcourse.variants.cases import SpaceCase
 from gripcourse.variants.ranges import Follower
-from gripcourse.variants.space import Space, SpaceCase, load_spaces
+from gripcourse.variants.space import Space, load_spaces
 
 Change = Callable[[str, str], Course]
 
@@ -57,6 +61,47 @@ def test_a_course_without_spaces_has_none(small_course: Course, small_with: Chan
     (course.root / "variants" / "spaces" / "press.toml").unlink()
     assert load_spaces(course) == ()
     assert len(load_spaces(small_course)) == 1
+
+
+def ranges_beside_givens(course: Course) -> None:
+    """Move every range of the scheme's file to the givens; the file is no more."""
+    space = course.root / "variants" / "spaces" / "press.toml"
+    given = tomllib.loads(space.read_text(encoding="utf-8"))["given"]
+    space.unlink()
+    for path in (course.root / "variants").rglob("*.toml"):
+        text = path.read_text(encoding="utf-8")
+        for name, table in given.items():
+            heading = f"[quantity.{name}]\n"
+            text = text.replace(heading, f"{heading}range = {inline(table)}\n")
+        path.write_text(text, encoding="utf-8")
+
+
+def inline(value: object) -> str:
+    """Write a value as TOML on one line."""
+    match value:
+        case dict():
+            return "{ " + ", ".join(f"{key} = {inline(one)}" for key, one in value.items()) + " }"
+        case list():
+            return "[" + ", ".join(inline(one) for one in value) + "]"
+        case _:
+            return json.dumps(value)
+
+
+def test_a_range_beside_its_given_needs_no_space(small_course: Course, small_with: Change) -> None:
+    course = small_with("", "")
+    ranges_beside_givens(course)
+    (space,), (usual,) = load_spaces(load_course(course.root)), load_spaces(small_course)
+    assert [case.given for case in space.cases] == [case.given for case in usual.cases]
+    assert [case.followers for case in space.cases] == [case.followers for case in usual.cases]
+
+
+def test_a_space_replaces_a_range_beside_its_given(small_with: Change) -> None:
+    course = small_with("", "")
+    ranges_beside_givens(course)
+    own = 'scheme = "press"\n[given.friction]\nvalues = [0.2]\n'
+    (course.root / "variants" / "spaces" / "press.toml").write_text(own, encoding="utf-8")
+    (space,) = load_spaces(load_course(course.root))
+    assert case_of(space, "oil").given["friction"] == (0.2,)
 
 
 def test_a_second_file_for_a_scheme_is_refused(small_with: Change) -> None:

@@ -227,6 +227,20 @@ def test_a_column_that_all_need_is_missed_once(tmp_path: Path, small_course: Cou
     ]
 
 
+def test_the_same_fault_in_many_rows_of_a_column_is_told_once(
+    tmp_path: Path, small_course: Course
+) -> None:
+    """As when a scheme gains a given that the stored table has only for other rows."""
+    rows = [row(variant=str(number), mass="") for number in (1, 2, 3)]
+    path = write(tmp_path, HEADER, *rows, row(variant="4"), row(variant="5", mass=""))
+    assert problems_of(path, small_course) == [
+        (
+            "4 rows (2–4, 6), column mass [kg]",
+            "The value is missing: the scheme 'press' needs it. Write a number.",
+        )
+    ]
+
+
 def test_a_table_without_variants_is_a_problem(tmp_path: Path, small_course: Course) -> None:
     (problem,) = problems_of(write(tmp_path, HEADER), small_course)
     assert "no variants" in problem[1]

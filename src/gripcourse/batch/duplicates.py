@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.text.words import message
 
 
@@ -31,13 +31,13 @@ def _flags(
     files = [one.file for one in by_student.get(report.student, ()) if one is not report]
     if files:
         yield Flag(
-            "several_files",
+            FlagCode.SEVERAL_FILES,
             message("The student handed in more files: {files}.", files=", ".join(files)),
         )
     others = (one.student for one in by_digest.get(report.digest, ()))
     students = dict.fromkeys(one for one in others if one != report.student)
     if students:
         yield Flag(
-            "same_bytes",
+            FlagCode.SAME_BYTES,
             message("The same file came from: {students}.", students=", ".join(students)),
         )

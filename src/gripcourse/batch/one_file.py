@@ -3,19 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from pathlib import Path
 from typing import Final
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import rejected_report, unknown_student_report
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
@@ -38,14 +39,14 @@ class GradingContext:
     register: Mapping[str, Issued]
 
 
-def grade_file(file: Path, context: GradingContext) -> Report:
+def grade_file(source: Readable, context: GradingContext) -> Report:
     """Grade one file; the student's faults are in the report, only ours are exceptions."""
-    raw = read_workbook(file)
+    raw, file = read_workbook(source), shown_name(source)
     if isinstance(raw, Rejected):
-        return rejected_report(raw, submitter(str(file), "", context.register))
-    issued = submitter(str(file), raw.identity.student, context.register)
+        return rejected_report(raw, submitter(file, "", context.register))
+    issued = submitter(file, raw.identity.student, context.register)
     if issued is None:
-        return unknown_student_report(str(file), raw.identity.student, raw.digest)
+        return unknown_student_report(file, raw.identity.student, raw.digest)
     return judge_read(raw, issued, context)
 
 
@@ -58,14 +59,12 @@ def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Rep
 
 def methods_of(context: GradingContext, variant: Variant) -> tuple[Plan, CandidatesOf]:
     """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
-    return _methods(context, variant.scheme, tuple(variant.options.items()))
+    return _methods(context, variant.composition)
 
 
 @lru_cache(maxsize=_COMPOSITIONS)
-def _methods(
-    context: GradingContext, scheme: str, options: tuple[tuple[str, str], ...]
-) -> tuple[Plan, CandidatesOf]:
-    plan = make_plan(context.course, scheme, dict(options))
+def _methods(context: GradingContext, composition: Composition) -> tuple[Plan, CandidatesOf]:
+    plan = plan_of(context.course, composition)
 
     @cache
     def methods(name: str) -> tuple[Candidate, ...]:

@@ -1,9 +1,9 @@
 """Grading a whole batch: each file in a worker that may die; none is lost, none a zero."""
 
 import hashlib
+import logging
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
@@ -12,13 +12,16 @@ from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.grading.identify import submitter
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.jobs.workers import Lost, in_order, run_each
+from gripcourse.machine.content import Readable, shown_name
 from gripcourse.text.shown import shown
+
+_log = logging.getLogger(__name__)
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
 
-GradeOne: TypeAlias = Callable[[Path, GradingContext], Report]
+GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
 
 
@@ -39,10 +42,10 @@ class _Job:
 
 
 def grade_files(
-    files: Sequence[Path],
+    files: Sequence[Readable],
     context: GradingContext,
     workers: int,
-    on_done: Callable[[Path], None] = lambda _: None,
+    on_done: Callable[[Readable], None] = lambda _: None,
     *,
     grade_one: GradeOne = grade_file,
     seconds: float = SECONDS_PER_FILE,
@@ -50,25 +53,32 @@ def grade_files(
     """Grade files in parallel; the result is in the order of the files.
 
     Args:
-        files: to grade.
+        files: to grade; bytes with their names are files too.
         context: the course, its policy, the register.
-        workers: how many processes.
+        workers: how many processes; 0 for none but this one, see `run_each`.
         on_done: called with each file when it is done.
         grade_one: grades one file.
         seconds: that one file may take.
     """
-    done: dict[Path, Graded] = {}
     job = _Job(context, grade_one)
-    for number, report in run_each(_grade, files, job, workers=workers, seconds=seconds):
-        file = files[number]
-        if isinstance(report, Lost):
-            done[file] = _incident(file, context, report.trace)
-        else:
-            # A name need not be text for every system; from here on it is only read by people.
-            done[file] = Graded(replace(report, file=shown(report.file)), "")
-        on_done(file)
-    reports, trace = mark_likeness(mark_doubles([done[file].report for file in files]), context)
-    incidents = [done[file].incident for file in files]
+    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+
+    def done(number: int) -> None:
+        _log.info("graded %s", shown(shown_name(files[number])))
+        on_done(files[number])
+
+    reports = in_order(jobs, done)
+    graded = (_graded(file, report, context) for file, report in zip(files, reports, strict=True))
+    return compared(tuple(graded), context)
+
+
+def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
+    """Flag the files of a batch that belong together or hold another student's numbers.
+
+    What fails on our side while they are compared stands with the first file.
+    """
+    reports, trace = mark_likeness(mark_doubles([one.report for one in graded]), context)
+    incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
 
@@ -78,12 +88,19 @@ def incident_number(trace: str) -> str:
     return hashlib.sha256(shown(trace).encode()).hexdigest()[:8]
 
 
-def _grade(file: Path, job: _Job) -> Report:
+def _grade(file: Readable, job: _Job) -> Report:
     return job.grade_one(file, job.context)
 
 
-def _incident(file: Path, context: GradingContext, trace: str) -> Graded:
-    number = incident_number(trace)
-    issued = submitter(str(file), "", context.register)
+def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> Graded:
+    if isinstance(report, Lost):
+        return _incident(file, context, report.trace)
+    # A name need not be text for every system; from here on it is only read by people.
+    return Graded(replace(report, file=shown(report.file)), "")
+
+
+def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:
+    number, file = incident_number(trace), shown_name(source)
+    issued = submitter(file, "", context.register)
     told = shown(f"incident {number}: {trace}\n{file}\n")
-    return Graded(incident_report(shown(str(file)), number, issued), told)
+    return Graded(incident_report(shown(file), number, issued), told)

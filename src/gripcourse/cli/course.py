@@ -7,12 +7,15 @@ import typer
 
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
+    NEEDS_PERSON,
     WRONG_USE,
     CourseOption,
     LanguageOption,
     OutOption,
+    SchemeOption,
     course_folder,
     document_language,
     words_for,
@@ -27,15 +30,62 @@ app = typer.Typer()
 
 
 @app.command(cls=SpokenCommand)
-def validate(course: CourseOption = None, language: LanguageOption = None) -> None:
+def validate(
+    *,
+    prove: Annotated[
+        bool, typer.Option("--prove", help="Prove the formulas too; takes minutes.")
+    ] = False,
+    count: Annotated[
+        int,
+        typer.Option(
+            "--count", min=1, max=1000, help="Variants to prove with, for each choice of options."
+        ),
+    ] = 4,
+    scheme: SchemeOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
     """Check a whole course and list all its problems at once."""
-    from gripcourse.usecases.validate import all_problems
+    from gripcourse.usecases.validate import all_problems, scheme_problems
 
-    words = words_for(language)
-    problems = all_problems(course_folder(course))
+    words, root = words_for(language), course_folder(course)
+    problems = all_problems(root) if scheme is None else scheme_problems(root, scheme)
     if problems:
         raise GripcourseError(problems)
-    typer.echo(words.say(message("The course is valid.")))
+    confirm(
+        words.say(
+            message("The course is valid.")
+            if scheme is None
+            else message("The scheme {scheme} is valid.", scheme=scheme)
+        )
+    )
+    if prove:
+        _prove(root, count, scheme, words)
+
+
+def _prove(root: Path, count: int, scheme: str | None, words: Words) -> None:
+    """Print a line for each proof as soon as it ended, and what they come to."""
+    from gripcourse.cli.proof_text import open_text, result_line, summary_text
+    from gripcourse.course.load import load_course
+    from gripcourse.policy.load import load_policy
+    from gripcourse.proofs.model import Verdict
+    from gripcourse.proofs.prove import prove
+
+    loaded = load_course(root)
+    results = []
+    for result in prove(loaded, load_policy(loaded), count=count, scheme=scheme):
+        typer.echo(result_line(result, words))
+        results.append(result)
+    if said := open_text(results, words):
+        typer.echo(said)
+    typer.echo(summary_text(results, words))
+    failed = [
+        one for result in results if result.verdict is Verdict.FAILS for one in result.problems
+    ]
+    if failed:
+        raise GripcourseError(failed)
+    is_open = any(one.verdict is Verdict.OPEN for one in results)
+    raise typer.Exit(NEEDS_PERSON if is_open else DONE)
 
 
 @app.command(cls=SpokenCommand)
@@ -65,12 +115,12 @@ def init(
         empty_course(folder, secrets.token_bytes(32), words)
     else:
         init_course(folder, secrets.token_bytes(32), words, source)
-    typer.echo(words.say(message("The course is in {folder}.", folder=str(folder))))
+    confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
 
 
 @app.command(cls=SpokenCommand)
 def doctor(language: LanguageOption = None) -> None:
-    """Check this machine and say how to mend what it lacks."""
+    """Check this machine and say how to get what it lacks."""
     from gripcourse.machine.doctor import checks
 
     words = words_for(language)
@@ -96,6 +146,15 @@ def atlas(
     loaded = load_course(course_folder(course))
     words = Words(document_language(language, loaded.language))
     for path in draw_atlas(loaded, name, out, words):
+        confirm(str(path))
+
+
+@app.command(cls=SpokenCommand)
+def schema(*, out: OutOption = Path("schema")) -> None:
+    """Write the keys of all files of a course: JSON Schema for editors, and a page to read."""
+    from gripcourse.usecases.schema import write_schemas
+
+    for path in write_schemas(out):
         typer.echo(str(path))
 
 
@@ -112,4 +171,4 @@ def reference(
 
     words = Words(document_language(language, LANGUAGES[0]))
     for path in write_reference(load_course(course_folder(course)), out, words):
-        typer.echo(str(path))
+        confirm(str(path))

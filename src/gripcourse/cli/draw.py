@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     CourseOption,
     LanguageOption,
@@ -45,4 +46,4 @@ def draw(
     solved = solve_from_table(loaded, variants, variant, None)
     words = Words(document_language(language, loaded.language))
     for path in write_general_view(solved, out, student, words):
-        typer.echo(str(path))
+        confirm(str(path))

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.text import table_text
+from gripcourse.grading.flag_code import FlagCode
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
 
@@ -19,22 +20,22 @@ if TYPE_CHECKING:
     from gripcourse.usecases.mark import Marking
 
 FLAGS = {
-    "givens_changed": message("given values changed"),
-    "givens_missing": message("given values missing"),
-    "identity_missing": message("issued to nobody"),
-    "incident": message("failure on our side"),
-    "issued_to_other": message("issued to another"),
-    "mark_outdated": message("mark outdated"),
-    "not_judged": message("not judged"),
-    "other_variant": message("another's variant"),
-    "rejected": message("file rejected"),
-    "report_incident": message("no report"),
-    "same_answers": message("another's answers"),
-    "same_bytes": message("another's file"),
-    "same_creator": message("same author"),
-    "several_files": message("several files"),
-    "signature": message("wrong signature"),
-    "unknown_student": message("unknown student"),
+    FlagCode.GIVENS_CHANGED: message("given values changed"),
+    FlagCode.GIVENS_MISSING: message("given values missing"),
+    FlagCode.IDENTITY_MISSING: message("issued to nobody"),
+    FlagCode.INCIDENT: message("failure on our side"),
+    FlagCode.ISSUED_TO_OTHER: message("issued to another"),
+    FlagCode.MARK_OUTDATED: message("mark outdated"),
+    FlagCode.NOT_JUDGED: message("not judged"),
+    FlagCode.OTHER_VARIANT: message("another's variant"),
+    FlagCode.REJECTED: message("file rejected"),
+    FlagCode.REPORT_INCIDENT: message("no report"),
+    FlagCode.SAME_ANSWERS: message("another's answers"),
+    FlagCode.SAME_BYTES: message("another's file"),
+    FlagCode.SAME_CREATOR: message("same author"),
+    FlagCode.SEVERAL_FILES: message("several files"),
+    FlagCode.SIGNATURE: message("wrong signature"),
+    FlagCode.UNKNOWN_STUDENT: message("unknown student"),
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""
 

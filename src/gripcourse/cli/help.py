@@ -4,24 +4,32 @@ The library that parses the command line has one place for this: classes of comm
 words what they show, and turn what the parser refuses into a `UsageError` like any other.
 """
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
+from gripcourse.cli.loudness import loudness_parameters
 from gripcourse.cli.options import WRONG_USE, LanguageOption, chosen_words
+from gripcourse.cli.refusals import refusals_told, see_help, value_range
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Message, Words, message
 
 if TYPE_CHECKING:
     # The library gives these types no public name.
     from typer._click import Command, Context, HelpFormatter, Parameter
+    from typer._click.shell_completion import CompletionItem
 
 WIDTH = 100
+
+# The library that parses makes these two itself.
+_COMPLETION = {
+    "--install-completion": message("Let the shell complete what is typed."),
+    "--show-completion": message("Show what makes the shell complete what is typed."),
+}
 
 
 class SpokenCommand(TyperCommand):
@@ -29,6 +37,18 @@ class SpokenCommand(TyperCommand):
 
     # What is left over is refused below, with what it is.
     allow_extra_args = True
+
+    def get_params(self, ctx: "Context") -> "list[Parameter]":
+        """Return the parameters of a command, with those that all commands take."""
+        return _with_loudness(super().get_params(ctx))
+
+    def shell_complete(self, ctx: "Context", incomplete: str) -> "list[CompletionItem]":
+        """Complete what is typed, with the help in the reader's language."""
+        return _in_words(super().shell_complete(ctx, incomplete))
+
+    def get_short_help_str(self, limit: int = WIDTH) -> str:  # noqa: ARG002 (the parser names it)
+        """Return what it is for, as a shell shows it beside what it completes."""
+        return chosen_words().declared(self.help)
 
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page."""
@@ -40,16 +60,28 @@ class SpokenCommand(TyperCommand):
         Raises:
             UsageError: it cannot be used.
         """
-        with _refusals_told(ctx):
+        with refusals_told(ctx):
             left = super().parse_args(ctx, args)
         if left and not ctx.resilient_parsing:
             what = message("There is no place for '{text}'.", text=" ".join(left))
-            raise UsageError([Problem("", "", what, _see_help(ctx))])
+            raise UsageError([Problem("", "", what, see_help(ctx))])
         return left
 
 
 class SpokenGroup(TyperGroup):
     """A group of commands whose help and refusals are in the reader's language."""
+
+    def get_params(self, ctx: "Context") -> "list[Parameter]":
+        """Return the parameters of a group, with those that all commands take."""
+        return _with_loudness(super().get_params(ctx))
+
+    def shell_complete(self, ctx: "Context", incomplete: str) -> "list[CompletionItem]":
+        """Complete what is typed, with the help in the reader's language."""
+        return _in_words(super().shell_complete(ctx, incomplete))
+
+    def get_short_help_str(self, limit: int = WIDTH) -> str:  # noqa: ARG002 (the parser names it)
+        """Return what it is for, as a shell shows it beside what it completes."""
+        return chosen_words().declared(self.help)
 
     def format_help(self, ctx: "Context", formatter: "HelpFormatter") -> None:
         """Write the help page with the list of the commands."""
@@ -61,7 +93,7 @@ class SpokenGroup(TyperGroup):
         Raises:
             UsageError: it cannot be used.
         """
-        with _refusals_told(ctx):
+        with refusals_told(ctx):
             return super().parse_args(ctx, args)
 
     def resolve_command(
@@ -72,7 +104,7 @@ class SpokenGroup(TyperGroup):
         Raises:
             UsageError: there is none of this name.
         """
-        if args[0] not in self.commands:
+        if args[0] not in self.commands and not ctx.resilient_parsing:
             from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
 
             what = message("There is no command '{name}'.", name=args[0])
@@ -80,31 +112,35 @@ class SpokenGroup(TyperGroup):
         return super().resolve_command(ctx, args)
 
 
-def command_group(text: str) -> typer.Typer:
+def command_group(text: str, *, is_program: bool = False) -> typer.Typer:
     """Make a group of commands.
 
     Args:
         text: what it is for, in English.
+        is_program: whether it is all of them, and so tells its version and completes words.
     """
     made = typer.Typer(
         cls=SpokenGroup,
         help=text,
-        add_completion=False,
+        add_completion=is_program,
         invoke_without_command=True,
         pretty_exceptions_enable=False,
         context_settings={"max_content_width": WIDTH},
     )
-    made.callback()(_alone)
+    made.callback()(_program if is_program else _alone)
     return made
 
 
-@contextmanager
-def _refusals_told(context: "Context") -> Iterator[None]:
-    """Turn what the parser refuses into an error like any other."""
-    try:
-        yield
-    except typer.TyperException as error:
-        raise UsageError([_refused(error, context)]) from error
+def _with_loudness(own: "list[Parameter]") -> "list[Parameter]":
+    # Help stands last.
+    return [*own[:-1], *loudness_parameters(), *own[-1:]]
+
+
+def _in_words(items: "list[CompletionItem]") -> "list[CompletionItem]":
+    words = chosen_words()
+    for item in items:
+        item.help = words.declared(item.help)
+    return items
 
 
 def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # noqa: ARG001
@@ -112,6 +148,21 @@ def _alone(context: typer.Context, language: LanguageOption = None) -> None:  # 
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
         raise typer.Exit(WRONG_USE)
+
+
+def _program(
+    context: typer.Context,
+    language: LanguageOption = None,
+    version: Annotated[  # noqa: FBT002 (a flag)
+        bool, typer.Option("--version", help="Show the version of the program.")
+    ] = False,
+) -> None:
+    if version:
+        from gripcourse import __version__  # noqa: PLC0415 (the program is above this)
+
+        typer.echo(f"gripcourse {__version__}")
+        raise typer.Exit
+    _alone(context, language)
 
 
 def _write_page(
@@ -174,7 +225,8 @@ def _described(parameter: TyperOption | TyperArgument, context: "Context", words
     """Say what a parameter is for, and in brackets what may be given."""
     if set(parameter.opts) & set(context.help_option_names):
         return words.translate("Show this help.")
-    text = words.declared(parameter.help)
+    ours = _COMPLETION.get(parameter.opts[0])
+    text = words.say(ours) if ours else words.declared(parameter.help)
     notes = "; ".join(words.say(one) for one in _notes(parameter, words))
     return f"{text} [{notes}]" if notes else text
 
@@ -189,69 +241,5 @@ def _notes(parameter: TyperOption | TyperArgument, words: Words) -> Iterator[Mes
         yield message("default: {value}", value=str(shown))
     if isinstance(parameter, TyperOption) and parameter.multiple:
         yield message("may be repeated")
-    if between := _range(parameter):
+    if between := value_range(parameter):
         yield between
-
-
-def _range(parameter: TyperOption | TyperArgument) -> Message | None:
-    if parameter.min is not None and parameter.max is not None:
-        return message("from {least} to {most}", least=str(parameter.min), most=str(parameter.max))
-    if parameter.min is not None:
-        return message("at least {least}", least=str(parameter.min))
-    return None
-
-
-def _refused(error: typer.TyperException, context: "Context") -> Problem:
-    """Say what the parser refuses.
-
-    Its exceptions carry what they are about; their sentences are English and not taken over.
-    """
-    parameter: Parameter | None = getattr(error, "param", None)
-    remedy = _see_help(context)
-    if isinstance(parameter, TyperOption | TyperArgument):
-        name = _spoken_name(parameter, chosen_words())
-        return Problem("", name, _unusable(error, parameter), remedy)
-    name = getattr(error, "option_name", "")
-    if not name:
-        return Problem("", "", message("{reason}", reason=error.format_message()), remedy)
-    options = {two: one for one in context.command.get_params(context) for two in one.opts}
-    if name not in options:
-        from gripcourse.text.suggestion import did_you_mean  # noqa: PLC0415 (not for --help)
-
-        return Problem("", name, message("There is no such option."), did_you_mean(name, options))
-    if getattr(options[name], "is_flag", False):
-        return Problem("", name, message("This option takes no value."), remedy)
-    return Problem("", name, message("Behind this option a value is missing."), remedy)
-
-
-def _unusable(error: typer.TyperException, parameter: TyperOption | TyperArgument) -> Message:
-    if not isinstance(error, typer.BadParameter) or not error.message:
-        return message("It is missing.")
-    found = getattr(error.__cause__, "errors", None)
-    if found is None:
-        return message("{reason}", reason=error.message)  # said by a reader of our own
-    typed: Sequence[dict[str, object]] = found()
-    return message(
-        "'{text}' cannot be used here: {wanted}.",
-        text=str(typed[0]["input"]),
-        wanted=_wanted(parameter),
-    )
-
-
-def _wanted(parameter: TyperOption | TyperArgument) -> Message:
-    if parameter.type_descriptor.annotation is datetime:
-        return message("a date such as 2026-09-30 is wanted")
-    between = _range(parameter)
-    if between is not None:
-        return message("a whole number is wanted, {range}", range=between)
-    return message("a whole number is wanted")
-
-
-def _spoken_name(parameter: TyperOption | TyperArgument, words: Words) -> str:
-    if isinstance(parameter, TyperArgument):
-        return words.declared(parameter.metavar or parameter.name)
-    return ", ".join(parameter.opts)
-
-
-def _see_help(context: "Context") -> Message:
-    return message("See {command} --help.", command=context.command_path)

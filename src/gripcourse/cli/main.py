@@ -3,11 +3,13 @@
 Exit codes: 0 done; 1 done, something needs a person; 2 wrong use or invalid course; 3 our mistake.
 """
 
+import logging
 import sys
 import traceback
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
+from time import perf_counter
 from typing import Annotated
 
 import typer
@@ -20,6 +22,7 @@ from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
 from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.loudness import confirm, is_verbose, prepare_streams
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -40,15 +43,23 @@ from gripcourse.cli.options import (
     document_language,
     gradebook_place,
     main_table,
+    say_limits,
     words_for,
 )
+from gripcourse.cli.pairs import read_pairs
+from gripcourse.cli.problems import spoken
 from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.text.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
 
-app = command_group("Course assignments: issue variants, check, grade, report.")
+_log = logging.getLogger(__name__)
+
+app = command_group(
+    "Course assignments: issue variants, check, grade, report.",
+    is_program=True,
+)
 for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
@@ -102,7 +113,10 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         variants = read_table(table or main_table(loaded.root), loaded)
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
-        solved = command.solve_scheme(loaded, str(scheme), settings or (), options or (), wanted)
+        shape = message("Write name=value.")
+        given = dict(read_pairs("--set", settings or (), shape))
+        chosen = dict(read_pairs("--option", options or (), shape))
+        solved = command.solve_scheme(loaded, str(scheme), given, chosen, wanted)
     if pdf and xlsx and out is not None:
         raise cli_text.misuse(
             message("--out names one file for two documents."),
@@ -110,11 +124,13 @@ def solve(  # noqa: PLR0913 (one parameter per option)
         )
     words = Words(document_language(language, loaded.language))
     if pdf:
-        typer.echo(str(command.write_solution(solved, out, words)))
+        confirm(str(command.write_solution(solved, out, words)))
     if xlsx:
-        typer.echo(str(command.write_key(solved, out, words)))
+        confirm(str(command.write_key(solved, out, words)))
     if json:
-        typer.echo(command.solution_json(solved))
+        from gripcourse.api.make_results import solution_result
+
+        typer.echo(cli_text.json_text(solution_result(solved, words).to_dict()))
     if not (pdf or xlsx or json):
         typer.echo(cli_text.solution_table(solved, words))
 
@@ -147,10 +163,11 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         today=day_of(on),
         deadline=deadline.date() if deadline else None,
     )
+    say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
-    typer.echo(cli_text.issuing_text(issuing, out, words))
+    confirm(cli_text.issuing_text(issuing, out, words))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
@@ -178,6 +195,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = open_grading(course_folder(course))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
+    say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
@@ -185,9 +203,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(graded, context, out, day_of(on), workers, lambda _: tick())
     if json:
-        typer.echo(command.json_text(outcome.reports, words))
+        from gripcourse.exports.report_result import grades_result
+
+        typer.echo(cli_text.json_text(grades_result(outcome.reports, words).to_dict()))
     else:
-        typer.echo(grading_text.grading_text(outcome, out, words))
+        confirm(grading_text.grading_text(outcome, out, words))
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
 
 
@@ -221,15 +241,20 @@ def demo(
     from gripcourse.demo.run import run_demo
 
     words = words_for(language)
+    say_limits(words)
     with cli_text.progress() as step:
         done = run_demo(course_folder(course), out, words, workers, step)
-    typer.echo(grading_text.demo_text(done, words))
+    confirm(grading_text.demo_text(done, words))
 
 
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
-    sys.exit(_guard(lambda: app(prog_name="gripcourse", standalone_mode=False)))
+    prepare_streams()
+    started = perf_counter()
+    code = _guard(lambda: app(prog_name="gripcourse", standalone_mode=False))
+    _log.info("exit code %d after %.1f s", code, perf_counter() - started)
+    sys.exit(code)
 
 
 def _guard(run: Callable[[], int | None]) -> int:
@@ -238,13 +263,16 @@ def _guard(run: Callable[[], int | None]) -> int:
     except GripcourseError as error:
         words = chosen_words()
         for problem in error.problems:
-            typer.echo(problem.say(words), err=True)
+            typer.echo(spoken(problem, words), err=True)
         return WRONG_USE
     except OSError as error:
         typer.echo(system_problem(error).say(chosen_words()), err=True)
         return WRONG_USE
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
-        log = cli_text.write_incident(traceback.format_exc())
+        trace = traceback.format_exc()
+        log = cli_text.write_incident(trace)
+        if is_verbose():
+            typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
         typer.echo(chosen_words().say(said), err=True)
         return OUR_MISTAKE

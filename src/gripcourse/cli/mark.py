@@ -10,6 +10,7 @@ import typer
 from gripcourse.cli import grading_text
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -21,6 +22,7 @@ from gripcourse.cli.options import (
     gradebook_place,
     words_for,
 )
+from gripcourse.cli.pairs import read_lines
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: numpy, pandas and the database cost half a second.
@@ -95,7 +97,7 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         draft = Draft(
             student=str(student),
             quantity=str(quantity),
-            lines=command.read_lines(lines or ()),
+            lines=read_lines(lines or ()),
             points=points,
             credit=credit,
             comment=comment,
@@ -103,4 +105,4 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             withdraw=withdraw,
         )
         done = command.enter_mark(draft, context, place, marker, now)
-    typer.echo(grading_text.marking_text(done, words))
+    confirm(grading_text.marking_text(done, words))

@@ -99,9 +99,18 @@ def day_of(chosen: datetime | None) -> date:
 
 def gradebook_place(chosen: str | None, root: Path) -> str:
     """Return the gradebook to use: the named one, else the course's."""
-    from gripcourse.gradebook.opening import gradebook_path  # noqa: PLC0415 (not for --help)
+    from gripcourse.database.home import home_of  # noqa: PLC0415 (not for --help)
 
-    return chosen or str(gradebook_path(root))
+    return chosen or home_of(root)
+
+
+def say_limits(words: Words) -> None:
+    """Say on the error output what a person should know of the memory of workers, if anything."""
+    from gripcourse.jobs.limits import Limits, memory_notice  # noqa: PLC0415 (not for --help)
+
+    notice = memory_notice(Limits())
+    if notice is not None:
+        typer.echo(words.say(notice), err=True)
 
 
 def decimal_number(written: str) -> float:

@@ -9,6 +9,7 @@ import typer
 from gripcourse.cli import simulation_text
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     NEEDS_PERSON,
     PROCESSORS,
@@ -58,7 +59,7 @@ def simulate(  # noqa: PLR0913 (one parameter per option)
     with cli_text.progress() as step:
         tick = step(words.say(message("Filling in")), count)
         written = command.simulate(loaded, policy, cohort, out, workers, tick)
-    typer.echo(simulation_text.simulated_text(written, out, perf_counter() - started, words))
+    confirm(simulation_text.simulated_text(written, out, perf_counter() - started, words))
 
 
 @app.command(cls=SpokenCommand)
@@ -137,6 +138,6 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     if apply:
         changed = command.apply(found, loaded, policy)
         said = message("{count} tolerances were written into the policy.", count=changed)
-        typer.echo(words.say(said))
+        confirm(words.say(said))
     elif found.refuses:
         raise typer.Exit(NEEDS_PERSON)

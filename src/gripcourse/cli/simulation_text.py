@@ -51,7 +51,7 @@ _DONE = {
     "right": message("the right method"),
     "follows": message("the right method after something wrong"),
     "slip": message("a wrong method"),
-    "bare_unit": message("another unit, untold"),
+    "bare_unit": message("another unit, not named"),
     "wrong_unit": message("a unit that does not fit"),
     "rounded_down": message("a size rounded down"),
     "blank": message("blank"),

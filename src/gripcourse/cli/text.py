@@ -2,13 +2,16 @@
 
 import hashlib
 import io
+import json
 import math
+import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.cli.loudness import is_quiet
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Texts, Words, message
@@ -64,7 +67,7 @@ def progress() -> Iterator[Step]:
         MofNCompleteColumn(),
         TimeRemainingColumn(),
     )
-    with Progress(*columns, console=Console(stderr=True)) as bar:
+    with Progress(*columns, console=Console(stderr=True), disable=is_quiet()) as bar:
 
         def step(name: str, total: int | None) -> Callable[[], None]:
             task = bar.add_task(name, total=total)
@@ -181,6 +184,13 @@ def check_text(checked: "CheckedWorkbook", words: Words) -> str:
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
     return "\n".join([*lines, table_text(named, rows, right={2})])
+
+
+def json_text(plain: object) -> str:
+    """Return the plain form of a result as JSON."""
+    # A terminal that lacks letters gets them as JSON writes them, not as question marks.
+    is_plain = (sys.stdout.encoding or "").lower().replace("-", "") != "utf8"
+    return json.dumps(plain, ensure_ascii=is_plain, indent=1, allow_nan=False)
 
 
 def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:

@@ -15,6 +15,7 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
+from gripcourse.cli.pairs import read_pairs
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -61,19 +62,21 @@ def trace(
 ) -> None:
     """Rank the variants and students that numbers may come from, with the odds; no verdict."""
     from gripcourse.course.load import load_course
-    from gripcourse.issuing.register import register_path
+    from gripcourse.issuing.store import read_register
     from gripcourse.usecases import trace as command
 
     if table is not None and issued is not None:
         raise cli_text.misuse(message("--table and --issued exclude each other."))
+    shape = message("Write it as in mass=60 or force=2,26 kN.")
+    named = read_pairs("--quantity", quantities or (), shape)
     words = words_for(language)
     loaded = load_course(course_folder(course))
     root = issued or loaded.root
-    if table is None and (issued is not None or register_path(root).is_file()):
+    if table is None and (issued is not None or read_register(root, loaded.id).entries):
         sought = command.in_register(root, loaded)
     else:
         sought = command.in_table(table or main_table(loaded.root), loaded)
-    traced = command.trace(numbers or (), quantities or (), loaded, sought)
+    traced = command.trace(numbers or (), named, loaded, sought)
     typer.echo(trace_text(traced, words))
 
 

@@ -7,6 +7,7 @@ import typer
 
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand, command_group
+from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -53,7 +54,7 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     loaded = load_course(course_folder(course))
     drawn = draw_table(loaded, count, seed, scheme, out, freely=freely)
-    typer.echo(cli_text.drawn_text(drawn, out, words))
+    confirm(cli_text.drawn_text(drawn, out, words))
 
 
 @app.command("import", cls=SpokenCommand)
@@ -73,7 +74,7 @@ def import_(
     words = words_for(language)
     count = import_table(load_course(course_folder(course)), source, out)
     said = message("{count} variants were written to {file}.", count=count, file=str(out))
-    typer.echo(words.say(said))
+    confirm(words.say(said))
 
 
 @app.command("audit", cls=SpokenCommand)
@@ -92,5 +93,5 @@ def audit(
     loaded = load_course(course_folder(course))
     document = Words(document_language(language, loaded.language))
     audited = audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
-    typer.echo(cli_text.audit_text(audited, words_for(language)))
+    confirm(cli_text.audit_text(audited, words_for(language)))
     raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)

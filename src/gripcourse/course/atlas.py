@@ -3,19 +3,16 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
 
+from gripcourse.course.keys import ATLAS
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
+from gripcourse.course.written_formula import written_formula
 from gripcourse.errors import CourseError, Problem
-from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
-
-ATLAS_KEYS: Final = ("scheme", "work", "title", "size", "input", "figure", "row")
-ATLAS_SIZE_KEYS: Final = ("symbol", "unit")
-ATLAS_FIGURE_KEYS: Final = ("number", "title", "against", "from", "to", "curves")
-ATLAS_ROW_KEYS: Final = ("number", "title", "size", "example")
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,10 +87,19 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
     """
     problems: list[Problem] = []
     path = root / "variants" / "atlas" / f"{identifier.replace('-', '_')}.toml"
-    table = read_toml(path, root, problems)
+    if not path.exists():
+        known = [one.stem.replace("_", "-") for one in path.parent.glob("*.toml")]
+        what = message("The course has no atlas '{name}'.", name=identifier)
+        remedy = (
+            did_you_mean(identifier, known)
+            if known
+            else message("Write one: its keys are on the page that 'gripcourse schema' makes.")
+        )
+        raise CourseError([Problem(path.relative_to(root).as_posix(), "", what, remedy)])
+    table = read_toml(path, root, problems, ATLAS)
     if table is None:
         raise CourseError(problems)
-    table.known_keys(ATLAS_KEYS)
+    table.known_keys()
     sizes = _sizes(table, "size")
     atlas = Atlas(
         identifier,
@@ -111,7 +117,7 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
 
 
 def _figure(table: Table) -> AtlasFigure:
-    table.known_keys(ATLAS_FIGURE_KEYS)
+    table.known_keys()
     return AtlasFigure(
         int(table.number("number")),
         table.texts("title"),
@@ -128,34 +134,22 @@ def _figure(table: Table) -> AtlasFigure:
 def _sizes(table: Table, name: str) -> dict[str, AtlasSize]:
     found: dict[str, AtlasSize] = {}
     for key, one in table.named_tables(name).items():
-        one.known_keys(ATLAS_SIZE_KEYS)
+        one.known_keys()
         unit = one.text("unit")
         if not known_unit(unit):
-            one.add(
-                "unit",
-                message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
-            )
+            what = message("The unit '{unit}' is not known.", unit=unit)
+            one.add("unit", what, unit_remedy(unit))
         found[key] = AtlasSize(key, one.text("symbol"), unit)
     return found
 
 
 def _row(table: Table, sizes: Collection[str]) -> AtlasRow:
-    table.known_keys(ATLAS_ROW_KEYS)
+    table.known_keys()
     written = table.required_table("size")
     written.known_keys(sizes)
     return AtlasRow(
         int(table.number("number")),
         table.texts("title"),
-        {name: _formula(written, name) for name in sizes},
+        {name: written_formula(written, name) for name in sizes},
         table.numbers("example"),
     )
-
-
-def _formula(table: Table, name: str) -> Formula:
-    text = table.text(name)
-    try:
-        return Formula(text, parse(text), {})
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
-        return Formula("0", parse("0"), {})

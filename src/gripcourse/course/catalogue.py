@@ -24,10 +24,8 @@ _REMARKS = ("source", "mark")
 def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue | None:
     """Read a catalogue; None (and problems) where not even its columns are known."""
     file = str(path.relative_to(root))
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError:
-        problems.append(_problem(file, "", message("The file is not UTF-8."), _SAVE))
+    lines = _lines(path, file, problems)
+    if lines is None:
         return None
     remarks = _remarks(file, lines, problems)
     rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
@@ -44,6 +42,21 @@ def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue
     return Catalogue(path.stem, columns, units, source, file)
 
 
+def _lines(path: Path, file: str, problems: list[Problem]) -> list[str] | None:
+    """Read the lines; None (and a problem) for what Excel saves where commas are decimal."""
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except UnicodeDecodeError:
+        problems.append(_problem(file, "", message("The file is not UTF-8."), _SAVE))
+        return None
+    heading = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    if ";" in heading or "\t" in heading:
+        what = message("The columns are not divided by commas.")
+        problems.append(Problem(file, "", what, _DIVIDE, f"  {heading}"))
+        return None
+    return lines
+
+
 def _source(remarks: Mapping[str, str], language: str) -> str:
     source, mark = (remarks.get(f"{name}.{language}", remarks[name]) for name in _REMARKS)
     return f"{source} ({mark})"
@@ -58,7 +71,10 @@ def columns_of(catalogues: Mapping[str, Catalogue]) -> dict[str, Column]:
     }
 
 
-_SAVE = message("Save it as UTF-8.")
+_SAVE = message(
+    "Save it as 'CSV UTF-8', with commas between columns and points in numbers: '6.3,10'."
+)
+_DIVIDE = message("Write commas between columns and points in numbers: '6.3,10', not '6,3;10'.")
 
 
 def _remarks(file: str, lines: list[str], problems: list[Problem]) -> dict[str, str]:

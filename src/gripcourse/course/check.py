@@ -4,7 +4,8 @@ Every scheme is composed with every combination of its options, and each composi
 fault of a shared part shows in many compositions and is reported once.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.check_diagram import check_diagram, check_diagram_use
@@ -18,6 +19,7 @@ from gripcourse.course.check_view import check_view
 from gripcourse.course.compose import (
     all_part_ids,
     compose,
+    declaring_files,
     option_sets,
     pair_option_sets,
     part_ids,
@@ -25,8 +27,9 @@ from gripcourse.course.compose import (
 )
 from gripcourse.course.model import Course, Kind, Quantity, Scheme
 from gripcourse.errors import Problem
+from gripcourse.formula.evaluate import Column
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.units import dimension
+from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, message
 
@@ -39,49 +42,85 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
         thorough: look at every combination of options, which takes seconds, and not only at enough
             of them for any two choices to occur together.
     """
-    columns = columns_of(course.catalogues)
-    dimensions = {
-        f"{catalogue.id}.{name}": (
-            dimension(next(iter(catalogue.units.values()))),
-            dimension(unit),
-        )
-        for catalogue in course.catalogues.values()
-        for name, unit in catalogue.units.items()
-    }
+    tables = _Tables.of(course)
     found: list[Problem] = []
     seen: set[object] = set()
     for scheme in course.schemes.values():
         found += _check_parts(course, scheme)
-        if not all_part_ids(scheme).keys() <= course.parts.keys():
-            continue  # else all that uses the missing part would be reported too
-        circular = circular_names(course, scheme)
-        every: dict[str, Quantity] = dict(course.constants)
-        for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
-            quantities = compose(course, scheme, options)
-            every |= quantities
-            new = _not_checked_yet(quantities, seen)
-            found += _check_declarations(course, new)
-            found += _check_use(course, quantities)
-            found += check_formulas(new, quantities, columns, dimensions)
-            if _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
-                found += check_graph(scheme, quantities)
-            found += check_series(new, columns, dimensions)
-            found += _check_symbols(scheme, quantities, seen)
-            units = moving_units(scheme, quantities)
-            if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
-                ("motion", scheme.id, *units), seen
-            ):
-                found += check_kinematics(scheme, quantities, course.positions)
-            if all(known_unit(one.unit) for one in quantities.values()):
-                found += check_diagram(scheme, quantities, options, seen)
-        found += check_diagram_use(scheme)
-        if all(known_unit(one.unit) for one in every.values()):
-            found += check_view(scheme, every, dimensions)
-        found += check_example(course, scheme)
+        if all_part_ids(scheme).keys() <= course.parts.keys():
+            # else all that uses the missing part would be reported too
+            found += _check_scheme(course, scheme, tables, seen, thorough=thorough)
     found += _check_used_parts(course)
     found += _check_columns(course)
     found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
+
+
+@dataclass(frozen=True, slots=True)
+class _Tables:
+    """The catalogues as formulas use them: columns, and the dimensions of sizes and of columns."""
+
+    columns: Mapping[str, Column]
+    dimensions: Mapping[str, tuple[Dimension, Dimension]]
+
+    @staticmethod
+    def of(course: Course) -> "_Tables":
+        dimensions = {
+            f"{catalogue.id}.{name}": (
+                dimension(next(iter(catalogue.units.values()))),
+                dimension(unit),
+            )
+            for catalogue in course.catalogues.values()
+            for name, unit in catalogue.units.items()
+        }
+        return _Tables(columns_of(course.catalogues), dimensions)
+
+
+def _check_scheme(
+    course: Course, scheme: Scheme, tables: _Tables, seen: set[object], *, thorough: bool
+) -> Iterator[Problem]:
+    """Yield the problems of a scheme in the combinations of its options that are looked at."""
+    circular = circular_names(course, scheme)
+    elsewhere = declaring_files(course)
+    every: dict[str, Quantity] = dict(course.constants)
+    for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
+        quantities = compose(course, scheme, options)
+        every |= quantities
+        new = _not_checked_yet(quantities, seen)
+        yield from _check_declarations(course, new)
+        yield from check_formulas(new, quantities, tables.columns, tables.dimensions, elsewhere)
+        if not circular:  # else what stands in the circle would seem to be without use
+            yield from _check_use(course, quantities)
+        elif _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
+            yield from check_graph(scheme, quantities)
+        yield from check_series(new, tables.columns, tables.dimensions)
+        yield from _check_symbols(scheme, quantities, seen)
+        yield from _check_pictures(scheme, quantities, course.positions, options, seen)
+    yield from check_diagram_use(scheme)
+    if _units_known(every.values()):
+        yield from check_view(scheme, every, tables.dimensions)
+    yield from check_example(course, scheme)
+
+
+def _check_pictures(
+    scheme: Scheme,
+    quantities: Mapping[str, Quantity],
+    positions: Collection[str],
+    options: Mapping[str, str],
+    seen: set[object],
+) -> Iterator[Problem]:
+    """Yield the problems of kinematics and diagram; an unknown unit is reported where it stands."""
+    units = moving_units(scheme, quantities)
+    if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
+        ("motion", scheme.id, *units), seen
+    ):
+        yield from check_kinematics(scheme, quantities, positions)
+    if _units_known(quantities.values()):
+        yield from check_diagram(scheme, quantities, options, seen)
+
+
+def _units_known(quantities: Iterable[Quantity]) -> bool:
+    return all(known_unit(one.unit) for one in quantities)
 
 
 def _is_new(key: object, seen: set[object]) -> bool:

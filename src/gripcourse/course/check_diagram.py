@@ -1,10 +1,12 @@
 """Checking the diagram of a scheme: the points, sizes, quantities and options it refers to."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
 from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
@@ -38,23 +40,40 @@ def check_diagram(
     known = _dimensions(scheme, quantities)
     joints = {*diagram.points, *(scheme.kinematics.points if scheme.kinematics else ())}
     drawn = [one for one in diagram.elements if one.is_drawn(options)]
-    used = {name for one in drawn for names_ in one.points.values() for name in names_}
-    for name, pair in diagram.points.items():
-        for formula in pair if name in used else ():
-            yield from _formula_faults(diagram.file, f"point.{name}", formula, "mm", known)
+    yield from _point_faults(scheme.id, diagram, drawn, known)
     for element in drawn:
-        yield from _unknown_points(element, joints)
+        is_shared = element.file != diagram.file
+        yield from _unknown_points(element, joints, scheme.id, is_shared=is_shared)
         yield from _unknown_positions(element, scheme)
-        for role, formula in element.sizes.items():
-            wanted = VOCABULARY[element.kind].roles[role]
-            if wanted.default == "" and not known.keys() >= set(formula.names):
-                continue  # not a size of this composition
-            key = f"{element.key}.{role}"
-            yield from _formula_faults(element.file, key, formula, _UNITS[wanted.sort], known)
+        yield from _size_faults(scheme.id, element, known, is_shared=is_shared)
         if element.quantity and element.quantity not in quantities:
-            what = message("There is no quantity '{name}'.", name=element.quantity)
-            remedy = did_you_mean(element.quantity, quantities)
-            yield Problem(element.file, f"{element.key}.quantity", what, remedy)
+            name = element.quantity
+            what = message("There is no quantity '{name}'.", name=name)
+            said = unknown_name(what, name, quantities, scheme.id, is_shared=is_shared)
+            yield Problem(element.file, f"{element.key}.quantity", *said)
+
+
+def _point_faults(
+    scheme: str, diagram: Diagram, drawn: Sequence[Element], known: Mapping[str, Dimension]
+) -> Iterator[Problem]:
+    """Yield the problems of points that some drawn element uses."""
+    used = {name for one in drawn for names_ in one.points.values() for name in names_}
+    for name in diagram.points.keys() & used:
+        place = _Place(scheme, diagram.file, f"point.{name}", is_shared=False)
+        for formula in diagram.points[name]:
+            yield from _formula_faults(place, formula, "mm", known)
+
+
+def _size_faults(
+    scheme: str, element: Element, known: Mapping[str, Dimension], *, is_shared: bool
+) -> Iterator[Problem]:
+    """Yield the problems of an element's sizes."""
+    for role, formula in element.sizes.items():
+        wanted = VOCABULARY[element.kind].roles[role]
+        if wanted.default == "" and not known.keys() >= set(formula.names):
+            continue  # not a size of this composition
+        place = _Place(scheme, element.file, f"{element.key}.{role}", is_shared)
+        yield from _formula_faults(place, formula, _UNITS[wanted.sort], known)
 
 
 def _facts(
@@ -104,14 +123,25 @@ def _dimensions(scheme: Scheme, quantities: Mapping[str, Quantity]) -> dict[str,
     return known
 
 
-def _unknown_points(element: Element, joints: set[str]) -> Iterator[Problem]:
+def _unknown_points(
+    element: Element, joints: set[str], scheme: str, *, is_shared: bool
+) -> Iterator[Problem]:
     for role, written in element.points.items():
         for name in written:
             if name and name not in joints:
                 what = message("There is no point '{name}'.", name=name)
-                yield Problem(
-                    element.file, f"{element.key}.{role}", what, did_you_mean(name, joints)
-                )
+                said = unknown_name(what, name, joints, scheme, is_shared=is_shared)
+                yield Problem(element.file, f"{element.key}.{role}", *said)
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where a formula stands, and for which scheme."""
+
+    scheme: str
+    file: str
+    key: str
+    is_shared: bool
 
 
 def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
@@ -119,24 +149,26 @@ def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
     for one in element.positions:
         if one not in known:
             what = message("There is no position '{position}'.", position=one)
-            remedy = did_you_mean(one, known)
-            yield Problem(element.file, f"{element.key}.positions", what, remedy)
+            is_shared = scheme.diagram is not None and element.file != scheme.diagram.file
+            said = unknown_name(what, one, known, scheme.id, is_shared=is_shared)
+            yield Problem(element.file, f"{element.key}.positions", *said)
 
 
 def _formula_faults(
-    file: str, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
+    place: _Place, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
     unknown = [name for name in names(formula.tree) if name not in known]
     for name in unknown:
         what = message("The name '{name}' is not known.", name=name)
-        yield Problem(file, key, what, did_you_mean(name, known))
+        said = unknown_name(what, name, known, place.scheme, is_shared=place.is_shared)
+        yield Problem(place.file, place.key, *said)
     if unknown or _is_zero(formula):
         return
     try:
         check_dimension(formula, unit, known, {})
     except FormulaFault as fault:
         remedy = message("Compare the units of both sides.")
-        yield Problem(file, key, fault.what, remedy, caret(formula.text, fault.span))
+        yield Problem(place.file, place.key, fault.what, remedy, caret(formula.text, fault.span))
 
 
 def _is_zero(formula: Formula) -> bool:

@@ -67,7 +67,9 @@ def _given_faults(
                 file,
                 f"given.{name}",
                 message("The example gives no value of '{name}'.", name=name),
-                message("Write it: a given that a user does not set takes the example's value."),
+                message(
+                    "Write it, or write default = … beside the given in {file}.", file=one.file
+                ),
             )
     for name in example.given:
         if name not in inputs:

@@ -4,6 +4,8 @@ from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 
+from gripcourse.course.check_bare import bare_numbers
+from gripcourse.course.check_guards import check_guard
 from gripcourse.course.check_slips import slip_faults
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.errors import Problem
@@ -13,7 +15,7 @@ from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, names, walk
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension, known
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 
 _COMPARISONS = {"<", "<=", ">", ">=", "==", "and"}
 _FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}
@@ -24,6 +26,7 @@ def check_formulas(
     quantities: Mapping[str, Quantity],
     columns: Mapping[str, Column],
     column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
+    elsewhere: Mapping[str, Collection[str]],
 ) -> Iterator[Problem]:
     """Yield the problems of every formula of the checked declarations.
 
@@ -32,13 +35,14 @@ def check_formulas(
         quantities: all of the composition, which the formulas may use.
         columns: catalogue columns.
         column_dimensions: of the sizes and of the column, by `catalogue.column`.
+        elsewhere: files of parts, by the names that they declare, for what is not known here.
     """
     if not checked:
         return
     dimensions = {name: dimension(one.unit) for name, one in quantities.items() if known(one.unit)}
     for one in checked:
         for key, formula, is_condition in _keyed_formulas(one):
-            faults = list(_name_faults(one, key, formula, quantities, columns))
+            faults = list(_name_faults(one, key, formula, quantities, columns, elsewhere))
             yield from faults
             if faults:
                 continue
@@ -47,6 +51,7 @@ def check_formulas(
                 continue
             if not {one.id, *names(formula.tree)} <= dimensions.keys():
                 continue  # an unknown unit is reported where it is declared
+            yield from bare_numbers(one, key, formula, quantities)
             try:
                 unit = "" if is_condition else one.unit
                 check_dimension(formula, unit, dimensions, column_dimensions)
@@ -59,6 +64,7 @@ def check_formulas(
                     caret(formula.text, fault.span),
                 )
         yield from slip_faults(one, columns)
+        yield from check_guard(one)
 
 
 def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
@@ -86,7 +92,7 @@ def _wrong_sort(one: Quantity, key: str, is_condition: bool) -> Problem:  # noqa
         if is_condition
         else message("This must be a value, not a comparison.")
     )
-    return Problem(one.file, f"quantity.{one.id}.{key}", what, message("Mend the formula."))
+    return Problem(one.file, f"quantity.{one.id}.{key}", what, message("Correct the formula."))
 
 
 def _name_faults(
@@ -95,6 +101,7 @@ def _name_faults(
     formula: Formula,
     quantities: Mapping[str, Quantity],
     columns: Mapping[str, Column],
+    elsewhere: Mapping[str, Collection[str]],
 ) -> Iterator[Problem]:
     place = f"quantity.{one.id}.{key}"
     usable = {name for name, other in quantities.items() if other.kind is not Kind.MANUAL}
@@ -105,7 +112,7 @@ def _name_faults(
                     one.file,
                     place,
                     message("The name '{name}' is not known.", name=name),
-                    did_you_mean(name, usable),
+                    _unbound(name, elsewhere) or did_you_mean(name, usable),
                     caret(formula.text, span),
                 )
             case Call(_, _, str(column), span) if column not in columns:
@@ -124,6 +131,19 @@ def _name_faults(
                     message("Only a growing column can be searched for the next larger value."),
                     caret(formula.text, span),
                 )
+
+
+def _unbound(name: str, elsewhere: Mapping[str, Collection[str]]) -> Message | None:
+    """Return what to do about a name that some part declares; None where none does."""
+    files = elsewhere.get(name)
+    if not files:
+        return None
+    return message(
+        "The scheme lacks a part that declares it, as {files}: name it in 'parts', or declare "
+        "'{name}' in the scheme.",
+        files=", ".join(files),
+        name=name,
+    )
 
 
 def _grows(column: Column) -> bool:

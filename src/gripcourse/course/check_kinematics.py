@@ -56,17 +56,6 @@ def _motion_formulas(motion: Kinematics) -> Iterator[Formula]:
     yield from (one.formula for one in motion.coordinates)
 
 
-def kinematic_names(scheme: Scheme) -> set[str]:
-    """Return every id that a scheme's kinematics mentions, its own coordinates among them."""
-    motion = scheme.kinematics
-    if motion is None:
-        return set()
-    formulas = (motion.outputs, *motion.at.values(), *(one.formula for one in motion.coordinates))
-    found = {name for formula in formulas for name in names(formula.tree)}
-    states = (name for state in motion.state.values() for name in state)
-    return found | {*motion.ratio.values(), *states, *motion.lossless}
-
-
 def _formula_faults(
     file: str, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:

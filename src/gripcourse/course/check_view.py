@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPart
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
@@ -33,7 +34,7 @@ def check_view(
     view = scheme.view
     if view is None:
         return
-    yield from _reference_faults(view, quantities)
+    yield from _reference_faults(scheme.id, view, quantities)
     known = {name: dimension(one.unit) for name, one in quantities.items()}
     if scheme.kinematics is not None:
         known[scheme.kinematics.drive] = dimension(scheme.kinematics.unit)
@@ -49,7 +50,8 @@ def check_view(
             yield Problem(measure.file, measure.key, what, message("Give it another name."))
     known |= {name: dimension(one.unit) for name, one in view.measures.items()}
     for file, key, formula, unit in _places(view):
-        yield from _formula_faults((file, key, formula, unit), known, columns)
+        unknown = _unknown_names(scheme.id, view, (file, key, formula, unit), known)
+        yield from unknown or _formula_faults((file, key, formula, unit), known, columns)
     yield from _circle(view)
 
 
@@ -60,7 +62,9 @@ def _unknown_positions(view: View, positions: Collection[str]) -> Iterator[Probl
             yield Problem(view.file, key, what, did_you_mean(name, positions))
 
 
-def _reference_faults(view: View, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _reference_faults(
+    scheme: str, view: View, quantities: Mapping[str, Quantity]
+) -> Iterator[Problem]:
     named = [(view.file, "characteristics", name) for name in view.characteristics]
     named += [(part.file, f"{part.key}.sizes", name) for part in view.parts for name in part.sizes]
     named += [(one.file, f"{one.key}.quantity", one.quantity) for one in view.dimensions]
@@ -69,13 +73,27 @@ def _reference_faults(view: View, quantities: Mapping[str, Quantity]) -> Iterato
         for place, name in label.values.items():
             if name not in shown:
                 what = message("The name '{name}' is not known.", name=name)
-                yield Problem(
-                    label.file, f"{label.key}.values.{place}", what, did_you_mean(name, shown)
-                )
+                is_shared = label.file != view.file
+                said = unknown_name(what, name, shown, scheme, is_shared=is_shared)
+                yield Problem(label.file, f"{label.key}.values.{place}", *said)
     for file, key, name in named:
         if name not in quantities:
             what = message("The scheme has no quantity '{name}'.", name=name)
-            yield Problem(file, key, what, did_you_mean(name, quantities))
+            said = unknown_name(what, name, quantities, scheme, is_shared=file != view.file)
+            yield Problem(file, key, *said)
+
+
+def _unknown_names(
+    scheme: str, view: View, place: Place, known: Mapping[str, Dimension]
+) -> list[Problem]:
+    file, key, formula, _ = place
+    found = []
+    for name in formula.names:
+        if name not in known:
+            what = message("The name '{name}' is not known.", name=name)
+            said = unknown_name(what, name, known, scheme, is_shared=file != view.file)
+            found.append(Problem(file, key, *said))
+    return found
 
 
 def _formula_faults(
@@ -84,12 +102,6 @@ def _formula_faults(
     columns: Mapping[str, tuple[Dimension, Dimension]],
 ) -> Iterator[Problem]:
     file, key, formula, unit = place
-    unknown = [name for name in formula.names if name not in known]
-    for name in unknown:
-        what = message("The name '{name}' is not known.", name=name)
-        yield Problem(file, key, what, did_you_mean(name, known))
-    if unknown:
-        return
     try:
         check_dimension(formula, unit, known, columns)
     except FormulaFault as fault:

@@ -2,9 +2,11 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from itertools import combinations, product
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.formula.tree import Formula
 
@@ -84,6 +86,46 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}
     return constants | declared
+
+
+def inherited(course: Course) -> Course:
+    """Return the course with every worked example completed by the defaults of its givens."""
+    schemes = {name: _completed(course, scheme) for name, scheme in course.schemes.items()}
+    return replace(course, schemes=schemes)
+
+
+def _completed(course: Course, scheme: Scheme) -> Scheme:
+    if scheme.example is None:
+        return scheme
+    defaults = default_values(compose(course, scheme, scheme.example.options).values())
+    example = replace(scheme.example, given=defaults | dict(scheme.example.given))
+    return replace(scheme, example=example)
+
+
+def default_values(quantities: Iterable[Quantity]) -> dict[str, float]:
+    """Return the defaults of given quantities that have one, in declared units."""
+    return {one.id: one.default for one in quantities if one.default is not None}
+
+
+def declaring_files(course: Course) -> dict[str, tuple[str, ...]]:
+    """Return the files of parts that declare each id: a formula may lack one of these parts."""
+    found: dict[str, tuple[str, ...]] = {}
+    for part in course.parts.values():
+        for name in part.quantities:
+            found[name] = (*found.get(name, ()), part.file)
+    return found
+
+
+def declared_in(course: Course, compositions: Iterable[Composition]) -> dict[str, Quantity]:
+    """Return the declaration of every quantity that occurs, by id; the first composition's counts.
+
+    A scheme that the course has no longer brings none.
+    """
+    declared: dict[str, Quantity] = {}
+    for one in dict.fromkeys(compositions):
+        if one.scheme in course.schemes:
+            declared = compose(course, course.schemes[one.scheme], one.options) | declared
+    return declared
 
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:

@@ -7,10 +7,10 @@ several schemes share stand in `variants/diagram/`, and use points that each of 
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Final
 
+from gripcourse.course.diagram_keys import DIAGRAM
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
@@ -20,9 +20,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "diagram.toml"
-DIAGRAM_KEYS: Final = ("axis", "shared", "point", "element")
-SHARED_DIAGRAM_KEYS: Final = ("element",)
-ELEMENT_KEYS: Final = ("kind", "positions", "mirror", "options")
+_UNSAID = ""  # the diagram that takes the element decides
 _NOTHING = Formula("0", parse("0"), {})
 
 
@@ -38,7 +36,8 @@ class Element:
         quantity: id of the quantity whose symbol is written beside it, empty for none.
         positions: of the drive, at which it is drawn; empty for those that the course shows.
         moves: see `Word.moves`.
-        mirror: `none`, `both` (on both sides of the axis) or `only` (on the other side).
+        mirror: `none`, `both` (on both sides of the axis) or `only` (on the other side); where the
+            author does not say, `both` for the paired elements of a symmetric diagram, else `none`.
         options: it is drawn only where a variant's options are among these.
         file, key: where it stands, for messages.
     """
@@ -90,24 +89,35 @@ def read_diagram(
     path = folder / FILE
     if not path.exists():
         return None
-    table = read_toml(path, root, problems)
+    table = read_toml(path, root, problems, DIAGRAM)
     if table is None:
         return None
-    table.known_keys(DIAGRAM_KEYS)
+    table.known_keys()
+    symmetric = table.flag("symmetric")
     shared = [one for name in table.strings("shared") for one in _named(table, name, symbols)]
     points = table.table("point")
     return Diagram(
         axis=_one_of(table, "axis", ("x", "y")),
         points={name: _pair(points, name) for name in points.values} if points else {},
-        elements=(*_elements(table), *shared),
+        elements=tuple(
+            _on_its_sides(one, symmetric=symmetric) for one in (*_elements(table), *shared)
+        ),
         file=table.file,
     )
 
 
 def read_elements(table: Table) -> tuple[Element, ...]:
     """Read a file of elements that several diagrams share."""
-    table.known_keys(SHARED_DIAGRAM_KEYS)
+    table.known_keys()
     return tuple(_elements(table))
+
+
+def _on_its_sides(element: Element, *, symmetric: bool) -> Element:
+    """Say on which sides an element stands of which its author does not."""
+    if element.mirror != _UNSAID:
+        return element
+    both = symmetric and VOCABULARY[element.kind].paired
+    return replace(element, mirror="both" if both else "none")
 
 
 def _named(
@@ -131,7 +141,7 @@ def _element(table: Table) -> Element | None:
             what = message("There is no element '{kind}'.", kind=kind)
             table.add("kind", what, did_you_mean(kind, VOCABULARY))
         return None
-    table.known_keys({*ELEMENT_KEYS, *word.roles})
+    table.known_keys()
     of = {sort: {k: r for k, r in word.roles.items() if r.sort is sort} for sort in Sort}
     sizes = of[Sort.LENGTH] | of[Sort.ANGLE] | of[Sort.NUMBER]
     written = {name: role for name, role in sizes.items() if table.has(name) or _has(role)}
@@ -145,7 +155,7 @@ def _element(table: Table) -> Element | None:
         quantity=next(iter(quantities), ""),
         positions=table.strings("positions"),
         moves=word.moves,
-        mirror=_one_of(table, "mirror", (word.mirror, *MIRRORS)),
+        mirror=_one_of(table, "mirror", (_UNSAID, *MIRRORS)),
         options=_options(table),
         file=table.file,
         key=table.key,
@@ -192,7 +202,7 @@ def _formula(table: Table, name: str, text: str) -> Formula:
     try:
         return Formula(text, parse(text), {})
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return _NOTHING
 
 

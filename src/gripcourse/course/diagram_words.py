@@ -44,12 +44,12 @@ class Word:
 
     Attributes:
         roles: by key.
-        mirror: see `Element.mirror`.
+        paired: whether it is on both sides of a mechanism that its diagram calls symmetric.
         moves: whether it is drawn at every position that the course shows, or at the first only.
     """
 
     roles: Mapping[str, Role]
-    mirror: str
+    paired: bool
     moves: bool
 
 
@@ -88,18 +88,18 @@ def _turn(default: str) -> Role:
 
 
 def _moving(**roles: Role) -> Word:
-    """Make a word for a part of the mechanism: on both sides, wherever the drive stands."""
-    return Word(roles | _ROW, "both", moves=True)
+    """Make a word for a part of the mechanism: wherever the drive stands."""
+    return Word(roles | _ROW, paired=True, moves=True)
 
 
 def _fixed(**roles: Role) -> Word:
-    """Make a word for what does not move: on both sides."""
-    return Word(roles | _ROW, "both", moves=False)
+    """Make a word for what does not move."""
+    return Word(roles | _ROW, paired=True, moves=False)
 
 
 def _single(**roles: Role) -> Word:
-    """Make a word for what is there once."""
-    return Word(roles | _ROW, "none", moves=False)
+    """Make a word for what is there once, in a symmetric mechanism too."""
+    return Word(roles | _ROW, paired=False, moves=False)
 
 
 VOCABULARY: Final[Mapping[str, Word]] = {
@@ -129,7 +129,7 @@ VOCABULARY: Final[Mapping[str, Word]] = {
                    largest=_LENGTH, long=_number(14), thick=_number(2.5)),
     "vee": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH,
                      diameter=_LENGTH, radius=_if_any(Sort.LENGTH)),
-    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, "none", moves=True),
+    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, paired=False, moves=True),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),
     "coil": _fixed(through=_POINTS),
     "spring": _fixed(through=_POINTS),
@@ -137,7 +137,8 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free")),
                         rod=_PRESSED, quantity=Role(Sort.QUANTITY, "")),
     "floating_cylinder": Word({"through": _POINTS, "rod": _PRESSED,
-                               "quantity": Role(Sort.QUANTITY, "")} | _ROW, "none", moves=False),
+                               "quantity": Role(Sort.QUANTITY, "")} | _ROW,
+                              paired=False, moves=False),
     "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
     # Forces, sizes and letters.
     "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),

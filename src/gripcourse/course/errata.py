@@ -3,10 +3,30 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
+from gripcourse.course.shape import Shape, by_name, table, text, texts
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.text.words import Texts
+
+ERRATA: Final = Shape(
+    {
+        "erratum": by_name(
+            "Faults of sources, by id.",
+            table(
+                "A fault.",
+                {
+                    "work": text("Id of the work.", required=True),
+                    "equation": text("Where it stands."),
+                    "printed": texts("What is printed.", required=True),
+                    "right": texts("What is right.", required=True),
+                    "no_version": texts("Why no quantity declares a version as printed."),
+                },
+            ),
+        )
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,15 +53,15 @@ def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str,
     """Read the list of errata; a course may have none. None where the list cannot be read."""
     if not path.exists():
         return {}
-    table = read_toml(path, root, problems)
+    table = read_toml(path, root, problems, ERRATA)
     if table is None:
         return None
-    table.known_keys({"erratum"})
+    table.known_keys()
     return {name: _erratum(name, one) for name, one in table.named_tables("erratum").items()}
 
 
 def _erratum(name: str, table: Table) -> Erratum:
-    table.known_keys({"work", "equation", "printed", "right", "no_version"})
+    table.known_keys()
     return Erratum(
         name,
         table.text("work"),

@@ -10,28 +10,18 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from gripcourse.course.shape import Shape, by_name, number, other, table, text, texts
 from gripcourse.course.toml_table import Table
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.course.unit_words import unit_remedy
+from gripcourse.course.written_formula import written_formula
+from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
-KINEMATICS_KEYS: Final = (
-    "drive",
-    "unit",
-    "coordinate",
-    "at",
-    "output",
-    "outputs",
-    "direction",
-    "ratio",
-    "state",
-    "lossless",
-    "point",
-)
-COORDINATE_KEYS: Final = ("unit", "formula")
-POSITION_KEYS: Final = ("title", "line")
+_ONE: Final = Formula("1", parse("1"), {})
+_PAIR: Final = {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}
 
 
 class Direction(StrEnum):
@@ -47,6 +37,51 @@ class PositionLine(StrEnum):
     NONE = "none"
     THICK = "thick"
     THIN = "thin"
+
+
+POSITION: Final = Shape(
+    {
+        "title": texts("In words.", required=True),
+        "line": text("How diagrams show it; the first where nothing is written.", *PositionLine),
+    }
+)
+KINEMATICS: Final = Shape(
+    {
+        "drive": text("Name of the drive's coordinate in the formulas.", required=True),
+        "unit": text("Its unit.", required=True),
+        "coordinate": by_name(
+            "Lengths and angles that depend on it, in order of calculation.",
+            table(
+                "A coordinate.",
+                {
+                    "unit": text("Its unit.", required=True),
+                    "formula": text("What computes it.", required=True),
+                },
+            ),
+        ),
+        "at": by_name(
+            "The drive's coordinate at each position of the course that the scheme has.",
+            text("A formula.", required=True),
+            required=True,
+        ),
+        "output": text("The coordinate that the drive moves against the load; with `ratio`."),
+        "outputs": text("Formula: how many outputs the drive moves alike; 1 where not written."),
+        "direction": text("Of the output while the drive's coordinate grows.", *Direction),
+        "ratio": by_name(
+            "The quantity that is the ratio of efforts, by position.",
+            text("Id of a quantity.", required=True),
+        ),
+        "state": by_name(
+            "By position: which coordinate gives each quantity that describes it.",
+            by_name("Coordinate by quantity.", text("A coordinate.", required=True)),
+        ),
+        "lossless": by_name(
+            "Quantities to be set so that the ratio holds no friction.",
+            number("A value.", required=True),
+        ),
+        "point": by_name("Joints, by name.", other("Names of two coordinates.", _PAIR)),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +141,7 @@ class Kinematics:
 
 def read_kinematics(table: Table) -> Kinematics:
     """Read the `[kinematics]` table of a scheme or of a part."""
-    table.known_keys(KINEMATICS_KEYS)
+    table.known_keys()
     states = table.named_tables("state")
     ratio = table.table("ratio")
     points = table.table("point")
@@ -119,9 +154,9 @@ def read_kinematics(table: Table) -> Kinematics:
         coordinates=tuple(
             _coordinate(name, one) for name, one in table.named_tables("coordinate").items()
         ),
-        at={position: _formula(at, position) for position in at.values},
-        output=table.text("output", None if table.has("ratio") else ""),
-        outputs=_formula(table, "outputs", "1"),
+        at={position: written_formula(at, position) for position in at.values},
+        output=_output(table),
+        outputs=written_formula(table, "outputs") if table.has("outputs") else _ONE,
         direction=_direction(table),
         ratio={name: ratio.text(name) for name in ratio.values} if ratio else {},
         state={
@@ -135,8 +170,8 @@ def read_kinematics(table: Table) -> Kinematics:
 
 
 def _coordinate(name: str, table: Table) -> Coordinate:
-    table.known_keys(COORDINATE_KEYS)
-    return Coordinate(name, _unit(table), _formula(table, "formula"))
+    table.known_keys()
+    return Coordinate(name, _unit(table), written_formula(table, "formula"))
 
 
 def read_positions(table: Table) -> Mapping[str, JointPosition]:
@@ -153,13 +188,24 @@ def read_positions(table: Table) -> Mapping[str, JointPosition]:
 
 
 def _position(name: str, table: Table) -> JointPosition:
-    table.known_keys(POSITION_KEYS)
+    table.known_keys()
     written = table.text("line", PositionLine.NONE)
     if written not in list(PositionLine):
         what = message("'{word}' means nothing here.", word=written)
         table.add("line", what, did_you_mean(written, list(PositionLine)))
         written = PositionLine.NONE
     return JointPosition(name, table.texts("title"), PositionLine(written))
+
+
+def _output(table: Table) -> str:
+    """Read the output; a ratio of efforts has one."""
+    if table.has("ratio") and not table.has("output"):
+        table.add(
+            "output",
+            message("This key is missing."),
+            message("Write '{name}': {wanted}.", name="output", wanted=message("a text in quotes")),
+        )
+    return table.text("output", "")
 
 
 def _direction(table: Table) -> Direction:
@@ -169,15 +215,6 @@ def _direction(table: Table) -> Direction:
     what = message("'{word}' means nothing here.", word=written)
     table.add("direction", what, did_you_mean(written, list(Direction)))
     return Direction.GROWS
-
-
-def _formula(table: Table, name: str, default: str | None = None) -> Formula:
-    text = table.text(name, default)
-    try:
-        return Formula(text, parse(text), {})
-    except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
-        return Formula("0", parse("0"), {})
 
 
 def _point(points: Table, name: str) -> tuple[str, str]:
@@ -199,6 +236,6 @@ def _unit(table: Table) -> str:
     table.add(
         "unit",
         message("The unit '{unit}' is not known.", unit=unit),
-        message("Write it as in units.csv of the package, for example 'N*m'."),
+        unit_remedy(unit),
     )
     return ""

@@ -1,14 +1,17 @@
 """Loading a course: every file of it, every fault collected."""
 
 from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
-from typing import Final
 
 from gripcourse.course.catalogue import read_catalogue
 from gripcourse.course.check import check_course
+from gripcourse.course.compose import inherited
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.errata import Erratum, read_errata
+from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import (
     Catalogue,
@@ -26,25 +29,15 @@ from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import Shared, read_scheme
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
+from gripcourse.course.view_keys import SHARED_VIEW
 from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
+from gripcourse.machine.kept import digest_of, keep, read_kept
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
-COURSE_KEYS: Final = (
-    "id",
-    "language",
-    "convention",
-    "title",
-    "section",
-    "work",
-    "constant",
-    "position",
-    "note",
-)
-SECTION_KEYS: Final = ("id", "title", "short", "task")
-PART_KEYS: Final = ("quantity", "override", "kinematics")
+_READ = frozenset({".toml", ".csv"})
 
 
 def load_course(root: Path) -> Course:
@@ -59,12 +52,36 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
+    digest = _digest(root)
+    kept = None if digest is None else _kept(digest)
+    if kept is not None:
+        return replace(kept, root=root)
     course, problems = read_course(root)
     if course is not None:
         problems += check_course(course)
     if course is None or problems:
         raise CourseError(problems)
+    # What changed while it was read is not kept under the digest of what was there before.
+    if digest is not None and digest == _digest(root):
+        keep(digest, course)
+        _kept.cache_clear()  # it remembers that there was none
     return course
+
+
+def _digest(root: Path) -> str | None:
+    """Digest all that a course is loaded from and checked with; None: some cannot be read."""
+    folder = root / VARIANTS
+    try:
+        files = [one for one in folder.rglob("*") if one.suffix in _READ and one.is_file()]
+        return digest_of(root, [*files, *(root / "grader" / "rubric").glob("*.toml")])
+    except OSError:
+        return None
+
+
+@lru_cache(maxsize=4)
+def _kept(digest: str) -> Course | None:
+    found = read_kept(digest)
+    return found if isinstance(found, Course) else None
 
 
 def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
@@ -76,27 +93,29 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
     """
     problems: list[Problem] = []
     folder = root / VARIANTS
-    table = read_toml(folder / "course.toml", root, problems)
+    table = read_toml(folder / "course.toml", root, problems, COURSE)
     if table is None:
         return None, problems
-    table.known_keys(COURSE_KEYS)
+    table.known_keys()
     parts, raw = _parts(folder / "sections", root, problems)
     errata = read_errata(folder / "errata.toml", root, problems)
-    course = Course(
-        id=table.text("id"),
-        title=table.texts("title"),
-        language=_language(table),
-        sections=_sections(table),
-        works=_works(table),
-        errata=errata or {},
-        constants=_quantities(table.named_tables("constant"), constant=True),
-        parts=parts,
-        schemes=_schemes(folder, root, raw, problems),
-        catalogues=_catalogues(folder / "catalogues", root, problems),
-        convention=_convention(table, errata),
-        positions=read_positions(table),
-        notes=read_notes(table),
-        root=root,
+    course = inherited(
+        Course(
+            id=table.text("id"),
+            title=table.texts("title"),
+            language=_language(table),
+            sections=_sections(table),
+            works=_works(table),
+            errata=errata or {},
+            constants=_quantities(table.named_tables("constant"), constant=True),
+            parts=parts,
+            schemes=_schemes(folder, root, raw, problems),
+            catalogues=_catalogues(folder / "catalogues", root, problems),
+            convention=_convention(table, errata),
+            positions=read_positions(table),
+            notes=read_notes(table),
+            root=root,
+        )
     )
     is_whole = errata is not None and _is_whole(course, folder)
     return course if is_whole else None, problems
@@ -119,10 +138,10 @@ def _parts(
     parts: dict[str, Part] = {}
     raw: dict[str, RawPart] = {}
     for path in sorted(folder.glob("*.toml")):
-        table = read_toml(path, root, problems)
+        table = read_toml(path, root, problems, PART)
         if table is None:
             continue
-        table.known_keys(PART_KEYS)
+        table.known_keys()
         motion = table.table("kinematics")
         raw[path.stem] = RawPart(
             table.named_tables("quantity"),
@@ -168,7 +187,10 @@ def _schemes(
 
 def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
     """Read what several general views share, by the names of the files; None: cannot be read."""
-    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, SHARED_VIEW))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: None if table is None else read_shared(table) for name, table in found}
 
 
@@ -176,7 +198,10 @@ def _symbols(
     folder: Path, root: Path, problems: list[Problem]
 ) -> dict[str, tuple[Element, ...] | None]:
     """Read what several diagrams share, by the names of the files; None: cannot be read."""
-    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, SHARED_DIAGRAM))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: None if table is None else read_elements(table) for name, table in found}
 
 
@@ -186,25 +211,25 @@ def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, 
 
 
 def _sections(table: Table) -> tuple[Section, ...]:
-    tables = table.tables("section")
-    if not tables:
-        what = message("The course has no section.")
-        table.add("section", what, message("Write at least one [[section]]."))
-    sections = tuple(_section(one) for one in tables)
-    seen: set[str] = set()
-    for section, one in zip(sections, tables, strict=True):
-        if section.id and section.id in seen:
-            one.add(
-                "id",
-                message("'{name}' is declared more than once.", name=section.id),
+    found = tuple(_section(one) for one in table.tables("section"))
+    if not found and table.values.get("section", []) == []:
+        table.add(
+            "section",
+            message("The course has no section."),
+            message("Write at least one [[section]] with id, title, short and task."),
+        )
+    for number, one in enumerate(found, 1):
+        if one.id and one.id in {earlier.id for earlier in found[: number - 1]}:
+            table.add(
+                f"section[{number}].id",
+                message("Two sections have the id '{id}'.", id=one.id),
                 message("Give each section an id of its own."),
             )
-        seen.add(section.id)
-    return sections
+    return found
 
 
 def _section(table: Table) -> Section:
-    table.known_keys(SECTION_KEYS)
+    table.known_keys()
     return Section(
         table.text("id"), table.texts("title"), table.texts("short"), table.texts("task")
     )

@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import JointPosition, Kinematics
-from gripcourse.course.note import Note
+from gripcourse.course.note import CourseNote
+from gripcourse.course.toml_table import Table
 from gripcourse.course.view import View
+from gripcourse.formula.functions import is_entry
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import Texts
 
@@ -139,10 +141,14 @@ class Quantity:
         value: of a CONSTANT, in `unit`; None for the others.
         valid: guard: only a student's value that satisfies it is carried on; None for no guard.
         tolerance: None where the policy's default applies.
+        default: of a GIVEN, what an example takes that states no other, in `unit`; None for none.
+        range: of a GIVEN, what variants draw it from, as written; None where spaces must say it.
         bounds: lowest and highest value that is physically thinkable, in `unit`.
         integer: whether only whole numbers make sense.
         slips: anticipated wrong methods.
         as_printed: errata of the sources.
+        must_hold: of a VERDICT, whether a variant in which the answer is no is refused; False for
+            the others.
         rubric: id of the rubric of a MANUAL item, empty for the others.
         file: the file that declares it, for messages.
         uses: ids that its formulas use, sorted. Kept, because a course has thousands of
@@ -162,10 +168,13 @@ class Quantity:
     value: float | None
     valid: Formula | None
     tolerance: Tolerance | None
+    default: float | None
+    range: Table | None
     bounds: tuple[float, float]
     integer: bool
     slips: tuple[Slip, ...]
     as_printed: tuple[AsPrinted, ...]
+    must_hold: bool
     rubric: str
     file: str
     uses: tuple[str, ...] = field(init=False, repr=False, compare=False)
@@ -174,6 +183,17 @@ class Quantity:
         """Find what is used once."""
         found = {name for formula in self.formulas() for name in formula.names}
         object.__setattr__(self, "uses", tuple(sorted(found)))
+
+    @property
+    def exact(self) -> bool:
+        """Whether its answer is taken as it stands: a size, an entry of a table, yes or no.
+
+        No figure of such an answer is left out, so it differs from the right one or it does not.
+        What is interpolated between entries is a computed number like any other.
+        """
+        if self.kind is Kind.PICK:
+            return self.formula is not None and is_entry(self.formula.tree)
+        return self.kind in {Kind.CHOICE, Kind.VERDICT}
 
     def formulas(self) -> Iterator[Formula]:
         """Yield every formula that the declaration holds."""
@@ -315,9 +335,11 @@ class Catalogue:
     file: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Course:
     """Everything that an instructor wrote, loaded.
+
+    Two courses are never the same one, so that what was made of one can be remembered by it.
 
     Attributes:
         id: short name that goes into signatures.
@@ -345,7 +367,7 @@ class Course:
     catalogues: Mapping[str, Catalogue]
     convention: Convention
     positions: Mapping[str, JointPosition]
-    notes: tuple[Note, ...]
+    notes: tuple[CourseNote, ...]
     root: Path
 
     @property

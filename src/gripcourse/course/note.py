@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from gripcourse.course.shape import Shape, strings, texts
 from gripcourse.course.toml_table import Table
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Texts, message
-
-NOTE_KEYS: Final = ("documents", "schemes", "quantities", "text")
 
 
 class NotedDocument(StrEnum):
@@ -23,8 +22,18 @@ class NotedDocument(StrEnum):
     REPORT = "report"  # below a student's report
 
 
+NOTE: Final = Shape(
+    {
+        "documents": strings("Where it is printed; everywhere where not written.", *NotedDocument),
+        "schemes": strings("Ids of the schemes that it concerns; all where not written."),
+        "quantities": strings("It is printed for variants with one of these; else always."),
+        "text": texts("The sentence.", required=True),
+    }
+)
+
+
 @dataclass(frozen=True, slots=True)
-class Note:
+class CourseNote:
     """A sentence of the course's own.
 
     Attributes:
@@ -42,13 +51,13 @@ class Note:
     key: str
 
 
-def read_notes(table: Table) -> tuple[Note, ...]:
+def read_notes(table: Table) -> tuple[CourseNote, ...]:
     """Read the `[[note]]` tables of a course; a course may have none."""
     return tuple(_note(one) for one in table.tables("note"))
 
 
 def notes_of(
-    notes: Iterable[Note], document: NotedDocument, scheme: str, quantities: Collection[str]
+    notes: Iterable[CourseNote], document: NotedDocument, scheme: str, quantities: Collection[str]
 ) -> Iterator[Texts]:
     """Yield the texts that a document prints for a variant of a scheme with these quantities."""
     for note in notes:
@@ -57,9 +66,9 @@ def notes_of(
             yield note.text
 
 
-def _note(table: Table) -> Note:
-    table.known_keys(NOTE_KEYS)
-    return Note(
+def _note(table: Table) -> CourseNote:
+    table.known_keys()
+    return CourseNote(
         documents=tuple(_documents(table)),
         schemes=table.strings("schemes"),
         quantities=table.strings("quantities"),

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from gripcourse.course.keys import OPTION
 from gripcourse.course.model import Option, OptionChoice
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
@@ -12,7 +13,10 @@ from gripcourse.text.words import message
 
 def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:
     """Read the shared options of a course, by the names of their files."""
-    found = ((path.stem, read_toml(path, root, problems)) for path in sorted(folder.glob("*.toml")))
+    found = (
+        (path.stem, read_toml(path, root, problems, OPTION))
+        for path in sorted(folder.glob("*.toml"))
+    )
     return {name: read_option(table) for name, table in found if table is not None}
 
 
@@ -32,7 +36,7 @@ def scheme_options(table: Table, shared: Mapping[str, Option]) -> tuple[Option, 
 
 def read_option(table: Table) -> Option:
     """Read one option with its choices."""
-    table.known_keys({"id", "title", "choice"})
+    table.known_keys()
     choices = tuple(_choice(choice) for choice in table.tables("choice"))
     if not choices:
         table.add("choice", message("This key is missing."), message("Write the choices."))
@@ -40,5 +44,5 @@ def read_option(table: Table) -> Option:
 
 
 def _choice(table: Table) -> OptionChoice:
-    table.known_keys({"id", "title", "parts"})
+    table.known_keys()
     return OptionChoice(table.text("id"), table.texts("title"), table.strings("parts"))

@@ -6,15 +6,16 @@ those under `parts`.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.course.declare import declare
 from gripcourse.course.kinematics import Kinematics
-from gripcourse.course.model import Quantity
+from gripcourse.course.model import Kind, Quantity
 from gripcourse.course.toml_table import Table
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
+_OF_GIVENS = frozenset({"default", "range"})
 _ONLY_IN = "parts"  # the key of an override that names the parts it holds in
 
 
@@ -135,13 +136,18 @@ def _report_unknown(
 
 def _laid_over(shared: Table, changes: Table) -> Table:
     changed = {name: value for name, value in changes.values.items() if name != _ONLY_IN}
-    return Table({**shared.values, **changed}, changes.file, changes.key, [])
+    # What is not given any more has no default and is not drawn.
+    gone = _OF_GIVENS if changes.values.get("kind", Kind.GIVEN) != Kind.GIVEN else frozenset()
+    kept = {name: value for name, value in shared.values.items() if name not in gone}
+    return Table({**kept, **changed}, changes.file, changes.key, [], shared.shape)
 
 
 def _declare(name: str, shared: Table, merged: Table, changes: Table) -> Quantity:
     """Declare a changed quantity; what was wrong with it before is not reported again."""
     declared = declare(name, merged)
-    repeated = Table(shared.values, changes.file, changes.key, [])
+    if declared.range is not None and not changes.has("range"):
+        declared = replace(declared, range=shared.table("range"))  # told where it is written
+    repeated = replace(shared, file=changes.file, key=changes.key, problems=[])
     declare(name, repeated)
     known = (*repeated.problems, *changes.problems)
     changes.problems.extend(one for one in merged.problems if one not in known)

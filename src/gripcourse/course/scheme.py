@@ -6,6 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.declare import declare, source
 from gripcourse.course.diagram import Element, read_diagram
+from gripcourse.course.keys import EXAMPLE, SCHEME
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import (
     Convention,
@@ -17,6 +18,7 @@ from gripcourse.course.options import scheme_options
 from gripcourse.course.override import RawPart, read_overrides
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
+from gripcourse.course.view_keys import VIEW
 from gripcourse.course.view_read import read_view
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
@@ -40,12 +42,10 @@ class Shared:
 
 def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem]) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
-    table = read_toml(folder / "scheme.toml", root, problems)
+    table = read_toml(folder / "scheme.toml", root, problems, SCHEME)
     if table is None:
         return None
-    table.known_keys(
-        {"id", "parts", "options", "title", "task", "option", "quantity", "override", "kinematics"}
-    )
+    table.known_keys()
     identifier = table.text("id")
     if identifier != folder.name:
         table.add(
@@ -82,7 +82,7 @@ def _view(
     """Read the general view of a scheme; a scheme may do without."""
     if not path.exists():
         return None
-    table = read_toml(path, root, problems)
+    table = read_toml(path, root, problems, VIEW)
     return None if table is None else read_view(table, drawings)
 
 
@@ -114,15 +114,18 @@ def _motion(
 
 
 def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample | None:
-    table = read_toml(path, root, problems)
+    """Read the worked example of a scheme; a scheme may do without."""
+    if not path.exists():
+        return None
+    table = read_toml(path, root, problems, EXAMPLE)
     if table is None:
         return None
-    table.known_keys({"source", "options", "given", *Convention})
+    table.known_keys()
     options = table.table("options")
     return WorkedExample(
         source=source(table.required_table("source")),
         options={name: options.text(name) for name in options.values} if options else {},
-        given=table.numbers("given"),
+        given=table.numbers("given", {}),
         chosen={one: _convention_table(table, one).numbers("chosen", {}) for one in Convention},
         expected={one: _expected(_convention_table(table, one)) for one in Convention},
     )
@@ -135,7 +138,7 @@ def _convention_table(table: Table, convention: Convention) -> Table:
 
 
 def _expected(table: Table) -> dict[str, tuple[float, float]]:
-    table.known_keys({"chosen", "expected"})
+    table.known_keys()
     values = table.table("expected")
     if values is None:
         return {}

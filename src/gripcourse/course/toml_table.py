@@ -5,11 +5,12 @@ so that an author sees all faults of a course at once.
 """
 
 import math
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from gripcourse.course.shape import Key, Shape, Sort
+from gripcourse.course.toml_faults import toml_values
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -17,12 +18,13 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """One TOML table, its place, and the list that its faults go to."""
+    """One TOML table, its place, the list that its faults go to, and what may stand in it."""
 
     values: Mapping[str, object]
     file: str
     key: str
     problems: list[Problem]
+    shape: Shape | None = None
 
     def add(self, name: str, what: Message, remedy: Message, excerpt: str = "") -> None:
         """Record a fault at a key of this table (the table itself where `name` is empty)."""
@@ -33,25 +35,55 @@ class Table:
         """Tell whether the key is written."""
         return name in self.values
 
-    def known_keys(self, known: Iterable[str]) -> None:
-        """Report every key that nobody reads: usually a misspelling."""
-        allowed = set(known)
+    def known_keys(self, known: Iterable[str] | None = None) -> None:
+        """Report every key that nobody reads: usually a misspelling.
+
+        Args:
+            known: keys that only the course tells; None for those of the table's shape.
+        """
+        if known is None and (self.shape is None or self.shape.each is not None):
+            return
+        allowed = set(self.shape.of(self.values) if known is None and self.shape else known or ())
         for name in self.values:
             if name not in allowed:
                 self.add(name, message("This key means nothing here."), did_you_mean(name, allowed))
 
     def text(self, name: str, default: str | None = None) -> str:
         """Read a text; required where there is no default."""
-        value = self._required(name, default)
+        self._declared(name, Sort.TEXT, required=default is None)
+        value = self._required(name, default, message("a text in quotes"))
         if isinstance(value, str):
             return value
         if value is not None:
             self._wrong_type(name, message("a text in quotes"))
         return default or ""
 
-    def number(self, name: str, default: float | None = None) -> float:
-        """Read a finite number; required where there is no default; NaN where it cannot be used."""
-        value = self._required(name, default)
+    def number(self, name: str, default: float | None = None, *, within: bool = True) -> float:
+        """Read a finite number; required where there is no default; NaN where it cannot be used.
+
+        A number outside the bounds that the shape names is reported, and read nevertheless; with
+        `within` false the reader reports it in words of its own.
+        """
+        value = self._number(name, default)
+        key = self._declared(name, Sort.NUMBER, required=default is None)
+        if within and key is not None and name in self.values and not key.low <= value <= key.high:
+            self._out_of_bounds(name, value, key)
+        return value
+
+    def _out_of_bounds(self, name: str, value: float, key: Key) -> None:
+        if math.isnan(value):
+            return  # reported as no number
+        what = message("The number is {value}.", value=value)
+        if math.isinf(key.low):
+            self.add(name, what, message("Write {most} or less.", most=key.high))
+        elif math.isinf(key.high):
+            self.add(name, what, message("Write {least} or more.", least=key.low))
+        else:
+            between = message("Write a number from {low} to {high}.", low=key.low, high=key.high)
+            self.add(name, what, between)
+
+    def _number(self, name: str, default: float | None) -> float:
+        value = self._required(name, default, message("a number"))
         if name not in self.values:
             return default if default is not None else float("nan")
         match value:
@@ -65,7 +97,8 @@ class Table:
 
     def share(self, name: str, default: float | None = None) -> float:
         """Read a number from 0 to 1; required where there is no default."""
-        value = self.number(name, default)
+        self._declared(name, Sort.NUMBER, required=default is None)
+        value = self._number(name, default)
         if value < 0 or value > 1:
             self.add(
                 name,
@@ -76,8 +109,11 @@ class Table:
 
     def at_least(self, name: str, least: float) -> float:
         """Read a number that is not below another; required; `least` where it cannot be used."""
-        value = self.number(name)
+        key = self._declared(name, Sort.NUMBER, required=True)
+        value = self._number(name, None)
         if value >= least:
+            if key is not None and value > key.high:
+                self._out_of_bounds(name, value, key)
             return value
         if not math.isnan(value):
             self.add(
@@ -87,19 +123,21 @@ class Table:
             )
         return least
 
-    def flag(self, name: str) -> bool:
-        """Read true or false; absent is false."""
-        value = self.values.get(name, False)
+    def flag(self, name: str, *, default: bool = False) -> bool:
+        """Read true or false; absent is `default`."""
+        self._declared(name, Sort.FLAG, required=False)
+        value = self.values.get(name, default)
         if not isinstance(value, bool):
             self._wrong_type(name, message("true or false"))
         return value is True
 
     def texts(self, name: str, *, may_be_empty: bool = False) -> Texts:
         """Read a text in every language; one plain text serves all (a symbol, for example)."""
-        value = self._required(name, None)
+        self._declared(name, Sort.TEXTS)
+        value = self._required(name, None, message("a text, or a table with en, ru and uk"))
         if isinstance(value, str):
             if not (value.strip() or may_be_empty):
-                self._missing(name)
+                self._missing(name, message("a text, or a table with en, ru and uk"))
             return Texts(dict.fromkeys(LANGUAGES, value))
         if not isinstance(value, dict):
             if value is not None:
@@ -126,13 +164,14 @@ class Table:
         """Read a table of numbers by name."""
         table = self.table(name)
         if table is None:
-            if default is None:
-                self._missing(name)
+            if default is None and name not in self.values:
+                self._missing(name, message("a table of numbers"))
             return dict(default or {})
         return {key: table.number(key) for key in table.values}
 
     def strings(self, name: str) -> tuple[str, ...]:
         """Read a list of texts; absent is empty."""
+        self._declared(name, Sort.STRINGS, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(isinstance(item, str) for item in value):
             return tuple(value)
@@ -141,6 +180,7 @@ class Table:
 
     def number_list(self, name: str) -> tuple[float, ...]:
         """Read a list of finite numbers; absent is empty."""
+        self._declared(name, Sort.NUMBERS, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(
             isinstance(one, int | float) and not isinstance(one, bool) and math.isfinite(one)
@@ -152,20 +192,30 @@ class Table:
 
     def pair(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
         """Read two numbers, the lower first."""
+        self._declared(name, Sort.PAIR)
         value = self.values.get(name)
         if value is None:
             return default
         match value:
             case [int() | float() as low, int() | float() as high] if low <= high:
                 return (float(low), float(high))
+            case [int() | float() as low, int() | float() as high]:
+                self.add(
+                    name,
+                    message("The first number is above the second."),
+                    message("Write the lower first: [{high}, {low}].", high=high, low=low),
+                )
+                return default
         self._wrong_type(name, message("two numbers, the lower first"))
         return default
 
     def table(self, name: str) -> "Table | None":
         """Read a table below this one; None where it is absent."""
+        key = self._declared(name, Sort.TABLE)
         value = self.values.get(name)
         if isinstance(value, dict):
-            return Table(value, self.file, self._below(name), self.problems)
+            inside = None if key is None else key.inside
+            return Table(value, self.file, self._below(name), self.problems, inside)
         if value is not None:
             self._wrong_type(name, message("a table"))
         return None
@@ -178,16 +228,20 @@ class Table:
         found = self.table(name)
         if found is not None:
             return found
+        key = self._declared(name, Sort.TABLE, required=True)
         if name not in self.values:
-            self._missing(name)
-        return Table({}, self.file, self._below(name), [])
+            self._missing(name, message("a table"))
+        inside = None if key is None else key.inside
+        return Table({}, self.file, self._below(name), [], inside)
 
     def tables(self, name: str) -> tuple["Table", ...]:
         """Read an array of tables; absent is empty."""
+        key = self._declared(name, Sort.TABLES, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(isinstance(item, dict) for item in value):
+            inside = None if key is None else key.inside
             return tuple(
-                Table(item, self.file, f"{self._below(name)}[{number}]", self.problems)
+                Table(item, self.file, f"{self._below(name)}[{number}]", self.problems, inside)
                 for number, item in enumerate(value, 1)
             )
         self._wrong_type(name, message("an array of tables"))
@@ -204,13 +258,29 @@ class Table:
     def _below(self, name: str) -> str:
         return f"{self.key}.{name}" if self.key else name
 
-    def _required(self, name: str, default: object) -> object:
+    def _declared(self, name: str, sort: Sort, *, required: bool | None = None) -> Key | None:
+        """Return what the shape says of a key that is read as `sort`; None without a shape.
+
+        Raises:
+            TypeError: our own mistake: the shape says something else, or nothing.
+        """
+        if self.shape is None:
+            return None
+        key = self.shape.key(name, self.values)
+        if key is None or key.sort not in {sort, Sort.OTHER}:
+            raise TypeError(f"{self.file}: {self._below(name)} is read as {sort}, not declared so")
+        if required not in {None, key.required} and name not in self.values:
+            raise TypeError(f"{self.file}: {self._below(name)} is not declared as it is required")
+        return key
+
+    def _required(self, name: str, default: object, wanted: Message) -> object:
         if name not in self.values and default is None:
-            self._missing(name)
+            self._missing(name, wanted)
         return self.values.get(name, default)
 
-    def _missing(self, name: str) -> None:
-        self.add(name, message("This key is missing."), message("Write it."))
+    def _missing(self, name: str, wanted: Message) -> None:
+        what = message("This key is missing.")
+        self.add(name, what, message("Write '{name}': {wanted}.", name=name, wanted=wanted))
 
     def _wrong_type(self, name: str, wanted: Message) -> None:
         self.add(
@@ -220,26 +290,17 @@ class Table:
         )
 
 
-def read_toml(path: Path, root: Path, problems: list[Problem]) -> Table | None:
-    """Read a TOML file; None (and a problem) where it is missing or not TOML."""
+def read_toml(
+    path: Path, root: Path, problems: list[Problem], shape: Shape | None = None
+) -> Table | None:
+    """Read a TOML file; None (and a problem) where it is missing or not TOML.
+
+    Args:
+        path: of the file.
+        root: of the course: the file is named from there.
+        problems: takes what is wrong.
+        shape: what may stand in it; None where the reader checks the keys itself.
+    """
     file = str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
-    try:
-        return Table(tomllib.loads(path.read_text(encoding="utf-8-sig")), file, "", problems)
-    except FileNotFoundError:
-        problems.append(
-            Problem(file, "", message("The file is missing."), message("Write it or restore it."))
-        )
-    except UnicodeDecodeError:
-        problems.append(
-            Problem(file, "", message("The file is not UTF-8."), message("Save it as UTF-8."))
-        )
-    except tomllib.TOMLDecodeError as fault:
-        problems.append(
-            Problem(
-                file,
-                "",
-                message("This is not valid TOML: {fault}.", fault=str(fault)),
-                message("Mend the line that is named."),
-            )
-        )
-    return None
+    values = toml_values(path, file, problems)
+    return None if values is None else Table(values, file, "", problems, shape)

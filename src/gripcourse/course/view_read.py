@@ -1,7 +1,6 @@
 """Reading the general view of a scheme, and what several views share."""
 
 from collections.abc import Iterator, Mapping
-from typing import Final
 
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import (
@@ -26,16 +25,13 @@ from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 
-VIEW_KEYS: Final = ("behind", "before", "position", "upright", "other", "characteristics")
-SHARED_VIEW_KEYS: Final = ("length", "angle", "count", "part", "dimension", "label")
-
 
 def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
     """Read the view of a scheme, between the shared files that lie `behind` and `before` it.
 
     None where a shared file could not be read: what it brings would be called unknown.
     """
-    table.known_keys((*VIEW_KEYS, *SHARED_VIEW_KEYS))
+    table.known_keys()
     named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
     views = [one for one in named if one is not None]
     view = View(
@@ -64,7 +60,7 @@ def _named(table: Table, key: str, shared: Mapping[str, View | None]) -> Iterato
 
 def read_shared(table: Table) -> View:
     """Read a file of parts that several views share."""
-    table.known_keys(SHARED_VIEW_KEYS)
+    table.known_keys()
     return _read(table)
 
 
@@ -99,9 +95,7 @@ def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
 
 
 def _part(table: Table) -> ViewPart:
-    table.known_keys(
-        {"id", "title", "nameless", "mirror", "count", "sizes", "mark", "moves", "shape"}
-    )
+    table.known_keys()
     nameless = table.flag("nameless")
     shapes = tuple(_shape(one) for one in table.tables("shape"))
     if not shapes:
@@ -124,7 +118,7 @@ def _shape(table: Table) -> Shape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
-        table.known_keys({"kind", "line", "hatch", "hidden_edges", "face", "repeat", *needs})
+        table.known_keys()
     return Shape(
         kind=kind,
         needs={name: _expressions(table, name, need) for name, need in needs.items()},
@@ -138,7 +132,7 @@ def _shape(table: Table) -> Shape:
 
 
 def _repeat(table: Table) -> Repeat | Ring:
-    table.known_keys({"count", "step", "about"})
+    table.known_keys()
     count = _formula(table, "count", table.text("count")) or Formula("1", parse("1"), {})
     if table.has("about"):
         return Ring(count, _expressions(table, "about", Need.POINT))
@@ -146,7 +140,7 @@ def _repeat(table: Table) -> Repeat | Ring:
 
 
 def _dimension(table: Table) -> ViewDimension:
-    table.known_keys({"quantity", "from", "to", "side", "face", "sign", "at_other"})
+    table.known_keys()
     return ViewDimension(
         quantity=table.text("quantity"),
         start=_expressions(table, "from", Need.POINT),
@@ -161,7 +155,7 @@ def _dimension(table: Table) -> ViewDimension:
 
 
 def _label(table: Table) -> ViewLabel:
-    table.known_keys({"text", "values", "at", "face"})
+    table.known_keys()
     values = table.table("values")
     return ViewLabel(
         text=table.texts("text"),
@@ -175,21 +169,25 @@ def _label(table: Table) -> ViewLabel:
 
 def _expressions(table: Table, name: str, need: Need) -> tuple[Expression, ...]:
     """Read formulas in the order x, y, x, y…; where they cannot be read, as many as are needed."""
-    value = table.values.get(name)
-    written: list[object] = list(value) if isinstance(value, list) else [value]
-    if need is Need.POINTS:
-        points = [one for one in written if isinstance(one, list)]
-        written = [one for point in points for one in point] if points else written
+    written = _flat(table.values.get(name), need)
     known = all(isinstance(one, str) or one == 0 for one in written)
     if known and _fits(len(written), need):
         return tuple(
             _formula(table, name, one) if isinstance(one, str) else None for one in written
         )
-    if name in table.values:
-        table.add(name, message("The value has the wrong type."), _REMEDIES[need])
-    else:
-        table.add(name, message("This key is missing."), _REMEDIES[need])
-    return (None, None, None, None) if need is Need.POINTS else (None, None)
+    is_absent = name not in table.values
+    what = (
+        message("This key is missing.") if is_absent else message("The value has the wrong type.")
+    )
+    table.add(name, what, _REMEDIES[need])
+    return (None,) * (2 * _TWO if need is Need.POINTS else _TWO)
+
+
+def _flat(value: object, need: Need) -> list[object]:
+    """Return what is written one after the other: of points x, y, x, y and so on."""
+    written: list[object] = list(value) if isinstance(value, list) else [value]
+    points = [one for one in written if isinstance(one, list)] if need is Need.POINTS else []
+    return [one for point in points for one in point] if points else written
 
 
 _REMEDIES: Mapping[Need, Message] = {
@@ -214,7 +212,7 @@ def _formula(table: Table, name: str, text: str) -> Formula | None:
     try:
         return Formula(text, parse(text), {}) if text else None
     except FormulaFault as fault:
-        table.add(name, fault.what, message("Mend the formula."), caret(text, fault.span))
+        table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None
 
 

@@ -12,17 +12,17 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
+from gripcourse.database.home import home_of
 from gripcourse.demo.classroom import sample_roster, sample_table
 from gripcourse.demo.students import COPIED, fill_workbooks
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.gradebook.opening import gradebook_path
-from gripcourse.issuing.register import read_register, register_path
 from gripcourse.issuing.roster import read_roster
+from gripcourse.issuing.store import read_register
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.grade import GradingOutcome, grade, write_results
 from gripcourse.usecases.gradebook import keep
@@ -95,7 +95,7 @@ def run_demo(
     )
     tick = step(words.say(message("Issuing")), len(read_roster(order.roster)))
     issuing = issue_order(course, policy, order, workers, lambda _: tick())
-    register = read_register(register_path(course.root), course.id).by_student()
+    register = read_register(course.root, course.id).by_student()
     stories = fill_workbooks(
         course, register, workbooks(folders["assignments"], register), folders["submissions"]
     )
@@ -103,7 +103,7 @@ def run_demo(
     tick = step(words.say(message("Grading")), len(files))
     context = GradingContext(course, policy, register)
     graded = grade(files, context, workers, lambda _: tick())
-    place = str(gradebook_path(course.root))
+    place = home_of(course.root)
     keep(graded, context, place, MARKED_AT)
     marked = marked_student(stories, context)
     marking = None if marked is None else mark_drawing(marked, context, place)
@@ -121,7 +121,7 @@ def _clear(out: Path, folders: Iterable[Path]) -> None:
     if not mark.is_file() and any(folder.exists() for folder in folders):
         what = message("This folder is not empty.")
         remedy = message("Name a new or empty folder: nothing is ever overwritten.")
-        raise UsageError([Problem(str(out), "--out", what, remedy)])
+        raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
     write_text(mark, "")
@@ -138,7 +138,7 @@ def marked_student(stories: Mapping[str, str], context: GradingContext) -> str |
     for student in ordered:
         variant = context.register[student].variant
         handed_in = stories[student] not in _WITHOUT_DRAWING
-        if handed_in and make_plan(context.course, variant.scheme, variant.options).manual:
+        if handed_in and plan_of(context.course, variant.composition).manual:
             return student
     return None
 
@@ -146,7 +146,7 @@ def marked_student(stories: Mapping[str, str], context: GradingContext) -> str |
 def mark_drawing(student: str, context: GradingContext, place: str) -> Marking:
     """Let a teacher mark the last item of a student that a person marks, line by line."""
     issued = context.register[student]
-    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(context.course, issued.variant.composition)
     item = plan.manual[-1]
     words = Words(issued.student.language or context.course.language)
     draft = Draft(

@@ -12,7 +12,7 @@ from typing import Final, TypeAlias
 from gripcourse.course.model import Convention, Course, Kind
 from gripcourse.demo.chosen import early_mistake, larger_unit, measured, smaller_sizes
 from gripcourse.simulation.write import Typed, fill
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
@@ -84,7 +84,7 @@ def printed(plan: Plan, issued: Issued) -> Typed | None:
     """Compute as the source prints it, errata included."""
     if not any(one.as_printed for one in plan.quantities.values()):
         return None
-    as_printed = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
+    as_printed = plan_of(plan.course, plan.composition, Convention.AS_PRINTED)
     return _typed(plan, solve_variant(as_printed, issued.variant.given))
 
 
@@ -129,7 +129,7 @@ def fill_workbooks(
     stories: dict[str, str] = {}
     left = dict(STORIES)
     for student, issued in register.items():
-        plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+        plan = plan_of(course, issued.variant.composition)
         for story, behaviour in left.items():
             typed = behaviour(plan, issued)
             if typed is not None:

@@ -236,7 +236,7 @@ def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
         text += f",{NO_BREAK_SPACE}{unit_text(quantity.unit, words.language)}"
     band = policy.tolerances.get(quantity.id) or quantity.tolerance
     unusual = band is not None and band.relative != policy.tolerance.relative
-    if band is not None and unusual and quantity.kind is Kind.FORMULA:
+    if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol

@@ -10,6 +10,7 @@ sheets. It offers to every template
     value | percent          a share of one as a percentage
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
+    text | prose             a title or a sentence; a symbol in it looks as in a formula
     box | formula            a formula
     box | mathml             a formula for a browser; mathml(large=True) on a line of its own
     box | plain              a formula as one line of text
@@ -19,22 +20,22 @@ and renders with what is expensive kept for the whole process: compiled template
 style sheets. A value that a template does not get is an error, never an empty place.
 """
 
-import gc
+import re
 import traceback
 from base64 import b64encode
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gripcourse.errors import CourseError, Problem, UsageError
+from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
-from gripcourse.formula.typeset import declared_symbol
+from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
+from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.resources import template_file, template_folders
 from gripcourse.text.amounts import day_text, percent_text, points_text
 from gripcourse.text.shown import shown
@@ -48,8 +49,9 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 
-_COLLECTOR_THRESHOLD = 100_000
 _VARIANT = "pdf/ua-1"
+# In a sentence: one letter and its subscript.
+_SYMBOL = re.compile(r"(?<!\w)[^\W\d_]_[^\W_]{1,6}(?!\w)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +113,7 @@ def render_fitting(
     *roomy, tightest = documents
     for document in roomy:
         html = render_html(document, templates, words)
-        with _few_collections():
+        with few_collections():
             laid_out = _laid_out(html, document.styles, templates)
             if len(laid_out.pages) <= pages:
                 return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
@@ -120,7 +122,7 @@ def render_fitting(
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
-    with _few_collections():
+    with few_collections():
         return bytes(_laid_out(html, styles, templates).write_pdf(pdf_variant=_VARIANT))
 
 
@@ -148,6 +150,14 @@ def _markup(box: Box) -> "Markup":
     return Markup(html(box))  # noqa: S704 - see above
 
 
+def _prose(title: object) -> "Markup":
+    """Return a title as HTML; a symbol in it, `v_1`, looks as it does in a formula."""
+    from markupsafe import Markup, escape
+
+    written = str(escape(_seen(title)))
+    return Markup(_SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
+
+
 def _mathml(box: Box, *, large: bool = False) -> "Markup":
     """Return the MathML of a formula; its text was escaped when it was made."""
     from markupsafe import Markup
@@ -170,7 +180,7 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
     inside = [(one, step.lineno) for step, one in places if one]
     place, line = inside[-1] if inside else (name, None)
     what = message("The template fails: {reason}.", reason=_reason(error))
-    remedy = message("Mend what stands there; compare it with the reference course's template.")
+    remedy = message("Correct what stands there; compare it with the reference course's template.")
     match error:
         case TemplateNotFound():
             what = message("There is no template {name}.", name=str(error.name))
@@ -222,6 +232,7 @@ def template_environment(templates: Path, language: str) -> "Environment":
         "points": lambda value: points_text(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
+        "prose": _prose,
         "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
         "mathml": _mathml,
@@ -239,8 +250,8 @@ def _fonts() -> Any:  # noqa: ANN401 - WeasyPrint ships no types
     # Without any font Pango does not say so: it takes the whole process down.
     if not any(fonts_used(FONT_PACKAGES).values()):
         what = message("This machine has no font, so that no page can be laid out.")
-        remedy = message("gripcourse doctor names what is missing and how to install it.")
-        raise UsageError([Problem("", "", what, remedy)])
+        remedy = message("Install one; a check of the machine names what is missing and how.")
+        raise UsageError([Problem("", "", what, remedy, step=NextStep.CHECK_MACHINE)])
     return FontConfiguration()
 
 
@@ -254,14 +265,3 @@ def _style_sheet(path: Path, _changed: int) -> Any:  # noqa: ANN401 - WeasyPrint
         font_config=_fonts(),
         url_fetcher=URLFetcher(allowed_protocols=("data",)),
     )
-
-
-@contextmanager
-def _few_collections() -> Iterator[None]:
-    """Collect garbage rarely: a layout makes many objects that live, 15 % of its time otherwise."""
-    before = gc.get_threshold()
-    gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)

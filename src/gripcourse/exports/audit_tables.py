@@ -22,6 +22,7 @@ def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> 
         "variants.csv": _variants(audit, sections, words),
         "pairs.csv": _pairs(audit, sections),
         "quantities.csv": _quantities(audit),
+        "verdicts.csv": _verdicts(audit),
         "slips.csv": _slips(audit),
     }
 
@@ -98,6 +99,23 @@ def _quantities(audit: VariantAudit) -> str:
             _yes(one.equal > audit.rules.weak_item),
         )
         for one in audit.spreads
+    ))  # fmt: skip
+
+
+def _verdicts(audit: VariantAudit) -> str:
+    header = ("scheme", "quantity", "variants", "points", "yes", "no", "must_hold", "weak")
+    return table_text(header, (
+        (
+            one.scheme,
+            one.quantity,
+            str(one.variants),
+            number_cell(one.points),
+            str(one.yes),
+            str(one.variants - one.yes),
+            _yes(one.must_hold),
+            _yes(one.quantity in audit.weak_verdicts),
+        )
+        for one in audit.verdicts
     ))  # fmt: skip
 
 

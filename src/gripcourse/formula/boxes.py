@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+from gripcourse.text.conventions import is_english
+
 Kind: TypeAlias = Literal["number", "variable", "upright", "operator", "relation", "times", "mark"]
 """How a run of text is set: `variable` in italics, `operator` and `relation` with spaces round,
 `times` a multiplication sign (empty for juxtaposition), `mark` any other sign, without spaces."""
@@ -124,7 +126,7 @@ def word(name: str, elsewhere: str = "") -> Form:
     """Print a function by an upright name; `elsewhere` where it differs, as in tan and tg."""
 
     def form(arguments: tuple[Box, ...], _column: Box | None, language: str) -> Box:
-        return Applied(name if language == "en" else elsewhere or name, arguments)
+        return Applied(name if is_english(language) else elsewhere or name, arguments)
 
     return form
 

@@ -26,25 +26,6 @@ from gripcourse.text.words import Message, message
 _COMPARISONS = frozenset({"<", "<=", ">", ">=", "=="})
 
 
-def dimension_of(
-    node: Node, dimensions: Mapping[str, Dimension], columns: Mapping[str, ColumnDimensions]
-) -> Dimension:
-    """Find what a formula measures.
-
-    Args:
-        node: its tree.
-        dimensions: of every name that it may use.
-        columns: by `catalogue.column`: of the size column and of that column.
-
-    Returns:
-        The dimension of the result; of a condition, that of a plain number.
-
-    Raises:
-        FormulaFault: a name or column is unknown, or unlike things are added or compared.
-    """
-    return _measure(node, dimensions, columns) or PLAIN
-
-
 def is_condition(node: Node) -> bool:
     """Tell whether a formula is a comparison, or several joined by `and`, rather than a number."""
     return isinstance(node, Operation) and node.operator in {*_COMPARISONS, "and"}
@@ -69,7 +50,7 @@ def check_dimension(
     if formula.units:
         _check_empirical(formula, dimensions)
         return
-    measured = _measure(formula.tree, dimensions, columns)
+    measured = measured_by(formula.tree, dimensions, columns)
     if measured is not None and measured != dimension(unit):
         what = message(
             "The formula gives {found}, but its quantity is declared in {declared}.",
@@ -79,7 +60,7 @@ def check_dimension(
         raise FormulaFault(what, whole)
 
 
-def _measure(
+def measured_by(
     node: Node, dimensions: Mapping[str, Dimension], columns: Mapping[str, ColumnDimensions]
 ) -> Measured:
     """Find what a node measures; None for a zero, which is a zero of anything."""
@@ -89,15 +70,18 @@ def _measure(
         case Name(name):
             return _of_name(node, name, dimensions)
         case Negation(operand):
-            return _measure(operand, dimensions, columns)
+            return measured_by(operand, dimensions, columns)
         case Operation("**", left, right):
-            base = _measure(left, dimensions, columns)
-            return _to_power(base, right, _measure(right, dimensions, columns))
+            base = measured_by(left, dimensions, columns)
+            return _to_power(base, right, measured_by(right, dimensions, columns))
         case Operation(_, left, right):
-            found = (_measure(left, dimensions, columns), _measure(right, dimensions, columns))
+            found = (
+                measured_by(left, dimensions, columns),
+                measured_by(right, dimensions, columns),
+            )
             return _joined(node, *found)
         case Call(name, arguments, column):
-            given = tuple(_measure(argument, dimensions, columns) for argument in arguments)
+            given = tuple(measured_by(argument, dimensions, columns) for argument in arguments)
             return FUNCTIONS[name].rule(node, given, _of_column(node, column, columns))
         case _:
             assert_never(node)

@@ -30,7 +30,7 @@ from gripcourse.text.units import factor
 _LONGEST: Final = 8192  # signs, Excel's limit
 
 
-class _Level(IntEnum):
+class _Binding(IntEnum):
     """How closely the parts of a piece of text hold together."""
 
     SUM = 0
@@ -40,11 +40,11 @@ class _Level(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class _Piece:
+class _BoundText:
     text: str
-    level: _Level
+    level: _Binding
 
-    def within(self, least: _Level) -> str:
+    def within(self, least: _Binding) -> str:
         """Return the text, in brackets where it holds together less closely than `least`."""
         return self.text if self.level >= least else f"({self.text})"
 
@@ -78,7 +78,7 @@ def excel_form(
     scaled = {name: _scaled(name, cells, formula.units) for name in cells}
     piece = _written(formula.tree, _Sheet(scaled, columns))
     size = factor(unit) if formula.units else 1.0
-    text = piece.text if size == 1.0 else f"{piece.within(_Level.PRODUCT)}*{_number(size)}"
+    text = piece.text if size == 1.0 else f"{piece.within(_Binding.PRODUCT)}*{_number(size)}"
     return text if len(text) < _LONGEST else None
 
 
@@ -92,37 +92,37 @@ def _number(value: float) -> str:
     return repr(value).upper().removesuffix(".0")
 
 
-def _written(node: Node, sheet: _Sheet) -> _Piece:
+def _written(node: Node, sheet: _Sheet) -> _BoundText:
     match node:
         case Number(value):
-            return _Piece(_number(value), _Level.ATOM)
+            return _BoundText(_number(value), _Binding.ATOM)
         case Name(name):
             text = "PI()" if name in CONSTANTS else sheet.cells[name]
-            return _Piece(text, _Level.ATOM)
+            return _BoundText(text, _Binding.ATOM)
         case Negation(operand):
-            return _Piece(f"(-{_written(operand, sheet).within(_Level.ATOM)})", _Level.ATOM)
+            return _BoundText(f"(-{_written(operand, sheet).within(_Binding.ATOM)})", _Binding.ATOM)
         case Operation("+" | "-" | "*" | "/" | "**"):
             return _arithmetic(node, sheet)
         case Operation():
-            return _Piece(f"IF({_condition(node, sheet)},1,0)", _Level.ATOM)
+            return _BoundText(f"IF({_condition(node, sheet)},1,0)", _Binding.ATOM)
         case Call():
             return _call(node, sheet)
         case _:
             assert_never(node)
 
 
-def _arithmetic(node: Operation, sheet: _Sheet) -> _Piece:
+def _arithmetic(node: Operation, sheet: _Sheet) -> _BoundText:
     left, right = _written(node.left, sheet), _written(node.right, sheet)
     match node.operator:
         case "+" | "-" as sign:
-            text = f"{left.within(_Level.SUM)}{sign}{right.within(_Level.PRODUCT)}"
-            return _Piece(text, _Level.SUM)
+            text = f"{left.within(_Binding.SUM)}{sign}{right.within(_Binding.PRODUCT)}"
+            return _BoundText(text, _Binding.SUM)
         case "*" | "/" as sign:
-            text = f"{left.within(_Level.PRODUCT)}{sign}{right.within(_Level.POWER)}"
-            return _Piece(text, _Level.PRODUCT)
+            text = f"{left.within(_Binding.PRODUCT)}{sign}{right.within(_Binding.POWER)}"
+            return _BoundText(text, _Binding.PRODUCT)
         case _:
-            text = f"{left.within(_Level.ATOM)}^{right.within(_Level.ATOM)}"
-            return _Piece(text, _Level.POWER)
+            text = f"{left.within(_Binding.ATOM)}^{right.within(_Binding.ATOM)}"
+            return _BoundText(text, _Binding.POWER)
 
 
 def _condition(node: Node, sheet: _Sheet) -> str:
@@ -146,11 +146,11 @@ def _condition(node: Node, sheet: _Sheet) -> str:
             return f"ABS(({left})-({right}))<={slack}"
 
 
-def _call(node: Call, sheet: _Sheet) -> _Piece:
+def _call(node: Call, sheet: _Sheet) -> _BoundText:
     template = FUNCTIONS[node.function].excel
     if template is None:
         raise TypeError(f"{node.function} has no spreadsheet form")
     arguments = [_written(argument, sheet).text for argument in node.arguments]
     sizes, values = ("", "") if node.column is None else sheet.columns[node.column]
     text = template.format(*arguments, arguments=",".join(arguments), sizes=sizes, values=values)
-    return _Piece(text, _Level.ATOM)
+    return _BoundText(text, _Binding.ATOM)

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gripcourse.formula import boxes, rules
 from gripcourse.formula.hertz import crossed_cylinders
+from gripcourse.formula.tree import Call, Node, Number
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -52,6 +53,7 @@ class Function:
         form: how it is printed.
         excel: spreadsheet form with places `{0}`, `{1}`, `{arguments}`, `{sizes}` and `{values}`;
             None where no spreadsheet can compute it.
+        takes_entry: whether it gives what stands in a table, as it stands there: nobody rounds it.
     """
 
     name: str
@@ -62,6 +64,7 @@ class Function:
     rule: rules.Rule
     form: boxes.Form
     excel: str | None
+    takes_entry: bool = False
 
 
 def _of(function: Callable[..., Array]) -> Compute:
@@ -204,13 +207,16 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
             ),
             Function(
                 "at_least", 1, 1, True, at_least, rules.size_of_value,
-                boxes.entry("≥", "min"), _AT_LEAST,
+                boxes.entry("≥", "min"), _AT_LEAST, takes_entry=True,
             ),
             Function(
                 "nearest", 1, 1, True, nearest, rules.size_of_value,
-                boxes.entry("≈", ""), _NEAREST,
+                boxes.entry("≈", ""), _NEAREST, takes_entry=True,
             ),
-            Function("lookup", 1, 1, True, lookup, rules.value_of_size, boxes.reading, _LOOKUP),
+            Function(
+                "lookup", 1, 1, True, lookup, rules.value_of_size,
+                boxes.reading, _LOOKUP, takes_entry=True,
+            ),
             Function(
                 "interpolate", 1, 1, True, interpolate, rules.value_of_size,
                 boxes.reading, _INTERPOLATE,
@@ -223,3 +229,16 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
         )
     }
 )  # fmt: skip
+
+
+def is_entry(node: Node) -> bool:
+    """Tell whether an expression is an entry of a table, and not a number computed from entries."""
+    match node:
+        case Call("min" | "max", arguments):
+            return all(map(is_entry, arguments))
+        case Call(function):
+            return FUNCTIONS[function].takes_entry
+        case Number():
+            return True
+        case _:
+            return False

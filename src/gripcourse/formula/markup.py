@@ -18,6 +18,7 @@ from gripcourse.formula.boxes import (
     inner,
 )
 from gripcourse.formula.plain import text, value_text
+from gripcourse.formula.width import scale_of
 
 __all__ = ["argument", "html", "text"]
 
@@ -28,8 +29,14 @@ _ALWAYS_BRACKETED: Final = frozenset({"exp", "min", "max", "atan2"})
 
 
 def html(box: Box) -> str:
-    """Return a formula as one HTML element; lines break only before its outermost signs."""
-    return f'<span class="formula">{_html(box)}</span>'
+    """Return a formula as one HTML element; lines break only before its outermost signs.
+
+    A fraction, root or bracket that would be wider than a page is set smaller.
+    """
+    tallest = [one for one in _flat(box) if isinstance(one, Fraction | Root | Fence | Script)]
+    scale = min(map(scale_of, tallest), default=1.0)
+    style = "" if scale == 1.0 else f' style="font-size: {scale:.2f}em"'
+    return f'<span class="formula"{style}>{_html(box)}</span>'
 
 
 def _html(box: Box) -> str:

@@ -10,6 +10,7 @@ import difflib
 import math
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Final
 
 from gripcourse.formula.fault import FormulaFault, caret
@@ -188,6 +189,7 @@ def _call(name: ast.Name, arguments: list[ast.expr], line: str, span: Span) -> C
     column = None
     if function.reads_column:
         column, arguments = _column(function, arguments, span, line), arguments[1:]
+    _check_commas(arguments, line)
     _check_count(function, len(arguments), span)
     return Call(function.name, tuple(_expression(part, line) for part in arguments), column, span)
 
@@ -215,6 +217,18 @@ def _column(function: Function, arguments: list[ast.expr], span: Span, line: str
         name=function.name,
     )
     raise FormulaFault(what, span)
+
+
+def _check_commas(arguments: list[ast.expr], line: str) -> None:
+    """Refuse 0,75 among the arguments of a function: it would be read as two numbers."""
+    for one, other in pairwise(arguments):
+        between = (_span(one, line)[1], _span(other, line)[0])
+        digits = line[between[0] - 1 : between[0]] + line[between[1] : between[1] + 1]
+        if line[slice(*between)] == "," and len(digits) == 2 and digits.isdecimal():  # noqa: PLR2004
+            what = message(
+                "Is this a decimal comma? Write a point, or a space between two arguments."
+            )
+            raise FormulaFault(what, between)
 
 
 def _check_count(function: Function, count: int, span: Span) -> None:

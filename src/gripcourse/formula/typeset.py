@@ -62,7 +62,7 @@ _PI: Final = Text("upright", "π")
 _SIGNS: Final = {"<=": "≤", ">=": "≥", "==": "=", "<": "<", ">": ">", "+": "+", "-": "−"}
 _RAISED_WORDS: Final = frozenset({"sin", "cos", "tan", "log"})
 _ALL_DIGITS: Final = 15
-_RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+")
+_RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+|([,;])\s+")
 _RUN: Final = re.compile(r"[A-Za-z]+|[α-ωϑϕϰϱϵ]|[^A-Za-zα-ωϑϕϰϱϵ]+")
 
 
@@ -91,11 +91,12 @@ def symbol_box(symbol: str) -> Box:
 
 
 def declared_symbol(symbol: str) -> Box:
-    """Lay out a declared symbol; that of a verdict, `σ ≤ [σ]`, is several joined by relations."""
+    """Lay out a declared symbol; that of a verdict, `σ ≤ [σ], w ≤ [w]`, is several of them."""
     first, *rest = _RELATION.split(symbol)
     items = [symbol_box(first)]
-    for relation, part in zip(rest[::2], rest[1::2], strict=True):
-        items += [Text("relation", relation), symbol_box(part)]
+    for relation, comma, part in zip(rest[::3], rest[1::3], rest[2::3], strict=True):
+        between = Text("mark", f"{comma} ") if comma else Text("relation", relation)
+        items += [between, symbol_box(part)]
     return Row(tuple(items)) if rest else items[0]
 
 
@@ -193,7 +194,7 @@ def _product(left: _Piece, right: _Piece) -> _Piece:
 
 
 def _dotted(left: Box, right: Box) -> bool:
-    """Tell whether a product needs a visible sign: beside numbers, or lest it be misread."""
+    """Tell whether a product needs a visible sign: beside numbers, or to be read rightly."""
     while isinstance(left, Row):
         left = left.items[-1]
     while isinstance(right, Row):

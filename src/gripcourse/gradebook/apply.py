@@ -1,15 +1,21 @@
 """Letting the marks of persons enter a report: pure, over what the program found by itself."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
-from gripcourse.grading.flags import NOT_JUDGED, not_judged_flags
-from gripcourse.grading.model import Against, Decision, Finding, Flag, Outcome, Report
+from gripcourse.grading.flags import not_judged_flags
+from gripcourse.grading.model import (
+    Against,
+    Decision,
+    Finding,
+    Flag,
+    FlagCode,
+    Outcome,
+    Report,
+    sums_of,
+)
 from gripcourse.text.words import message
-
-OUTDATED = "mark_outdated"
-"""Code of the flag of marks that a person should look at again."""
 
 
 def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
@@ -29,24 +35,16 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     entered = latest_marks(entries)
     if not report.judged or not entered:
         return report
-    results = results_of(report)
-    outdated = {
-        name for name, entry in entered.items() if is_outdated(entry, report.digest, results)
-    }
-    findings = tuple(
-        _decided(one, entered[one.quantity], is_old=one.quantity in outdated)
-        if one.quantity in entered
-        else one
-        for one in report.findings
-    )
-    closed = [one for one in findings if not one.is_open]
+    outdated = _outdated(report, entered)
+    findings = tuple(_decided(one, entered.get(one.quantity), outdated) for one in report.findings)
+    sums = sums_of(findings)
     return replace(
         report,
-        score=sum(one.points for one in closed),
-        max_score=sum(one.max_points for one in closed),
-        open_points=sum(one.max_points for one in findings if one.is_open),
+        score=sums.score,
+        max_score=sums.max_score,
+        open_points=sums.open_points,
         flags=(
-            *(flag for flag in report.flags if flag.code != NOT_JUDGED),
+            *(flag for flag in report.flags if flag.code is not FlagCode.NOT_JUDGED),
             *not_judged_flags(findings),
             *_flags(report, entered, outdated),
         ),
@@ -54,7 +52,16 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     )
 
 
-def _decided(finding: Finding, entry: GradebookEntry, *, is_old: bool) -> Finding:
+def _outdated(report: Report, entered: Mapping[str, GradebookEntry]) -> set[str]:
+    """Return the items whose file or automatic results are others than their marker saw."""
+    results = results_of(report)
+    return {name for name, entry in entered.items() if is_outdated(entry, report.digest, results)}
+
+
+def _decided(finding: Finding, entry: GradebookEntry | None, outdated: Container[str]) -> Finding:
+    """Return the finding with what a person entered; itself where nobody has."""
+    if entry is None:
+        return finding
     mark = entry.mark
     # A withdrawn mark, the only one without a credit, is not among the latest.
     credit = mark.credit or 0.0
@@ -65,7 +72,7 @@ def _decided(finding: Finding, entry: GradebookEntry, *, is_old: bool) -> Findin
         marker=mark.marker,
         decided_at=mark.marked_at,
         comment=mark.comment,
-        outdated=is_old,
+        outdated=finding.quantity in outdated,
     )
     return replace(
         finding,
@@ -83,7 +90,7 @@ def _flags(
     asked = {one.quantity for one in report.findings}
     if again := [one.quantity for one in report.findings if one.quantity in outdated]:
         yield Flag(
-            OUTDATED,
+            FlagCode.MARK_OUTDATED,
             message(
                 "Look again at {names}: the file or its other results have changed since a person "
                 "marked. The marks count.",
@@ -92,7 +99,7 @@ def _flags(
         )
     if lost := [name for name in entered if name not in asked]:
         yield Flag(
-            OUTDATED,
+            FlagCode.MARK_OUTDATED,
             message(
                 "The assignment no longer asks for {names}, which a person marked.",
                 names=", ".join(lost),

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
+from gripcourse.errors import NextStep
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, Result
-from gripcourse.grading.model import OPEN, Outcome
 from gripcourse.policy.rubric import Rubric, RubricLine
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -64,11 +64,13 @@ class EntryFault:
         field: of the draft; a line of the rubric as `line:sizes`.
         what: is wrong.
         remedy: how to mend it.
+        step: what of this program mends it; None for nothing.
     """
 
     field: str
     what: Message
     remedy: Message
+    step: NextStep | None = None
 
 
 def mark_of(
@@ -91,7 +93,7 @@ def mark_of(
     result = attempt.by_quantity.get(draft.quantity)
     if result is None:
         return None, (_no_item(draft, attempt),)
-    rubric = standing.rubrics.get(draft.quantity) if result.outcome is Outcome.MANUAL else None
+    rubric = standing.rubrics.get(draft.quantity) if result.outcome.traits.by_rubric else None
     faults = tuple(_faults(draft, standing, result, attempt, rubric))
     if faults:
         return None, faults
@@ -124,7 +126,8 @@ def _not_graded(draft: Draft, standing: Standing) -> EntryFault:
         return EntryFault(
             "student",
             message("No file of {student} has been graded yet.", student=draft.student),
-            message("Grade it first: gripcourse grade."),
+            message("Grade it first."),
+            NextStep.GRADE,
         )
     return EntryFault(
         "student",
@@ -149,7 +152,7 @@ def _no_item(draft: Draft, attempt: Attempt) -> EntryFault:
 
 
 def _waiting(attempt: Attempt) -> list[str]:
-    return [one.quantity for one in attempt.results if one.outcome in OPEN]
+    return [one.quantity for one in attempt.results if one.outcome.traits.waits]
 
 
 def _faults(
@@ -158,17 +161,18 @@ def _faults(
     if draft.withdraw:
         yield from _faults_of_withdrawal(draft, standing)
         return
-    if result.outcome not in OPEN and not draft.override:
+    if not result.outcome.traits.waits and not draft.override:
         yield EntryFault(
             "quantity",
             message("'{quantity}' was judged automatically.", quantity=draft.quantity),
             message(
-                "Items that a person marks: {names}. To overrule the automatic result add "
-                "--override and a comment.",
+                "Items that a person marks: {names}. To overrule the automatic result say so, with "
+                "a comment.",
                 names=", ".join(_waiting(attempt)) or "—",
             ),
+            NextStep.OVERRULE,
         )
-    if result.outcome is not Outcome.MANUAL and not draft.comment.strip():
+    if not result.outcome.traits.by_rubric and not draft.comment.strip():
         yield EntryFault(
             "comment",
             message("A decision that is not by a rubric needs a comment."),
@@ -189,7 +193,8 @@ def _faults_of_withdrawal(draft: Draft, standing: Standing) -> Iterator[EntryFau
         yield EntryFault(
             "withdraw",
             message("A mark is either entered or withdrawn."),
-            message("Leave out the points, or leave out --withdraw."),
+            message("Leave out the points, or do not withdraw it."),
+            NextStep.LEAVE_WITHDRAWAL,
         )
     if not draft.comment.strip():
         yield EntryFault(

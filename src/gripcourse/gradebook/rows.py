@@ -7,7 +7,7 @@ from typing import TypeAlias
 from sqlalchemy import RowMapping
 
 from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result
-from gripcourse.grading.model import Outcome
+from gripcourse.grading.outcome import outcome_named
 
 Row: TypeAlias = dict[str, object]
 """Values by column, as they are inserted."""
@@ -84,7 +84,7 @@ def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
         fingerprints=Fingerprints(first["course"], first["policy"]),
         judged=first["judged"],
         results=tuple(
-            Result(row["quantity"], Outcome(row["outcome"]), row["points"], row["max_points"])
+            Result(row["quantity"], outcome_named(row["outcome"]), row["points"], row["max_points"])
             for row in rows
             if row["quantity"] is not None
         ),

@@ -13,10 +13,10 @@ from typing import Any, TypeAlias, TypeVar
 from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
 from sqlalchemy.exc import IntegrityError
 
+from gripcourse.database.opening import open_engine, refusals_named, without_password, writing
 from gripcourse.errors import GradebookError, Problem
-from gripcourse.gradebook import opening, rows, schema
+from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, same_results
-from gripcourse.gradebook.opening import open_engine, refusals_named, without_password
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
@@ -133,15 +133,15 @@ class Gradebook:
     def _add(
         self,
         fresh: Callable[[], tuple[_Kept, ...]],
-        writing: Callable[[tuple[_Kept, ...]], _Writing],
+        rows_of: Callable[[tuple[_Kept, ...]], _Writing],
     ) -> tuple[_Kept, ...]:
         for _ in range(_TRIES):
             found = fresh()
             if not found:
                 return ()
             try:
-                with refusals_named(self.place), opening.writing(self.engine) as connection:
-                    _insert(connection, writing(found))
+                with refusals_named(self.place), writing(self.engine) as connection:
+                    _insert(connection, rows_of(found))
             except GradebookError as fault:
                 if not isinstance(fault.__cause__, IntegrityError):
                     raise
@@ -160,12 +160,12 @@ class Gradebook:
 
 
 def open_gradebook(place: str) -> Gradebook:
-    """Open a gradebook, made where there is none yet; see `opening.open_engine`."""
+    """Open a gradebook, made where there is none yet; see `database.opening`."""
     return Gradebook(open_engine(place))
 
 
-def _insert(connection: Connection, writing: _Writing) -> None:
-    for table, values in writing:
+def _insert(connection: Connection, wanted: _Writing) -> None:
+    for table, values in wanted:
         if values:
             connection.execute(insert(table), values)
 

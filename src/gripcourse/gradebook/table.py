@@ -2,10 +2,10 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.gradebook.enter import Draft
+from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -40,19 +40,19 @@ class MarksTable:
     empty: int
 
 
-def read_marks(path: Path, lines: Collection[str]) -> MarksTable:
+def read_marks(source: Readable, lines: Collection[str]) -> MarksTable:
     """Read a table of marks, `.csv` or `.xlsx`.
 
     Args:
-        path: the file; its first row names the columns: `student`, `quantity`, lines of rubrics,
-            and `points`, `credit`, `comment`, `override` where they are needed. A comma in a number
-            is a decimal one.
+        source: the file, or its bytes; its first row names the columns: `student`, `quantity`,
+            lines of rubrics, and `points`, `credit`, `comment`, `override` where they are needed. A
+            comma in a number is a decimal one.
         lines: ids of all lines of all rubrics.
 
     Raises:
         TableError: with all problems at once, each with row and column.
     """
-    sheet = read_sheet(path)
+    sheet = read_sheet(source)
     problems = list(_heading_problems(sheet, lines))
     if problems:
         raise TableError(problems)

@@ -10,7 +10,7 @@ from gripcourse.gradebook.model import (
     latest_judged,
     latest_marks,
 )
-from gripcourse.grading.model import OPEN, Outcome
+from gripcourse.grading.model import Outcome
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,5 +52,5 @@ def _waiting(attempt: Attempt, marked: Mapping[str, GradebookEntry]) -> Iterator
     for result in attempt.results:
         entry = marked.get(result.quantity)
         again = entry is not None and is_outdated(entry, attempt.digest, attempt.results)
-        if again or (entry is None and result.outcome in OPEN):
+        if again or (entry is None and result.outcome.traits.waits):
             yield Waiting(attempt.student, result.quantity, attempt.file, result.outcome, again)

@@ -10,8 +10,6 @@ from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import amount_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 
-_AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
-
 
 def roots_of(plan: Plan, outcomes: Mapping[str, tuple[Outcome, Against]]) -> dict[str, set[str]]:
     """Return for each answer that follows from wrong ones the wrong answers at the root.
@@ -23,12 +21,18 @@ def roots_of(plan: Plan, outcomes: Mapping[str, tuple[Outcome, Against]]) -> dic
     roots: dict[str, set[str]] = {}
     for name in plan.quantities:
         behind = {root for one in plan.inputs[name] for root in _behind(one, outcomes, roots)}
-        outcome, against = outcomes.get(name, (None, None))
-        follows = outcome is Outcome.CARRIED and against is Against.OWN_INPUTS
-        # A step that was not written down passes on what led to it.
-        if behind and (follows or outcome in {None, Outcome.BLANK, Outcome.UNREADABLE}):
+        if behind and _passes_on(outcomes.get(name)):
             roots[name] = behind
     return {name: behind for name, behind in roots.items() if name in outcomes}
+
+
+def _passes_on(found: tuple[Outcome, Against] | None) -> bool:
+    """A step that was not written down passes on what led to it, as one that follows does."""
+    if found is None:
+        return True
+    outcome, against = found
+    follows = outcome.traits.follows and against is Against.OWN_INPUTS
+    return follows or outcome.traits.missing
 
 
 def _behind(
@@ -36,8 +40,9 @@ def _behind(
     outcomes: Mapping[str, tuple[Outcome, Against]],
     roots: Mapping[str, set[str]],
 ) -> set[str]:
-    outcome, _ = outcomes.get(name, (None, None))
-    return {name} if outcome in _AT_FAULT else roots.get(name, set())
+    found = outcomes.get(name)
+    at_fault = found is not None and found[0].traits.mistake
+    return {name} if at_fault else roots.get(name, set())
 
 
 def causes_of(
@@ -47,7 +52,7 @@ def causes_of(
     explained: dict[str, list[str]] = defaultdict(list)
     order = {name: rank for rank, name in enumerate(plan.quantities)}
     for finding in sorted(findings, key=lambda one: order[one.quantity]):
-        if finding.outcome is Outcome.CARRIED:
+        if finding.outcome.traits.follows:
             for root in finding.roots:
                 explained[root].append(finding.quantity)
     causes = []

@@ -1,9 +1,12 @@
 """Design decisions judged as decisions: a set of sound values, not one number."""
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Final, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gripcourse.course.model import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
@@ -11,6 +14,8 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, choose
 from gripcourse.text.words import Message, message
+
+Array: TypeAlias = NDArray[np.float64]
 
 # Series hold decimal numbers; a typed entry differs from them only in floating point.
 _SAME = 1e-6
@@ -34,7 +39,7 @@ def judge_choice(
         plan: for the catalogues.
         quantity: a choice.
         chosen: the student's value, SI.
-        required: what the chosen entry must not be below, SI.
+        required: what the chosen entry must not be below, or be near to, SI.
         values: the numbers that the rule's condition is judged with, SI.
     """
     choice = quantity.choice
@@ -42,19 +47,10 @@ def judge_choice(
         return ChoiceVerdict(sound=False, fault=None)
     if not _in_series(plan, choice, chosen):
         return ChoiceVerdict(sound=False, fault=message("This size is not in the series."))
-    if chosen < required * (1 - _SLACK):
-        return ChoiceVerdict(
-            sound=False,
-            fault=message("Rounded down: the size is below the required value."),
-        )
-    if chosen > _upper_limit(plan, choice, required) * (1 + _SAME):
-        return ChoiceVerdict(
-            sound=False,
-            fault=message(
-                "Wastefully large: more than {steps} steps above the smallest size that fits.",
-                steps=choice.steps,
-            ),
-        )
+    entries = plan.columns[choice.column].sizes
+    fault = _FAULTS[choice.rounding](entries, choice, chosen, required)
+    if fault is not None:
+        return ChoiceVerdict(sound=False, fault=fault)
     if not _condition_holds(plan, quantity, chosen, values):
         return ChoiceVerdict(
             sound=False,
@@ -74,11 +70,16 @@ def sound_sizes(comparison: Comparison, name: str) -> list[float]:
     columns = (quantity.choice.column, *quantity.choice.also)
     entries = np.unique(np.concatenate([comparison.plan.columns[one].sizes for one in columns]))
     # A last digit of what is required may decide between two neighbours.
-    least = required * (1 - comparison.policy.tolerance.relative)
+    margin = comparison.policy.tolerance.relative
+    ends = [required * (1 - margin)]
+    if quantity.choice.rounding is Rounding.NEAREST:
+        ends.append(required * (1 + margin))
     return [
         float(entry)
         for entry in entries
-        if judge_choice(comparison.plan, quantity, float(entry), least, values).sound
+        if any(
+            judge_choice(comparison.plan, quantity, float(entry), end, values).sound for end in ends
+        )
     ]
 
 
@@ -101,13 +102,45 @@ def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
     return bool(np.any(np.isclose(entries, chosen, rtol=_SAME, atol=0.0)))
 
 
-def _upper_limit(plan: Plan, choice: Choice, required: float) -> float:
-    """Return the largest size that is not wasteful: so many steps above the smallest that fits."""
-    series = plan.columns[choice.column].sizes
+def _fault_up(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
+    """Say what is wrong with a size that must not be below the required value."""
+    if chosen < required * (1 - _SLACK):
+        return message("Rounded down: the size is below the required value.")
     if choice.steps is None:
-        return math.inf
+        return None
     first = int(np.searchsorted(series, required * (1 - _SLACK)))
-    return float(series[min(first + choice.steps, len(series) - 1)])
+    largest = float(series[min(first + choice.steps, len(series) - 1)])
+    if chosen <= largest * (1 + _SAME):
+        return None
+    return message(
+        "Wastefully large: more than {steps} steps above the smallest size that fits.",
+        steps=choice.steps,
+    )
+
+
+def _fault_nearest(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
+    """Say what is wrong with a size that must be near the required value, on either side of it."""
+    distances = np.abs(series - required)
+    steps, place = choice.steps or 0, int(np.argmin(distances))
+    lowest, highest = series[max(place - steps, 0)], series[min(place + steps, len(series) - 1)]
+    if lowest * (1 - _SAME) <= chosen <= highest * (1 + _SAME):
+        return None
+    # Between two entries, and in a series that is accepted too, several may be equally near.
+    if abs(chosen - required) <= distances[place] + _SAME * abs(required):
+        return None
+    if not steps:
+        return message("Not the nearest size: another one is nearer to the required value.")
+    return message(
+        "Too far from what is required: more than {steps} steps from the nearest size.",
+        steps=steps,
+    )
+
+
+_Fault: TypeAlias = Callable[[Array, Choice, float, float], Message | None]
+_FAULTS: Final[Mapping[Rounding, _Fault]] = {
+    Rounding.UP: _fault_up,
+    Rounding.NEAREST: _fault_nearest,
+}
 
 
 def _condition_holds(plan: Plan, quantity: Quantity, chosen: float, values: Values) -> bool:

@@ -15,6 +15,7 @@ from gripcourse.grading.follow_through import FollowThrough, range_of
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.bands import band, computed_band, within
 from gripcourse.policy.model import Policy
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.text.units import factor
@@ -32,8 +33,8 @@ class Judgement:
         expected: the value at the student's own inputs, in the declared unit.
         band: how far from it the answer may be.
         credit: share of the points, 0…1.
-        slip: id of a recognised slip.
-        tied: ids of other slips that explain the answer as well.
+        slip: the recognised slip; None for none.
+        tied: other slips that explain the answer as well.
         roots: ids of the quantities whose wrong answers this one follows from.
         message, remarks: for the student.
     """
@@ -43,8 +44,8 @@ class Judgement:
     expected: float | None
     band: float
     credit: float
-    slip: str
-    tied: tuple[str, ...]
+    slip: SlipId | None
+    tied: tuple[SlipId, ...]
     roots: tuple[str, ...]
     message: Message
     remarks: tuple[Message, ...]
@@ -165,3 +166,28 @@ class Comparison:
         self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
     ) -> NDArray[np.float64]:
         return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)
+
+
+def conclude(
+    comparison: Comparison,
+    outcome: Outcome,
+    against: Against,
+    credit: float,
+    said: Message,
+    *,
+    remarks: tuple[Message, ...] = (),
+) -> Judgement:
+    """Conclude about an answer, as yet without a band, a slip or a root."""
+    expected = comparison.expected
+    return Judgement(
+        outcome=outcome,
+        against=against,
+        expected=expected if math.isfinite(expected) else None,
+        band=0.0,
+        credit=credit,
+        slip=None,
+        tied=(),
+        roots=(),
+        message=said,
+        remarks=remarks,
+    )

@@ -58,12 +58,10 @@ class Explanation:
     Attributes:
         likeliest: the wrong method.
         tied: others that explain the answer as well, likeliest first.
-        probability: of the methods that are named, 0…1.
     """
 
     likeliest: Weighed
     tied: tuple[Weighed, ...]
-    probability: float
 
 
 def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
@@ -136,13 +134,13 @@ def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation 
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
     best = groups[0]
     if _weight_of(best) / total >= policy.certain:
-        return _named(best, total, policy)
+        return _named(best, policy)
     if len(groups) == 1 or not _tie(groups[0], groups[1], policy):
         return None
     both = _weight_of(groups[0]) + _weight_of(groups[1])
     if both / total < policy.certain:
         return None
-    return Explanation(groups[0][0], (groups[1][0],), both / total)
+    return Explanation(groups[0][0], (groups[1][0],))
 
 
 def density(comparison: Comparison, result: ExpectedRange) -> float:
@@ -222,7 +220,7 @@ def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -
     return _weight_of(one) < policy.tie * _weight_of(other)
 
 
-def _named(group: Sequence[Weighed], total: float, policy: SlipPolicy) -> Explanation:
+def _named(group: Sequence[Weighed], policy: SlipPolicy) -> Explanation:
     first = group[0]
     tied = [one for one in group[1:] if first.weight < policy.tie * one.weight]
-    return Explanation(first, tuple(tied[:1]), _weight_of(group) / total)
+    return Explanation(first, tuple(tied[:1]))

@@ -4,16 +4,13 @@ import hmac
 import math
 from collections.abc import Iterator, Sequence
 
-from gripcourse.grading.model import Finding, Flag, Outcome
+from gripcourse.grading.model import Finding, Flag, FlagCode
 from gripcourse.submission.model import Submission
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
 # Stored givens are decimal numbers; a spreadsheet program writes back 15 digits of them.
 _SAME = 1e-12
-
-NOT_JUDGED = "not_judged"
-"""Code of the flag of answers that a person must judge."""
 
 
 def flags_of(
@@ -31,12 +28,12 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
     identity = submission.identity
     if not identity.student:
         yield Flag(
-            "identity_missing",
+            FlagCode.IDENTITY_MISSING,
             message("The workbook no longer says to whom it was issued."),
         )
     elif identity.student != issued.student.id:
         yield Flag(
-            "issued_to_other",
+            FlagCode.ISSUED_TO_OTHER,
             message(
                 "The workbook was issued to {other}; it was handed in by {student}, "
                 "against whose variant it was graded.",
@@ -46,7 +43,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
         )
     elif not hmac.compare_digest(identity.signature.encode(), issued.signature.encode()):
         yield Flag(
-            "signature",
+            FlagCode.SIGNATURE,
             message("The signature of the workbook is not the one that was issued."),
         )
 
@@ -64,7 +61,7 @@ def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
     missing = [name for name in issued.variant.given if name not in submission.givens]
     if changed:
         yield Flag(
-            "givens_changed",
+            FlagCode.GIVENS_CHANGED,
             message(
                 "Given values were changed in the workbook: {names}. The issued values count.",
                 names=", ".join(changed),
@@ -72,7 +69,7 @@ def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
         )
     if missing:
         yield Flag(
-            "givens_missing",
+            FlagCode.GIVENS_MISSING,
             message(
                 "Given values are missing in the workbook: {names}. The issued values count.",
                 names=", ".join(missing),
@@ -82,9 +79,14 @@ def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
 
 def not_judged_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
     """Yield the flag of the answers that a person must judge, if there are any."""
-    not_judged = [one.quantity for one in findings if one.outcome is Outcome.NOT_JUDGED]
+    not_judged = [one.quantity for one in findings if _is_undecided(one)]
     if not_judged:
         yield Flag(
-            NOT_JUDGED,
+            FlagCode.NOT_JUDGED,
             message("A person must judge: {names}.", names=", ".join(not_judged)),
         )
+
+
+def _is_undecided(finding: Finding) -> bool:
+    """Tell whether a person must judge what the program should have judged."""
+    return finding.outcome.traits.waits and not finding.outcome.traits.by_rubric

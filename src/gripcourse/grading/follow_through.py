@@ -5,13 +5,12 @@ follows from it is computed with every typed number moved to both ends of its ra
 the moves add up to the range in which an honest continuation may lie.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
@@ -19,9 +18,6 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.units import factor
-
-# What is taken from a series or a table, and a verdict, has no digits that were not typed.
-_EXACT = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,37 +63,43 @@ def follow(
     Returns:
         The evaluation; a blank or unreadable answer is computed from what is upstream.
     """
-    inputs = to_si(plan, given)
-    carried = to_si(
-        plan,
-        {
-            name: answer.value
-            for name, answer in answers.items()
-            if answer.value is not None and _is_thinkable(plan, answer)
-        },
-    )
+    inputs, carried = to_si(plan, given), _thinkable(plan, answers)
     first = evaluate(plan, inputs | carried)
     refused = {name for name in carried if not _guard_holds(plan, name, first)}
     kept = {name: value for name, value in carried.items() if name not in refused}
     evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
-    reaches = {
-        name: (
-            below * factor(plan.quantities[name].unit),
-            above * factor(plan.quantities[name].unit),
-        )
-        for name in kept
-        for below, above in [reach_of(answers[name], policy)]
-        if plan.quantities[name].kind not in _EXACT and not plan.quantities[name].integer
-    }
     known = inputs | kept | stand_in
     return FollowThrough(
         known=known,
         evaluation=evaluation,
-        moved=_moved(plan, evaluation, known, reaches),
+        moved=_moved(plan, evaluation, known, _reaches(plan, answers, kept, policy)),
         not_carried=frozenset(read - set(kept)),
         bridged=frozenset(stand_in),
     )
+
+
+def _thinkable(plan: Plan, answers: Mapping[str, Answer]) -> dict[str, float]:
+    """Return the answers that may be carried on, SI."""
+    values = {
+        name: answer.value
+        for name, answer in answers.items()
+        if answer.value is not None and _is_thinkable(plan, answer)
+    }
+    return to_si(plan, values)
+
+
+def _reaches(
+    plan: Plan, answers: Mapping[str, Answer], kept: Iterable[str], policy: Policy
+) -> dict[str, tuple[float, float]]:
+    """Return how far each kept number may be from what was typed, below and above, SI."""
+    found = {}
+    for quantity in (plan.quantities[name] for name in kept):
+        # What is taken as it stands has no digits that were not typed.
+        if not quantity.exact and not quantity.integer:
+            below, above = reach_of(answers[quantity.id], policy)
+            found[quantity.id] = (below * factor(quantity.unit), above * factor(quantity.unit))
+    return found
 
 
 def range_of(moved: NDArray[np.float64]) -> tuple[float, float]:
@@ -132,7 +134,7 @@ def _moved(
     worlds |= {
         name: float(evaluation.values[name])
         for name, quantity in plan.quantities.items()
-        if quantity.kind in _EXACT and name not in known
+        if quantity.exact and name not in known
     }
     for number, name in enumerate(moving):
         values = np.full(1 + 2 * len(moving), known[name])

@@ -8,9 +8,7 @@ one that was written; the better counts.
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import Final
 
-from gripcourse.grading.model import Outcome
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -21,9 +19,6 @@ from gripcourse.grading.submission_case import (
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
-
-# Conclusions that the student's earlier numbers have a part in.
-_DEPENDING: Final = frozenset({Outcome.WRONG, Outcome.SLIP, Outcome.CARRIED})
 
 
 def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -36,29 +31,40 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
     Returns:
         The same in the same order, each with the better of both conclusions.
     """
-    found, seen, known = list(judged), list(judged), dict[str, Answer]()
-    while any(_may_be_better(one) for one in found if one.quantity.id not in known):
-        new = {
-            one.quantity.id: answer
-            for one in seen
-            if one.quantity.id not in known and (answer := _intended(case, one)) is not None
-        }
+    best, seen, known = list(judged), list(judged), dict[str, Answer]()
+    while any(_may_be_better(one) for one in best if one.quantity.id not in known):
+        new = _newly_intended(case, seen, known)
         if not new:
             break
-        # What only seems written wrongly, beside an earlier one, may follow from what was meant.
-        known |= {name: new[name] for name in _earliest(case.plan, new.keys())}
+        known |= new
         seen = _again(with_answers(case, known), seen, known.keys())
-        found = [
-            later if _worth(later) > _worth(one) else one
-            for one, later in zip(found, seen, strict=True)
-        ]
-    return found
+        best = [_better(*pair) for pair in zip(best, seen, strict=True)]
+    return best
+
+
+def _newly_intended(
+    case: GradingCase, judged: Sequence[JudgedAnswer], known: Collection[str]
+) -> dict[str, Answer]:
+    """Return what was meant by answers that were not looked at yet, none of which needs another.
+
+    What only seems written wrongly, beside an earlier one, may follow from what was meant.
+    """
+    new = {
+        one.quantity.id: answer
+        for one in judged
+        if one.quantity.id not in known and (answer := _intended(case, one)) is not None
+    }
+    return {name: new[name] for name in _earliest(case.plan, new.keys())}
+
+
+def _better(one: JudgedAnswer, later: JudgedAnswer) -> JudgedAnswer:
+    return later if _worth(later) > _worth(one) else one
 
 
 def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:
     """Return what was meant where the slip was one of writing."""
     comparison, slip = judged.comparison, judged.judgement.slip
-    if comparison is None or judged.judgement.outcome is not Outcome.SLIP:
+    if comparison is None or not judged.judgement.outcome.traits.named:
         return None
     for candidate in case.candidates_of(judged.quantity.id):
         if candidate.id == slip and candidate.kind in OF_WRITING:
@@ -91,7 +97,7 @@ def _again(
         case,
         [
             judge_answer(case, one.quantity, one.answer)
-            if one.quantity.id not in known and one.judgement.outcome in _DEPENDING
+            if one.quantity.id not in known and _rests_on_earlier(one)
             else one
             for one in judged
         ],
@@ -99,11 +105,14 @@ def _again(
 
 
 def _may_be_better(judged: JudgedAnswer) -> bool:
-    return judged.comparison is not None and judged.judgement.outcome in {
-        Outcome.WRONG,
-        Outcome.SLIP,
-    }
+    return judged.comparison is not None and judged.judgement.outcome.traits.mistake
+
+
+def _rests_on_earlier(judged: JudgedAnswer) -> bool:
+    """Tell whether the student's earlier numbers have a part in the conclusion."""
+    return judged.judgement.outcome.traits.mistake or judged.judgement.outcome.traits.follows
 
 
 def _worth(judged: JudgedAnswer) -> tuple[float, bool]:
-    return judged.judgement.credit, judged.judgement.outcome is not Outcome.WRONG
+    traits = judged.judgement.outcome.traits
+    return judged.judgement.credit, traits.named or not traits.mistake

@@ -14,7 +14,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
-from gripcourse.grading.model import OPEN, Against, Finding, Outcome, Report
+from gripcourse.grading.model import Against, Cause, Finding, Outcome, Report, sums_of
 from gripcourse.grading.significant_digits import figures_remark
 from gripcourse.grading.submission_case import (
     GradingCase,
@@ -27,9 +27,10 @@ from gripcourse.grading.submission_case import (
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of as make_candidates
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import from_si
-from gripcourse.submission.model import Answer, Submission
+from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
@@ -43,6 +44,14 @@ def judge(
 ) -> Report:
     """Judge a submission against the values that were issued to its student.
 
+    Each step looks at all answers and changes the conclusion about some of them:
+
+    1. compared: with the reference, and with the formula at the student's own earlier numbers.
+    2. explained: a wrong answer that a known wrong method gives becomes a slip.
+    3. intended: what follows from a number that was only written down wrongly is no mistake.
+    4. settled: what one number used wrongly explains costs once, where it is used first.
+    5. findings: conclusions with points, remarks, and the wrong answers at their root.
+
     Args:
         submission: what was read.
         issued: the register's entry of the student who handed it in.
@@ -52,14 +61,23 @@ def judge(
     """
     methods = candidates_of or (lambda name: make_candidates(plan, name, policy.slips))
     case = make_case(submission, issued, plan, policy, methods)
-    judged = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
-    judged = as_intended(case, explain(case, judged))
-    substituted = substitutions(_still_wrong(case, judged))
-    judged = [_substituted(case, one, by_answer(substituted)) for one in judged]
-    outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in judged}
-    roots = roots_of(plan, outcomes)
-    findings = tuple(_finding(case, one, roots) for one in judged)
-    closed = [finding for finding in findings if finding.outcome not in OPEN]
+    compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
+    explained = explain(case, compared)
+    intended = as_intended(case, explained)
+    substituted = substitutions(_still_wrong(case, intended))
+    settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
+    findings = _findings(case, settled)
+    return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))
+
+
+def _report(
+    submission: Submission,
+    issued: Issued,
+    case: GradingCase,
+    findings: tuple[Finding, ...],
+    causes: tuple[Cause, ...],
+) -> Report:
+    plan, sums = case.plan, sums_of(findings)
     return Report(
         file=submission.file,
         student=issued.student.id,
@@ -68,15 +86,15 @@ def judge(
         scheme=plan.scheme.id,
         options=plan.options,
         language=issued.student.language or plan.course.language,
-        score=sum(finding.points for finding in closed),
-        max_score=sum(finding.max_points for finding in closed),
-        open_points=sum(f.max_points for f in findings if f.outcome in OPEN),
+        score=sums.score,
+        max_score=sums.max_score,
+        open_points=sums.open_points,
         flags=flags_of(submission, issued, findings),
         findings=findings,
         remarks=submission.remarks,
         judged=True,
         digest=submission.digest,
-        causes=causes_of(plan, findings, substituted),
+        causes=causes,
         givens=submission.givens,
         creator=submission.creator,
     )
@@ -110,8 +128,8 @@ def _substituted(
         judgement = replace(
             judged.judgement,
             outcome=Outcome.SLIP,
-            slip=f"used:{one.quantity}",
-            tied=(f"used:{one.tied}",) if one.tied else (),
+            slip=SlipId.used(one.quantity),
+            tied=(SlipId.used(one.tied),) if one.tied else (),
             message=spoiled_first(case.plan, one),
         )
         return replace(judged, judgement=judgement)
@@ -126,22 +144,27 @@ def _substituted(
     return replace(judged, judgement=judgement)
 
 
-def _finding(case: GradingCase, judged: JudgedAnswer, roots: Mapping[str, set[str]]) -> Finding:
-    quantity, answer, judgement = judged.quantity, judged.answer, judged.judgement
-    available = case.points[quantity.id]
-    follows = None if judged.comparison is None else judged.comparison.follows
+def _findings(case: GradingCase, settled: Sequence[JudgedAnswer]) -> tuple[Finding, ...]:
+    outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in settled}
+    roots = roots_of(case.plan, outcomes)
+    return tuple(_finding(case, one, roots.get(one.quantity.id, set())) for one in settled)
+
+
+def _finding(case: GradingCase, judged: JudgedAnswer, roots: set[str]) -> Finding:
+    quantity, judgement = judged.quantity, judged.judgement
+    answer = judged.answer or _blank(quantity)
     reference = _declared(case, quantity, case.reference.get(quantity.id))
-    met = reference if judgement.outcome is Outcome.CORRECT else judgement.expected
-    figures = figures_remark(quantity, answer, case.policy, met) if answer is not None else None
-    share, said = figures if figures is not None else (1.0, None)
+    share, said = _figures(case, judged, reference)
+    low, high = _range(judged)
+    available = case.points[quantity.id]
     return Finding(
         quantity=quantity.id,
         section=quantity.section,
         outcome=judgement.outcome,
         against=judgement.against,
-        given=answer.value if answer is not None else None,
-        typed=answer.typed if answer is not None else "",
-        cell=answer.cell if answer is not None else "",
+        given=answer.value,
+        typed=answer.typed,
+        cell=answer.cell,
         reference=reference,
         expected=judgement.expected,
         band=judgement.band,
@@ -150,17 +173,38 @@ def _finding(case: GradingCase, judged: JudgedAnswer, roots: Mapping[str, set[st
         max_points=available,
         slip=judgement.slip,
         message=judgement.message,
-        remarks=(
-            *judgement.remarks,
-            *_reading_remarks(case, quantity, answer),
-            *(() if said is None else (said,)),
-        ),
+        remarks=(*judgement.remarks, *_reading_remarks(case, quantity, answer), *said),
         tied=judgement.tied,
-        roots=judgement.roots or _sorted(case, roots.get(quantity.id, set())),
-        half_unit=answer.half_unit if answer is not None else 0.0,
-        low=None if follows is None or math.isnan(follows.low) else follows.low,
-        high=None if follows is None or math.isnan(follows.high) else follows.high,
+        roots=judgement.roots or _sorted(case, roots),
+        half_unit=answer.half_unit,
+        low=low,
+        high=high,
     )
+
+
+def _blank(quantity: Quantity) -> Answer:
+    """Stand in for the cell of an answer that the workbook does not have."""
+    return Answer(quantity.id, Reading.BLANK, None, "", "", 0.0, "", unit_fits=True, remarks=())
+
+
+def _figures(
+    case: GradingCase, judged: JudgedAnswer, reference: float | None
+) -> tuple[float, tuple[Message, ...]]:
+    """Return the share of the points that the significant figures leave, and what is said."""
+    if judged.answer is None:
+        return 1.0, ()
+    judgement = judged.judgement
+    met = reference if judgement.outcome.traits.equals_reference else judgement.expected
+    found = figures_remark(judged.quantity, judged.answer, case.policy, met)
+    return (1.0, ()) if found is None else (found[0], (found[1],))
+
+
+def _range(judged: JudgedAnswer) -> tuple[float | None, float | None]:
+    """Return the range that the rounding of earlier answers leaves, in the declared unit."""
+    if judged.comparison is None:
+        return None, None
+    low, high = judged.comparison.follows.low, judged.comparison.follows.high
+    return None if math.isnan(low) else low, None if math.isnan(high) else high
 
 
 def _inputs(case: GradingCase, judged: JudgedAnswer) -> dict[str, float]:
@@ -176,11 +220,7 @@ def _sorted(case: GradingCase, names: set[str]) -> tuple[str, ...]:
     return tuple(name for name in case.plan.quantities if name in names)
 
 
-def _reading_remarks(
-    case: GradingCase, quantity: Quantity, answer: Answer | None
-) -> tuple[Message, ...]:
-    if answer is None:
-        return ()
+def _reading_remarks(case: GradingCase, quantity: Quantity, answer: Answer) -> tuple[Message, ...]:
     if quantity.id in case.follow_through.not_carried and answer.unit_fits:
         not_carried = message(
             "Later answers were not followed from this value: it is outside what is possible."

@@ -1,14 +1,12 @@
 """Judging a design decision against the required value, the reference's or the student's own."""
 
-import math
-
 import numpy as np
 
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
-from gripcourse.grading.comparison import Comparison, Judgement
+from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.text.units import factor
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import message
 
 
 def judge_choice_answer(comparison: Comparison) -> Judgement:
@@ -19,24 +17,24 @@ def judge_choice_answer(comparison: Comparison) -> Judgement:
 
 def _with_wrong_unit(judgement: Judgement, comparison: Comparison) -> Judgement:
     """The right size with a unit that measures something else earns what the policy says."""
-    if judgement.outcome not in {Outcome.CORRECT, Outcome.CARRIED}:
+    if not judgement.outcome.traits.right:
         return judgement
     said = message("The number is right, the unit is not.")
     credit = comparison.policy.wrong_unit_credit
-    return _conclude(comparison, Outcome.WRONG, Against.NOTHING, credit, said)
+    return conclude(comparison, Outcome.WRONG, Against.NOTHING, credit, said)
 
 
 def _judge_size(comparison: Comparison) -> Judgement:
     formula = comparison.plan.reference_formula(comparison.quantity.id)
     if formula is None:
-        return _conclude(comparison, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
+        return conclude(comparison, Outcome.NOT_JUDGED, Against.NOTHING, 0.0, message("No rule."))
     scale = factor(comparison.quantity.unit)
     chosen = comparison.value * scale
     required = comparison.at_reference(formula) * scale
     reference_values = {name: np.asarray(v) for name, v in comparison.reference_values.items()}
     if judge_choice(comparison.plan, comparison.quantity, chosen, required, reference_values).sound:
         said = message("A sound decision.")
-        return _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
+        return conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
     own_required = comparison.at_own(formula)
     # What is needed is known as finely as the earlier numbers were typed.
     verdicts = [
@@ -55,8 +53,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
     if picked or any(verdict.sound for verdict in verdicts):
         said = message("A sound decision for your own earlier numbers.")
         credit = comparison.policy.carried_credit
-        return _conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
-    return _judge_printed(comparison, chosen, own_required.value * scale) or _conclude(
+        return conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
+    return _judge_printed(comparison, chosen, own_required.value * scale) or conclude(
         comparison,
         Outcome.WRONG,
         Against.NOTHING,
@@ -77,27 +75,4 @@ def _judge_printed(comparison: Comparison, chosen: float, required: float) -> Ju
         note=erratum.note,
     )
     said = message("Accepted as the source prints it.")
-    return _conclude(comparison, Outcome.CORRECT, Against.PRINTED, credit, said, (remark,))
-
-
-def _conclude(
-    comparison: Comparison,
-    outcome: Outcome,
-    against: Against,
-    credit: float,
-    said: Message,
-    remarks: tuple[Message, ...] = (),
-) -> Judgement:
-    expected = comparison.expected
-    return Judgement(
-        outcome=outcome,
-        against=against,
-        expected=expected if math.isfinite(expected) else None,
-        band=0.0,
-        credit=credit,
-        slip="",
-        tied=(),
-        roots=(),
-        message=said,
-        remarks=remarks,
-    )
+    return conclude(comparison, Outcome.CORRECT, Against.PRINTED, credit, said, remarks=(remark,))

@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from gripcourse.course.model import Kind
 from gripcourse.formula.tree import Formula
-from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement
+from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.bands import band
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
 
@@ -68,13 +70,18 @@ def _printed(comparison: Comparison) -> Iterator[Judgement]:
                 Against.PRINTED,
                 0.0,
                 said,
-                slip=printed.erratum,
-                remark=remark,
+                slip=SlipId.declared(printed.erratum),
+                remarks=() if remark is None else (remark,),
             )
         else:
             said = message("Accepted as the source prints it.")
             yield _conclude(
-                comparison, Outcome.CORRECT, Against.PRINTED, credit, said, remark=remark
+                comparison,
+                Outcome.CORRECT,
+                Against.PRINTED,
+                credit,
+                said,
+                remarks=() if remark is None else (remark,),
             )
 
 
@@ -103,20 +110,10 @@ def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
     credit: float,
     said: Message,
     *,
-    slip: str = "",
-    remark: Message | None = None,
+    slip: SlipId | None = None,
+    remarks: tuple[Message, ...] = (),
 ) -> Judgement:
     target = comparison.expected
-    known = math.isfinite(target)
-    return Judgement(
-        outcome=outcome,
-        against=against,
-        expected=target if known else None,
-        band=band(comparison.quantity, target, comparison.policy) if known else 0.0,
-        credit=credit,
-        slip=slip,
-        tied=(),
-        roots=(),
-        message=said,
-        remarks=() if remark is None else (remark,),
-    )
+    reach = band(comparison.quantity, target, comparison.policy) if math.isfinite(target) else 0.0
+    judgement = conclude(comparison, outcome, against, credit, said, remarks=remarks)
+    return replace(judgement, band=reach, slip=slip)

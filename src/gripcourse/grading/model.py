@@ -1,28 +1,20 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
 
+from gripcourse.course.composition import Composition
+from gripcourse.grading.flag_code import FlagCode
+from gripcourse.grading.outcome import Outcome
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message
 
-
-class Outcome(StrEnum):
-    """What was found out about one answer."""
-
-    CORRECT = "correct"  # equals the reference
-    CARRIED = "carried"  # follows from the student's own earlier numbers
-    SLIP = "slip"  # a recognised wrong method
-    WRONG = "wrong"
-    BLANK = "blank"
-    UNREADABLE = "unreadable"
-    NOT_JUDGED = "not_judged"  # ours; a person decides
-    MANUAL = "manual"  # a person marks it from a rubric, or has decided about it
-
-
-OPEN = frozenset({Outcome.MANUAL, Outcome.NOT_JUDGED})
-"""Outcomes that wait for a person; their points count neither for nor against the student."""
+__all__ = [
+    "Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "Outcome", "PointSums", "Report",
+    "sums_of",
+]  # fmt: skip
 
 
 class Against(StrEnum):
@@ -74,10 +66,10 @@ class Finding:
         inputs: the student's own numbers and given values that `expected` was computed from, in
             declared units, by id: what the worked line substitutes.
         points, max_points: earned and possible.
-        slip: id of the recognised slip, empty for none.
+        slip: the recognised slip, None for none.
         message: the verdict in a sentence.
         remarks: hints and notes that go with it.
-        tied: ids of other slips that explain the answer as well.
+        tied: other slips that explain the answer as well.
         roots: ids of the quantities whose wrong answers explain this one.
         half_unit: half a unit of the last typed digit, in the declared unit.
         low, high: the range of `expected` that the rounding of earlier answers leaves.
@@ -97,10 +89,10 @@ class Finding:
     inputs: Mapping[str, float]
     points: float
     max_points: float
-    slip: str
+    slip: SlipId | None
     message: Message
     remarks: tuple[Message, ...]
-    tied: tuple[str, ...] = ()
+    tied: tuple[SlipId, ...] = ()
     roots: tuple[str, ...] = ()
     half_unit: float = 0.0
     low: float | None = None
@@ -110,7 +102,26 @@ class Finding:
     @property
     def is_open(self) -> bool:
         """Whether a person still has to decide about the item."""
-        return self.outcome in OPEN and self.decision is None
+        return self.outcome.traits.waits and self.decision is None
+
+
+@dataclass(frozen=True, slots=True)
+class PointSums:
+    """Points of findings: earned and possible of what is decided, possible of what is open."""
+
+    score: float
+    max_score: float
+    open_points: float
+
+
+def sums_of(findings: Sequence[Finding]) -> PointSums:
+    """Add up points; what waits for a person counts neither for nor against the student."""
+    closed = [one for one in findings if not one.is_open]
+    return PointSums(
+        score=sum(one.points for one in closed),
+        max_score=sum(one.max_points for one in closed),
+        open_points=sum(one.max_points for one in findings if one.is_open),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +143,7 @@ class Cause:
 class Flag:
     """Something a person should look at before the marks are published."""
 
-    code: str
+    code: FlagCode
     message: Message
 
 
@@ -177,3 +188,8 @@ class Report:
     causes: tuple[Cause, ...] = ()
     givens: Mapping[str, float] = field(default_factory=dict)
     creator: str = ""
+
+    @property
+    def composition(self) -> Composition:
+        """What was computed: the scheme with the options of the variant."""
+        return Composition.of(self.scheme, self.options)

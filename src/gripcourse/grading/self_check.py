@@ -15,7 +15,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.follow_through import follow
 from gripcourse.grading.judge_choice import judge_choice_answer
 from gripcourse.grading.judge_value import judge_value
-from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.model import Against
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading, Submission
@@ -55,7 +55,7 @@ _SAID = {
 
 
 def self_check(submission: Submission, plan: Plan, policy: Policy) -> tuple[AnswerCheck, ...]:
-    """AnswerCheck a workbook against itself: its own given values, the student's own numbers.
+    """Check a workbook against itself: its own given values, the student's own numbers.
 
     Args:
         submission: what was read.
@@ -113,7 +113,5 @@ def _state_by_own_numbers(comparison: Comparison) -> State:
         return State.READ
     is_choice = comparison.quantity.kind is Kind.CHOICE
     judgement = judge_choice_answer(comparison) if is_choice else judge_value(comparison)
-    follows = judgement.outcome in {Outcome.CORRECT, Outcome.CARRIED} or (
-        judgement.against is Against.PRINTED
-    )
+    follows = judgement.outcome.traits.right or (judgement.against is Against.PRINTED)
     return State.CONSISTENT if follows else State.INCONSISTENT

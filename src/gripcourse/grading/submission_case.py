@@ -116,7 +116,8 @@ def explain(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAns
 
 def is_unexplained(case: GradingCase, judged: JudgedAnswer) -> bool:
     """Tell whether an answer is wrong and nothing says why yet."""
-    wrong = judged.judgement.outcome is Outcome.WRONG and case.is_own
+    traits = judged.judgement.outcome.traits
+    wrong = traits.mistake and not traits.named and case.is_own
     return wrong and judged.comparison is not None and judged.comparison.answer.unit_fits
 
 
@@ -152,4 +153,4 @@ def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float)
 
 
 def _without_value(outcome: Outcome, said: Message) -> Judgement:
-    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, "", (), (), said, ())
+    return Judgement(outcome, Against.NOTHING, None, 0.0, 0.0, None, (), (), said, ())

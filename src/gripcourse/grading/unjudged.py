@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.submission.model import Rejected
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
@@ -10,7 +10,9 @@ from gripcourse.variants.model import Issued
 
 def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
     """Report a file that is no workbook that we can read."""
-    report = unjudged(rejected.file, Flag("rejected", rejected.reason), issued, rejected.digest)
+    report = unjudged(
+        rejected.file, Flag(FlagCode.REJECTED, rejected.reason), issued, rejected.digest
+    )
     # The student can mend this, so the student is told; other flags are the instructor's.
     return replace(report, remarks=(rejected.reason,))
 
@@ -22,7 +24,7 @@ def unknown_student_report(file: str, student: str, digest: str) -> Report:
         if student
         else message("Neither the file's name nor the workbook says whose it is.")
     )
-    return unjudged(file, Flag("unknown_student", said), None, digest)
+    return unjudged(file, Flag(FlagCode.UNKNOWN_STUDENT, said), None, digest)
 
 
 def incident_report(file: str, number: str, issued: Issued | None) -> Report:
@@ -31,7 +33,7 @@ def incident_report(file: str, number: str, issued: Issued | None) -> Report:
         "Grading failed on our side (incident {number}); the file waits for a person.",
         number=number,
     )
-    return unjudged(file, Flag("incident", said), issued, "")
+    return unjudged(file, Flag(FlagCode.INCIDENT, said), issued, "")
 
 
 def unjudged(file: str, flag: Flag, issued: Issued | None, digest: str) -> Report:

@@ -4,9 +4,9 @@ import re
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import (
@@ -25,11 +25,11 @@ _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _LONGEST_ID = 64
 
 
-def read_roster(path: Path) -> tuple[Student, ...]:
+def read_roster(source: Readable) -> tuple[Student, ...]:
     """Read a roster from a `.csv` or `.xlsx` file.
 
     Args:
-        path: of the file; its headings may be English, Russian or Ukrainian.
+        source: the file, or its bytes; its headings may be English, Russian or Ukrainian.
 
     Returns:
         The students in the order of the rows.
@@ -38,7 +38,7 @@ def read_roster(path: Path) -> tuple[Student, ...]:
         TableError: with every problem: missing columns, empty or doubled ids, ids that cannot be
             names of folders, empty names, unknown languages, a variant fixed twice.
     """
-    sheet = read_sheet(path)
+    sheet = read_sheet(source)
     problems: list[Problem] = []
     columns = find_columns(sheet, roster_vocabulary(), problems)
     for id_ in ("student", "name"):

@@ -1,1 +1,1 @@
-"""Jobs in processes of their own: the only place that starts any."""
+"""Jobs in workers: the only place that starts any, whatever kind of workers they are."""

@@ -1,66 +1,48 @@
-"""Jobs in processes of their own, bounded in time and memory: one that fails takes none along.
+"""Jobs in workers, bounded in time and memory: one that fails takes none along.
 
-A library below us can hang, swallow memory or abort its process. Each job has a worker with a
-memory limit and an alarm; when a worker dies, the few jobs that were on their way to a worker are
-done again one by one, and only the one that kills its worker again is lost.
+A library below us can hang, swallow memory or abort its process. When a worker dies, its executor
+is of no use any more: the few jobs that were on their way to a worker are done again one by one,
+and only the one that ends its worker again is lost.
 """
 
-import faulthandler
-import os
-import re
-import signal
-import sys
-import traceback
+import pickle
+import uuid
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass
-from multiprocessing import get_context
-from types import FrameType
 from typing import Any, TypeAlias, TypeVar
 
-from gripcourse.jobs.packed import pack, unpack
+from gripcourse.jobs.lost import JobLostError, Lost
+from gripcourse.jobs.pools import PROCESSES, Pool
+from gripcourse.jobs.work import Task, do, install, known, perform
 
-# Everything that we do with a file or a page takes a tenth of it.
-MEMORY_PER_WORKER = 3 * 1024**3
+__all__ = ["Lost", "all_done", "in_order", "run_each"]
 
 # Jobs handed to the workers at a time: enough to keep them busy, few enough that a worker that
 # dies takes few along.
 _AHEAD = 2
-# An alarm is heard between two steps of Python; who is deep inside a library ends so much later.
-_DEAF_SECONDS = 5.0
-
-# Our own errors are whole sentences; the others mean nothing without their names.
-_OWN_ERROR = re.compile(r"^gripcourse\.errors\.\w+: ")
 
 Item = TypeVar("Item")
 Shared = TypeVar("Shared")
 Result = TypeVar("Result")
 
+_Waiting: TypeAlias = deque[tuple[int, Any]]
+_Done: TypeAlias = Iterator[tuple[int, Any]]
+
 
 @dataclass(frozen=True, slots=True)
-class Lost:
-    """A job that came to nothing on our side; `trace` says why."""
+class _Crew:
+    """Workers that can be opened again and again for one task, which they know by its name."""
 
-    trace: str
+    pool: Pool
+    name: str
+    packed: bytes
 
-    @property
-    def reason(self) -> str:
-        """The last line of the trace: what happened, without where."""
-        return _OWN_ERROR.sub("", self.trace.strip().rpartition("\n")[2])
-
-
-_Waiting: TypeAlias = deque[tuple[int, Any]]
-_Outcome: TypeAlias = Any | Lost
-
-
-class _TookTooLongError(BaseException):
-    """A job was not done within its time.
-
-    Not an `Exception`: reading a workbook takes every one of these for a fault of the file.
-    """
+    def open(self, workers: int) -> Executor:
+        """Open an executor whose workers know the task."""
+        first = (self.name, self.packed, self.pool.limits)
+        return self.pool.open(workers, install if self.pool.apart else _nothing, first)
 
 
 def run_each(
@@ -70,107 +52,110 @@ def run_each(
     *,
     workers: int,
     seconds: float,
+    pool: Pool | None = PROCESSES,
 ) -> Iterator[tuple[int, Result | Lost]]:
     """Do a job with every item, in parallel.
 
     Args:
-        work: does one job; it must be found by its name in another process.
+        work: does one job; with workers apart it must be found by its name in another process.
         items: one for each job.
-        shared: what every job needs.
-        workers: how many processes at most.
-        seconds: that one job may take.
+        shared: what every job needs; it is sent to each worker once.
+        workers: how many at most; 0 for none: here, one after the other, nothing bounded, for who
+            may not start processes and trusts what it has.
+        seconds: that one job may take, where workers are bounded.
+        pool: kind of workers; None for none.
 
     Yields:
-        The place of an item in `items` and what it came to, in the order in which jobs are done.
+        The place of an item in `items` and what it came to, in the order in which jobs are done;
+        `in_order` sorts them.
     """
-    packed = pack((work, shared, seconds))
+    if pool is None or workers == 0:
+        task = Task(work, shared, seconds, None)
+        yield from ((number, do(task, item)) for number, item in enumerate(items))
+        return
+    task = Task(work, shared, seconds, pool.limits)
+    name = uuid.uuid4().hex
+    if pool.apart:
+        yield from _each(items, _Crew(pool, name, pickle.dumps(task)), workers)
+        return
+    with known(name, task):
+        yield from _each(items, _Crew(pool, name, b""), workers)
+
+
+def in_order(
+    jobs: Iterable[tuple[int, Result]], on_done: Callable[[int], None] = lambda _: None
+) -> tuple[Result, ...]:
+    """Return what jobs came to, in the order of their items.
+
+    Args:
+        jobs: as `run_each` yields them.
+        on_done: called with the place of each item as its job is done.
+    """
+    done: dict[int, Result] = {}
+    for number, outcome in jobs:
+        done[number] = outcome
+        on_done(number)
+    return tuple(done[number] for number in sorted(done))
+
+
+def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, Result]]:
+    """Yield what jobs came to, where nothing is worth having without all of them.
+
+    Raises:
+        JobLostError: a job came to nothing; its text is the trace.
+    """
+    for number, outcome in jobs:
+        if isinstance(outcome, Lost):
+            raise JobLostError(outcome.trace)
+        yield number, outcome
+
+
+def _each(items: Sequence[Any], crew: _Crew, workers: int) -> _Done:
     waiting: _Waiting = deque(enumerate(items))
     while waiting:
-        taken_along = []
-        for number, outcome in _until_worker_dies(waiting, packed, min(workers, len(waiting))):
-            if outcome is None:
-                taken_along.append(number)
-            else:
-                yield number, outcome[0]
-        for number in taken_along:
-            yield number, _alone(items[number], packed)
+        count = min(workers, len(waiting))
+        # Who was taken along when a worker died may be the one that it died of.
+        suspects = yield from _until_worker_dies(waiting, crew, count, count * _AHEAD)
+        alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
+        while alone:
+            for number in (yield from _until_worker_dies(alone, crew, 1, 1)):
+                yield number, Lost("The worker that did this died, or did not end in time.\n")
 
 
 def _until_worker_dies(
-    waiting: _Waiting, packed: bytes, workers: int
-) -> Iterator[tuple[int, tuple[_Outcome] | None]]:
+    waiting: _Waiting, crew: _Crew, workers: int, ahead: int
+) -> Generator[tuple[int, Any], None, list[int]]:
     """Do jobs from the left of `waiting`, until none is left or a worker dies.
 
     Yields:
-        The number of each job that was taken, with what it came to; None for jobs that a worker
-        took along.
+        The number of each job that was done, with what it came to.
+
+    Returns:
+        The numbers of the jobs that a worker took along.
     """
-    with _pool(workers) as pool:
-        running: dict[Future[_Outcome], int] = {}
-        is_whole = True
-        while running or (waiting and is_whole):
-            while waiting and is_whole and len(running) < workers * _AHEAD:
+    executor = crew.open(workers)
+    taken_along: list[int] = []
+    running: dict[Future[Any], int] = {}
+    try:
+        while running or (waiting and not taken_along):
+            while waiting and not taken_along and len(running) < ahead:
                 number, item = waiting.popleft()
                 try:
-                    running[pool.submit(_guarded, item, packed)] = number
-                except BrokenProcessPool:
-                    is_whole = False
-                    yield number, None
+                    running[executor.submit(perform, crew.name, item)] = number
+                except BrokenExecutor:
+                    taken_along.append(number)
             for future in wait(running, return_when=FIRST_COMPLETED).done:
-                outcome = _outcome(future)
-                is_whole = is_whole and outcome is not None
-                yield running.pop(future), outcome
+                number = running.pop(future)
+                try:
+                    outcome = future.result()
+                except BrokenExecutor:
+                    taken_along.append(number)
+                else:
+                    yield number, outcome
+    finally:
+        executor.shutdown(cancel_futures=True)
+    return taken_along
 
 
-def _guarded(item: object, packed: bytes) -> _Outcome:
-    """Do a job in a worker; a failure on our side comes back as its trace."""
-    work, shared, seconds = unpack(packed)
-    try:
-        with _alarm(seconds):
-            return work(item, shared)
-    except (Exception, _TookTooLongError):  # noqa: BLE001 (ours: one job's, never the batch's)
-        return Lost(traceback.format_exc())
-
-
-def _alone(item: object, packed: bytes) -> _Outcome:
-    with _pool(1) as pool:
-        outcome = _outcome(pool.submit(_guarded, item, packed))
-    return Lost("The process that did this died.\n") if outcome is None else outcome[0]
-
-
-def _outcome(future: Future[_Outcome]) -> tuple[_Outcome] | None:
-    try:
-        return (future.result(),)
-    except BrokenProcessPool:
-        return None
-
-
-def _pool(workers: int) -> ProcessPoolExecutor:
-    # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
-    return ProcessPoolExecutor(workers, get_context("spawn"), initializer=_limit_memory)
-
-
-def _limit_memory() -> None:
-    if sys.platform == "linux":
-        import resource  # noqa: PLC0415 (exists on Unix only)
-
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_PER_WORKER, MEMORY_PER_WORKER))
-
-
-@contextmanager
-def _alarm(seconds: float) -> Iterator[None]:
-    """Raise in the main thread of this process when the time is over; end it if that is in vain."""
-
-    def ring(_signal: int, _frame: FrameType | None) -> None:
-        raise _TookTooLongError(seconds)
-
-    before = signal.signal(signal.SIGALRM, ring)
-    with open(os.devnull, "w", encoding="ascii") as nowhere:  # noqa: PTH123 (no Path in os.devnull)
-        faulthandler.dump_traceback_later(seconds + _DEAF_SECONDS, exit=True, file=nowhere)
-        signal.setitimer(signal.ITIMER_REAL, seconds)
-        try:
-            yield
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            faulthandler.cancel_dump_traceback_later()
-            signal.signal(signal.SIGALRM, before)
+def _nothing(*_: object) -> None:
+    """Begin without anything: a thread knows what this process knows."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Final
 
-from gripcourse.grading.model import Flag
+from gripcourse.grading.model import Flag, FlagCode
 from gripcourse.likeness.model import Evidence, NumberKind
 from gripcourse.text.words import Message, message
 
@@ -29,7 +29,7 @@ def odds_in_words(odds: float) -> Message:
 
 def flag_of(evidence: Evidence) -> Flag:
     """Return the flag of evidence, for the submission of its first student."""
-    return Flag(evidence.kind.value, _said(evidence))
+    return Flag(FlagCode(evidence.kind.value), _said(evidence))
 
 
 def flags_by_student(found: Iterable[Evidence]) -> dict[str, tuple[Flag, ...]]:

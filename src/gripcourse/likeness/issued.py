@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind
 from gripcourse.errors import UsageError
 from gripcourse.likeness.matches import Floats
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
 from gripcourse.variants.model import Variant
@@ -54,13 +55,13 @@ def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> Is
         variants: each with its owner; one that the course can no longer solve has no values.
     """
     plans = _grouped(course, variants)
-    kinds = {
-        name: one.kind
+    exact = {
+        name: one.exact
         for plan, _ in plans
         for name, one in plan.quantities.items()
         if one.kind in {Kind.GIVEN, Kind.FORMULA, Kind.CHOICE, Kind.PICK}
     }
-    columns = {name: column for column, name in enumerate(kinds)}
+    columns = {name: column for column, name in enumerate(exact)}
     values = np.full((len(variants), len(columns)), math.nan)
     families = np.tile(np.arange(len(columns)), (len(variants), 1))
     for plan, rows in plans:
@@ -75,7 +76,7 @@ def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> Is
         quantities=tuple(columns),
         values=values,
         families=families,
-        discrete=np.array([kind in {Kind.CHOICE, Kind.PICK} for kind in kinds.values()], bool),
+        discrete=np.array(list(exact.values()), bool),
     )
 
 
@@ -83,14 +84,13 @@ def _grouped(
     course: Course, variants: Sequence[tuple[str, Variant]]
 ) -> list[tuple[Plan, list[int]]]:
     """Group variants that are computed alike."""
-    rows: dict[tuple[str, frozenset[tuple[str, str]]], list[int]] = defaultdict(list)
+    rows = defaultdict[Composition, list[int]](list)
     for row, (_, variant) in enumerate(variants):
-        rows[variant.scheme, frozenset(variant.options.items())].append(row)
+        rows[variant.composition].append(row)
     plans = []
-    for members in rows.values():
-        variant = variants[members[0]][1]
+    for composition, members in rows.items():
         try:
-            plans.append((make_plan(course, variant.scheme, variant.options), members))
+            plans.append((plan_of(course, composition), members))
         except UsageError:  # issued from an earlier version of the course
             continue
     return plans

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from gripcourse.slips.model import SlipId
+
 
 class NumberKind(StrEnum):
     """What is alike; the codes of the flags."""
@@ -21,14 +23,14 @@ class Typed:
         value: in the declared unit.
         half_unit: half a unit of the last typed digit, likewise; 0 for a computed number.
         explained: whether it is right, or follows from the student's own numbers.
-        slip: id of the wrong method that explains it otherwise; empty for none.
+        slip: the wrong method that explains it otherwise; None for none.
     """
 
     quantity: str
     value: float
     half_unit: float
     explained: bool
-    slip: str
+    slip: SlipId | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -41,28 +41,37 @@ class Pool:
 
 def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> Pool:
     """Put the numbers of submissions side by side; all students own a row of issued values."""
-    columns = issued.columns
     rows = {student: row for row, student in enumerate(issued.owners)}
     kept = [
-        (row, columns[one.quantity], one)
+        (row, one)
         for row, work in enumerate(works)
         for one in _without_filler(work.numbers)
-        if one.quantity in columns and one.value != 0 and math.isfinite(one.value)
+        if _is_comparable(one, issued)
     ]
-    value = np.array([one.value for *_, one in kept], dtype=np.float64)
-    half = np.array([one.half_unit for *_, one in kept], dtype=np.float64)
+    typed = [one for _, one in kept]
     return Pool(
         students=tuple(work.student for work in works),
         own=np.array([rows[work.student] for work in works], dtype=np.intp),
         issued=issued,
-        numbers=ComparedNumbers(
-            row=np.array([row for row, *_ in kept], dtype=np.intp),
-            column=np.array([column for _, column, _ in kept], dtype=np.intp),
-            value=value,
-            unit=last_unit(value, half),
-        ),
-        explained=np.array([one.explained for *_, one in kept], dtype=np.bool_),
-        slip=_slip_shares([one for *_, one in kept]),
+        numbers=_numbers([row for row, _ in kept], typed, issued),
+        explained=np.array([one.explained for one in typed], dtype=np.bool_),
+        slip=_slip_shares(typed),
+    )
+
+
+def _is_comparable(one: Typed, issued: IssuedValues) -> bool:
+    """Tell whether a number can say anything: a nought is nobody's."""
+    return one.quantity in issued.columns and one.value != 0 and math.isfinite(one.value)
+
+
+def _numbers(rows: Sequence[int], typed: Sequence[Typed], issued: IssuedValues) -> ComparedNumbers:
+    value = np.array([one.value for one in typed], dtype=np.float64)
+    half = np.array([one.half_unit for one in typed], dtype=np.float64)
+    return ComparedNumbers(
+        row=np.array(rows, dtype=np.intp),
+        column=np.array([issued.columns[one.quantity] for one in typed], dtype=np.intp),
+        value=value,
+        unit=last_unit(value, half),
     )
 
 

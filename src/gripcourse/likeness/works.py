@@ -2,12 +2,12 @@
 
 import math
 
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 from gripcourse.likeness.model import ComparedWork, Typed
+from gripcourse.slips.model import USED, SlipId
 from gripcourse.variants.model import Issued
 
 _SAME = 1e-9  # relative: stored givens are decimal numbers
-_USED = "used:"  # a slip that names only the wrong number that was used says nothing of its origin
 
 
 def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
@@ -30,7 +30,7 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         if finding.given is not None
     )
     changed = (
-        Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip="")
+        Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip=None)
         for name, value in report.givens.items()
         if name in issued.variant.given
         and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
@@ -45,7 +45,7 @@ def _is_explained(finding: Finding) -> bool:
     The outcome alone does not say so: an answer that was accepted because it follows from a wrong
     given value follows from another's where that value was copied.
     """
-    if finding.outcome is Outcome.CORRECT or _is_between(finding, finding.low, finding.high):
+    if finding.outcome.traits.equals_reference or _is_between(finding, finding.low, finding.high):
         return True
     near = (finding.reference, finding.expected)
     return any(_is_between(finding, value, value) for value in near)
@@ -59,6 +59,8 @@ def _is_between(finding: Finding, low: float | None, high: float | None) -> bool
     return low - reach <= finding.given <= high + reach
 
 
-def _slip(finding: Finding) -> str:
-    is_method = finding.outcome is Outcome.SLIP and not finding.slip.startswith(_USED)
-    return finding.slip if is_method else ""
+def _slip(finding: Finding) -> SlipId | None:
+    """Return the wrong method; that another number was used says nothing of its origin."""
+    slip = finding.slip
+    is_method = finding.outcome.traits.named and slip is not None and slip.kind != USED
+    return slip if is_method else None

@@ -19,6 +19,7 @@ from gripcourse.machine.fonts import (
     load_pango,
     missing_font,
 )
+from gripcourse.text.conventions import is_english
 from gripcourse.text.translations import TranslationFault, catalogue_file, read_translations
 from gripcourse.text.words import LANGUAGES, Message, message
 
@@ -89,7 +90,7 @@ def look(folder: Path) -> Machine:
         translations=tuple(
             (language, read_translations(catalogue_file(language), language).faults)
             for language in LANGUAGES
-            if language != "en"
+            if not is_english(language)
         ),
         office=shutil.which("soffice") or shutil.which("libreoffice"),
         folder=folder,
@@ -186,9 +187,9 @@ def _translations(
                 required=True,
                 message=whole if said is None else place,
                 remedy=message(
-                    "Until it is mended the English text stands there. Install gripcourse again; "
-                    "in a catalogue of your own, give every sentence the names in braces that the "
-                    "English one has."
+                    "Until it is corrected the English text stands there. Install gripcourse "
+                    "again; in a catalogue of your own, give every sentence the names in braces "
+                    "that the English one has."
                 ),
             )
 

@@ -14,6 +14,7 @@ from pathlib import Path
 _TOKEN_BYTES = 4
 _PUBLIC = 0o666  # narrowed by the user's umask, as for any new file
 _PRIVATE = 0o600
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
 
 
 def write_bytes(path: Path, data: bytes, *, private: bool = False) -> None:
@@ -28,8 +29,7 @@ def write_bytes(path: Path, data: bytes, *, private: bool = False) -> None:
         OSError: the folder cannot be written; the old file is untouched.
     """
     with replacing(path) as temporary:
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-        handle = os.open(temporary, flags, _PRIVATE if private else _PUBLIC)
+        handle = os.open(temporary, _NEW, _PRIVATE if private else _PUBLIC)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
             stream.flush()
@@ -67,12 +67,55 @@ def replacing(path: Path) -> Iterator[Path]:
         OSError: the folder cannot be made or the file cannot be renamed.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.stem}.{secrets.token_hex(_TOKEN_BYTES)}{path.suffix}")
+    temporary = _temporary(path)
     try:
         yield temporary
         temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def making(path: Path) -> Iterator[Path]:
+    """Give a name to write to; on leaving it becomes `path`, unless somebody made that meanwhile.
+
+    Who is later keeps what is there: two programs that make the same file at once end up with one.
+
+    Args:
+        path: the file to make; the folder above it is there.
+
+    Yields:
+        The temporary path; nothing exists there yet.
+
+    Raises:
+        OSError: the file cannot be made.
+    """
+    temporary = _temporary(path)
+    try:
+        yield temporary
+        try:
+            path.hardlink_to(temporary)
+        except FileExistsError:
+            return
+        except OSError:
+            # A file system without links, such as that of a memory stick.
+            if not path.exists():
+                temporary.rename(path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def make_private(path: Path) -> None:
+    """Make an empty file that only its owner may read.
+
+    Raises:
+        OSError: there is one already, or the folder cannot be written.
+    """
+    os.close(os.open(path, _NEW, _PRIVATE))
+
+
+def _temporary(path: Path) -> Path:
+    return path.with_name(f".{path.stem}.{secrets.token_hex(_TOKEN_BYTES)}{path.suffix}")
 
 
 def discard_unfinished(path: Path) -> None:

@@ -8,7 +8,7 @@ repository itself; `gripcourse init` makes a copy that an instructor owns.
 
 from pathlib import Path
 
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.text.words import message
 
 TEMPLATES = "templates"
@@ -22,7 +22,7 @@ def course_root(given: Path | None = None, package: Path = _PACKAGE) -> Path:
     """Find the course that a command works on.
 
     Args:
-        given: the folder that the user named with `--course`; it always wins.
+        given: the folder that the user named; it always wins.
         package: the folder of this package.
 
     Returns:
@@ -41,7 +41,8 @@ def course_root(given: Path | None = None, package: Path = _PACKAGE) -> Path:
         file=str(package),
         key="",
         what=message("The reference course is not installed with this package."),
-        remedy=message("Name the folder of a course with --course, or install gripcourse again."),
+        remedy=message("Name the folder of a course, or install gripcourse again."),
+        step=NextStep.NAME_COURSE,
     )
     raise UsageError([problem])
 
@@ -88,8 +89,9 @@ def _checked(folder: Path) -> Path:
         what = message("There is no such folder.")
     else:
         what = message("This folder is not a course: it lacks {folders}.", folders=missing)
-    remedy = message("Name the folder that `gripcourse init` made.")
-    raise UsageError([Problem(file=str(folder), key="--course", what=what, remedy=remedy)])
+    remedy = message("Name the folder of a course, or make one.")
+    problem = Problem(str(folder), "", what, remedy, parameter="course", step=NextStep.MAKE_COURSE)
+    raise UsageError([problem])
 
 
 def _missing(folder: Path) -> str:

@@ -53,7 +53,7 @@ def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:
 
 
 def _tolerance_of_kind(quantity: Quantity, policy: Policy) -> Tolerance:
-    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
+    if quantity.exact and quantity.kind is not Kind.VERDICT:
         return Tolerance(_EXACT, 0.0)
     return tolerance_of(quantity, policy)
 

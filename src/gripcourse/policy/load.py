@@ -7,7 +7,9 @@ from pathlib import Path
 from gripcourse.course.declare import tolerance
 from gripcourse.course.model import Course, Kind, Tolerance
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import CourseError, Problem
+from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.policy.rubric_load import read_rubrics
 from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
@@ -18,10 +20,6 @@ from gripcourse.text.units import factor
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
 
-_TABLES = {
-    "points", "weight", "tolerance", "quantity_tolerance", "credit", "rounding", "report",
-    "variants", "figures", "likeness",
-}  # fmt: skip
 _MARKED = [kind for kind in Kind if kind.answered or kind is Kind.MANUAL]
 
 
@@ -41,11 +39,11 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
     rubrics = read_rubrics(course.root, problems)
-    table = read_toml(policy_path(course.root), course.root, problems)
+    table = read_toml(policy_path(course.root), course.root, problems, POLICY)
     slips = read_slip_policy(course.root, problems)
     if table is None or slips is None:
         return None, problems
-    table.known_keys(_TABLES)
+    table.known_keys()
     points = table.required_table("points")
     weight = table.required_table("weight")
     bands = table.required_table("tolerance")
@@ -74,8 +72,8 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         likeness=read_likeness_rule(table.table("likeness")),
         rubrics=rubrics,
     )
-    credit.known_keys({"carried", "printed", "wrong_unit"})
-    rounding.known_keys({"last_digit", "figures", "habits", "widest"})
+    credit.known_keys()
+    rounding.known_keys()
     return policy, problems
 
 
@@ -85,7 +83,7 @@ def policy_path(root: Path) -> Path:
 
 
 def _section_points(points: Table, total: float, course: Course) -> Mapping[str, float]:
-    points.known_keys({"total", "section"})
+    points.known_keys()
     sections = points.numbers("section")
     ids = {section.id for section in course.sections}
     for name in sorted(ids - set(sections)):
@@ -145,7 +143,7 @@ def _marked_sections(course: Course) -> set[str]:
 
 
 def _weights(weight: Table, name: str, known: set[str]) -> Mapping[str, float]:
-    weight.known_keys({"kind", "quantity"})
+    weight.known_keys()
     weights = weight.numbers(name, {})
     for key, value in weights.items():
         if key not in known:
@@ -182,7 +180,7 @@ def _floors(bands: Table) -> Mapping[str, float]:
             bands.add(
                 f"floor.{unit}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
         if value < 0:
             bands.add(
@@ -194,7 +192,7 @@ def _floors(bands: Table) -> Mapping[str, float]:
 
 
 def _default_tolerance(bands: Table) -> Tolerance:
-    bands.known_keys({"relative", "absolute", "floor"})
+    bands.known_keys()
     return tolerance(bands)
 
 
@@ -209,7 +207,7 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
                 did_you_mean(name, known),
             )
     for inner in named.values():
-        inner.known_keys({"relative", "absolute"})
+        inner.known_keys()
     return {name: tolerance(inner) for name, inner in named.items()}
 
 
@@ -227,7 +225,7 @@ def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
 
 
 def _reveal(table: Table) -> Reveal:
-    table.known_keys({"reveal"})
+    table.known_keys()
     written = table.text("reveal")
     if written in list(Reveal):
         return Reveal(written)

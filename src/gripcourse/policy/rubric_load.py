@@ -7,6 +7,7 @@ from pathlib import Path
 
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
+from gripcourse.policy.keys import RUBRIC
 from gripcourse.policy.rubric import Level, Rubric, RubricLine
 from gripcourse.text.words import message
 
@@ -34,14 +35,14 @@ def read_rubrics(root: Path, problems: list[Problem]) -> dict[str, Rubric]:
     """
     rubrics: dict[str, Rubric] = {}
     for path in sorted(rubric_folder(root).glob("*.toml")):
-        table = read_toml(path, root, problems)
+        table = read_toml(path, root, problems, RUBRIC)
         if table is not None:
             rubrics[path.stem] = _rubric(path.stem, table)
     return rubrics
 
 
 def _rubric(name: str, table: Table) -> Rubric:
-    table.known_keys({"title", "line"})
+    table.known_keys()
     title = table.texts("title")
     tables = table.tables("line")
     lines = tuple(_line(one) for one in tables)
@@ -68,7 +69,7 @@ def _is_absent(table: Table) -> bool:
 
 
 def _line(table: Table) -> RubricLine:
-    table.known_keys({"id", "share", "text", "level"})
+    table.known_keys()
     share = table.number("share")
     if share <= 0 or share > 1:
         table.add(
@@ -82,7 +83,7 @@ def _line(table: Table) -> RubricLine:
 
 
 def _level(table: Table) -> Level:
-    table.known_keys({"credit", "text"})
+    table.known_keys()
     credit = table.number("credit")
     if credit < 0 or credit > 1:
         table.add(

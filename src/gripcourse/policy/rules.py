@@ -9,7 +9,7 @@ def read_figure_rule(table: Table | None) -> FigureRule:
     """Read how many figures answers should have; a policy that says nothing asks for nothing."""
     if table is None:
         return FigureRule(0, 0, 1.0)
-    table.known_keys({"least", "most", "credit"})
+    table.known_keys()
     least, most = (_whole(table, name) for name in ("least", "most"))
     if 0 < most < least:
         table.add(
@@ -26,7 +26,7 @@ def read_likeness_rule(table: Table | None) -> LikenessRule:
     """Read when copying is suspected; a policy that says nothing has our defaults."""
     if table is None:
         return LikenessRule(1e3, 3, 3)
-    table.known_keys({"odds", "answers", "same_creator"})
+    table.known_keys()
     odds = table.number("odds")
     if odds != 0 and odds < 1:
         table.add(

@@ -5,14 +5,15 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import Problem
+from gripcourse.policy.keys import SLIPS
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, message
 
 _PLACES: Final = frozenset({"quantity", "other", "unit", "asked", "number", "function", "right"})
-_KEYS: Final = ("prior", "credit", "names", "pairs", "units", "title", "hint")
 
 
 def read_slip_policy(root: Path, problems: list[Problem]) -> SlipPolicy | None:
@@ -22,12 +23,12 @@ def read_slip_policy(root: Path, problems: list[Problem]) -> SlipPolicy | None:
         root: of the course.
         problems: takes every fault of the file.
     """
-    table = read_toml(root / "grader" / "slips.toml", root, problems)
+    table = read_toml(root / "grader" / "slips.toml", root, problems, SLIPS)
     if table is None:
         return None
-    table.known_keys({"naming", "kind"})
+    table.known_keys()
     naming = table.required_table("naming")
-    naming.known_keys({"unexplained", "declared", "certain", "tie", "spread"})
+    naming.known_keys()
     named = table.named_tables("kind")
     for name in sorted(named.keys() - set(SlipKind)):
         table.add(
@@ -47,7 +48,7 @@ def read_slip_policy(root: Path, problems: list[Problem]) -> SlipPolicy | None:
 
 
 def _kind(kind: SlipKind, table: Table) -> GenericSlip:
-    table.known_keys(_KEYS)
+    table.known_keys()
     hint = table.texts("hint")
     for language in LANGUAGES:
         _check_places(table, f"hint.{language}", hint.of(language))
@@ -110,7 +111,7 @@ def _units(table: Table) -> tuple[str, ...]:
             table.add(
                 "units",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
     return tuple(unit for unit in units if known_unit(unit))
 

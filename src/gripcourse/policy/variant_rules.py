@@ -11,7 +11,7 @@ _SHARES = ("shared_points", "shared_section_points", "step_margin", "weak_item")
 
 def read_variant_rules(table: Table) -> VariantRules:
     """Read the rules for variants; every fault goes to the table's list of problems."""
-    table.known_keys((*_SHARES, "slip_bands", "keep_apart", "steps_ratio"))
+    table.known_keys()
     shared, section, margin, weak = (table.share(name) for name in _SHARES)
     return VariantRules(
         shared_points=shared,

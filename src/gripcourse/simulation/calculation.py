@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from gripcourse.course.model import Choice, Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
-from gripcourse.formula.tree import Call, Formula
+from gripcourse.formula.tree import Formula
 from gripcourse.simulation.arithmetic import PI, Array, Hand, with_own_pi
 from gripcourse.simulation.model import ActionKind
 from gripcourse.slips.model import Candidate
@@ -106,16 +106,6 @@ def by_formula(
     return choose(required, quantity.choice, rounding, plan) / scale
 
 
-def is_taken_as_printed(quantity: Quantity) -> bool:
-    """Tell whether a value is copied from a table or decided: no figure of it is left out."""
-    if quantity.kind in {Kind.CHOICE, Kind.VERDICT}:
-        return True
-    match quantity.formula:
-        case Formula(tree=Call(function=name)):
-            return quantity.kind is Kind.PICK and name != "interpolate"
-    return False
-
-
 def _order(plan: Plan, deviations: Mapping[str, Deviation]) -> tuple[str, ...]:
     """Order the steps: a wrong method may need what the right one does not.
 
@@ -169,7 +159,7 @@ def _ended(quantity: Quantity, hand: Hand, right: Array, value: Array) -> tuple[
 
 
 def _typed(quantity: Quantity, value: Array, hand: Hand) -> Array:
-    return value if is_taken_as_printed(quantity) else hand.written(value)
+    return value if quantity.exact else hand.written(value)
 
 
 def _next_smaller(plan: Plan, choice: Choice, size: Array) -> Array:

@@ -8,8 +8,8 @@ import numpy as np
 
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
-from gripcourse.simulation.calculation import is_taken_as_printed
 from gripcourse.simulation.model import Behaviour, Style
+from gripcourse.text.conventions import decimal_sign
 from gripcourse.text.units import dimension, factor, unit_text
 
 _YES_AND_NO = {"en": ("yes", "no"), "ru": ("да", "нет"), "uk": ("так", "ні")}
@@ -75,7 +75,7 @@ def _is_a_power_of_ten(unit: str, declared: str) -> bool:
 
 def _digits(quantity: Quantity, value: float, behaviour: Behaviour) -> Decimal:
     """Return a number with the zeros at its end that a person writes: 2.50 has three figures."""
-    if is_taken_as_printed(quantity):
+    if quantity.exact:
         return Decimal(f"{value:.12g}")
     if behaviour.rounding is DigitRounding.FULL:
         return Decimal(f"{value:.{DISPLAY}g}")
@@ -89,5 +89,5 @@ def _text(digits: Decimal, behaviour: Behaviour, language: str) -> str:
         # Spaces in every language: a lone comma between groups could as well be a decimal sign.
         group = _GROUP_SIGNS[behaviour.seed % len(_GROUP_SIGNS)]
         size = f"{int(size):,}".replace(",", group)
-    decimal_sign = "." if language == "en" else ","
-    return f"{sign}{size}{decimal_sign}{decimals}" if decimals else f"{sign}{size}"
+    point = decimal_sign(language)
+    return f"{sign}{size}{point}{decimals}" if decimals else f"{sign}{size}"

@@ -109,5 +109,6 @@ def _spaces(course: Course, scheme: str | None) -> list[Space]:
     if not chosen:
         what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
         known = [one.scheme for one in spaces]
-        raise UsageError([Problem("", "--scheme", what, did_you_mean(scheme or "", known))])
+        remedy = did_you_mean(scheme or "", known)
+        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
     return chosen

@@ -1,11 +1,11 @@
 """What was done against what was said: the confusion table, rates and every miss."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix, Required, SimulatedWork
 from gripcourse.simulation.rates import Rate
 
@@ -84,15 +84,11 @@ def evaluate(judged: Sequence[JudgedWork], mix: Mix) -> GraderEvaluation:
         mix: what the grader is held to, and which flags mean copying.
     """
     verdicts = [one for each in judged for one in _verdicts(each)]
-    slips = [one for one in verdicts if one.action.done is ActionKind.SLIP]
     return GraderEvaluation(
         students=len(judged),
         table=Counter((one.action.done, one.said) for one in verdicts),
         rates=dict(_rates(judged, verdicts, mix)),
-        by_kind={
-            kind: _share([s for s in slips if s.action.kind == kind], NAMES)
-            for kind in sorted({one.action.kind for one in slips})
-        },
+        by_kind=_named_by_kind(verdicts),
         misses=tuple(one for one in verdicts if is_missed(one)),
         tried=sum(one.work.tried for one in judged),
         hidden=sum(one.work.hidden for one in judged),
@@ -113,6 +109,14 @@ def is_missed(one: AnswerVerdict) -> bool:
             return False
 
 
+def _named_by_kind(verdicts: Iterable[AnswerVerdict]) -> dict[str, Rate]:
+    kinds: dict[str, list[AnswerVerdict]] = defaultdict(list)
+    for one in verdicts:
+        if one.action.done is ActionKind.SLIP:
+            kinds[one.action.kind].append(one)
+    return {kind: _share(found, NAMES) for kind, found in sorted(kinds.items())}
+
+
 def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
     """Yield a verdict per answer; another's workbook is judged as a whole."""
     findings = {one.quantity: one for one in judged.report.findings}
@@ -123,9 +127,9 @@ def _verdicts(judged: JudgedWork) -> Iterator[AnswerVerdict]:
 
 
 def _said(action: Action, finding: Finding) -> Said:
-    if finding.outcome is not Outcome.SLIP:
-        return Said(str(finding.outcome))
-    names = {action.slip, *action.twins} - {""}
+    if not finding.outcome.traits.named:
+        return Said(finding.outcome.value)
+    names = {*action.twins} if action.slip is None else {action.slip, *action.twins}
     if finding.slip in names:
         return Said.NAMED
     return Said.TIED if names.intersection(finding.tied) else Said.MISNAMED

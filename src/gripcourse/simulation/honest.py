@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.model import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.rounding import inward
@@ -185,7 +185,7 @@ def _reaches(
     """Yield how far the number behind a typed one may be; as `grading.rounding`, for arrays."""
     for name, values in typed.items():
         quantity = plan.quantities[name]
-        if quantity.kind is not Kind.FORMULA or quantity.integer:
+        if quantity.exact or quantity.integer:
             continue
         known = np.isfinite(values) & (values != 0)
         power = np.floor(np.log10(np.where(known, np.abs(values), 1.0)))

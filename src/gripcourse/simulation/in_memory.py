@@ -2,16 +2,13 @@
 
 import hashlib
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from functools import partial
-from multiprocessing import get_context
+from collections.abc import Callable, Mapping, Sequence
 
-from gripcourse.batch.copies import mark_likeness
-from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import judge_read
+from gripcourse.batch.run import Graded, compared
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.packed import pack, unpack
+from gripcourse.jobs.pools import pool_for
+from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.model import Action, SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of
@@ -20,7 +17,8 @@ from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.variants.model import Issued
 from gripcourse.workbook.names import AUTHOR
 
-_AT_A_TIME = 8  # students that a worker is handed
+# A student takes some hundredths of a second; this is for a mistake of ours.
+SECONDS_PER_STUDENT = 120.0
 
 
 def judge_in_memory(
@@ -33,16 +31,19 @@ def judge_in_memory(
         workers: how many processes; with one everything happens in this one.
         on_done: called after each student.
     """
-    judged = []
-    for one in _each(room, tuple(room.behaviours), workers):
-        judged.append(one)
-        on_done()
-    reports, trace = mark_likeness(mark_doubles([one.report for one in judged]), room.context)
-    incidents = [one.incident for one in judged]
-    incidents[:1] = [one + trace for one in incidents[:1]]
+    jobs = run_each(
+        judge_one,
+        tuple(room.behaviours),
+        room,
+        workers=workers,
+        seconds=SECONDS_PER_STUDENT,
+        pool=pool_for(workers),
+    )
+    judged = in_order(all_done(jobs), lambda _: on_done())
+    graded = compared([Graded(one.report, one.incident) for one in judged], room.context)
     return tuple(
-        JudgedWork(one.work, report, incident)
-        for one, report, incident in zip(judged, reports, incidents, strict=True)
+        JudgedWork(one.work, after.report, after.incident)
+        for one, after in zip(judged, graded, strict=True)
     )
 
 
@@ -88,17 +89,3 @@ def _cells(actions: Sequence[Action]) -> Mapping[str, RawCell]:
 
 def _cell(name: str, value: float | str | None) -> RawCell:
     return RawCell(value=value, number_format="General", error=False, formula="", cell=name)
-
-
-def _each(room: Classroom, students: Sequence[str], workers: int) -> Iterator[JudgedWork]:
-    if workers == 1:
-        yield from (judge_one(student, room) for student in students)
-        return
-    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        job = partial(_judge_packed, packed=pack(room))
-        yield from pool.map(job, students, chunksize=_AT_A_TIME)
-
-
-def _judge_packed(student: str, packed: bytes) -> JudgedWork:
-    room: Classroom = unpack(packed)
-    return judge_one(student, room)

@@ -32,6 +32,6 @@ def _row(one: AnswerVerdict, scheme: str) -> tuple[object, ...]:
     return (
         one.work.student, scheme, how.conduct, how.figures, how.rounding, how.carrying, how.style,
         action.quantity, action.done, action.slip, action.kind, one.said, found.outcome, found.slip,
-        " ".join(found.tied), action.typed, action.right, found.reference, found.expected,
+        " ".join(map(str, found.tied)), action.typed, action.right, found.reference, found.expected,
         found.low, found.high, found.band,
     )  # fmt: skip

@@ -9,15 +9,14 @@ from typing import TypeVar
 from gripcourse.course.model import Course, Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
+from gripcourse.grading.model import FlagCode
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
+from gripcourse.simulation.keys import MIX
 from gripcourse.simulation.model import Carrying, Conduct, Mix, Required, Style
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 _Value = TypeVar("_Value")
-
-_TABLES = ("conduct", "figures", "rounding", "carrying", "style", "pi", "language", "constant")
-_KEYS = (*_TABLES, "share", "slip", "tolerance", "flags", "required")
 
 
 def mix_path(root: Path) -> Path:
@@ -40,18 +39,18 @@ def load_mix(course: Course) -> Mix:
 def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     """Read the mix with all its problems."""
     problems: list[Problem] = []
-    table = read_toml(mix_path(course.root), course.root, problems)
+    table = read_toml(mix_path(course.root), course.root, problems, MIX)
     if table is None:
         return None, problems
-    table.known_keys(_KEYS)
+    table.known_keys()
     share, slip = table.required_table("share"), table.required_table("slip")
-    share.known_keys({"blank", "copied"})
-    slip.known_keys({"apart", "tries"})
+    share.known_keys()
+    slip.known_keys()
     tolerance = table.required_table("tolerance")
-    tolerance.known_keys({"answers", "bands", "wide"})
+    tolerance.known_keys()
     flags, required = table.required_table("flags"), table.required_table("required")
-    flags.known_keys({"copying"})
-    required.known_keys(one.name for one in fields(Required))
+    flags.known_keys()
+    required.known_keys()
     mix = Mix(
         conduct=_named(table, "conduct", Conduct),
         figures={int(key): weight for key, weight in _numbered(table, "figures").items()},
@@ -68,7 +67,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         answers=_whole(tolerance, "answers"),
         bands=_bands(tolerance),
         wide=tolerance.number("wide"),
-        copying_flags=frozenset(flags.strings("copying")),
+        copying_flags=_flags(flags, "copying"),
         required=Required(**{one.name: required.share(one.name) for one in fields(Required)}),
     )
     _check_figures(table, mix)
@@ -94,6 +93,15 @@ def _weights(
             what = message("There is no '{name}' here.", name=key)
             table.add(f"{name}.{key}", what, did_you_mean(key, known))
     return weights
+
+
+def _flags(table: Table, name: str) -> frozenset[FlagCode]:
+    known, found = [str(one) for one in FlagCode], table.strings(name)
+    for code in found:
+        if code not in known:
+            what = message("There is no '{name}' here.", name=code)
+            table.add(name, what, did_you_mean(code, known))
+    return frozenset(FlagCode(code) for code in found if code in known)
 
 
 def _numbered(table: Table, name: str) -> Mapping[float, float]:
@@ -122,8 +130,10 @@ def _positive(table: Table, name: str) -> Mapping[str, float]:
 
 
 def _constants(table: Table, course: Course) -> Mapping[str, Mapping[float, float]]:
-    outer = table.table("constant") or Table({}, table.file, "constant", table.problems)
     found: dict[str, Mapping[float, float]] = {}
+    outer = table.table("constant")
+    if outer is None:
+        return found
     for name in outer.values:
         if name not in course.constants or course.constants[name].kind is not Kind.CONSTANT:
             what = message("The course has no constant '{name}'.", name=name)

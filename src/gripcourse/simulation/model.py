@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from gripcourse.grading.model import FlagCode
 from gripcourse.simulation.arithmetic import DigitRounding
+from gripcourse.slips.model import SlipId
 
 
 class Conduct(StrEnum):
@@ -89,7 +91,7 @@ class Action:
     Attributes:
         quantity: its id.
         done: what was done.
-        slip: id of the candidate that was computed instead of the formula; empty for none.
+        slip: the candidate that was computed instead of the formula; None for none.
         kind: of that slip.
         twins: ids of the other candidates that give exactly this value with the student's numbers;
             nobody can tell them from the slip.
@@ -100,9 +102,9 @@ class Action:
 
     quantity: str
     done: ActionKind
-    slip: str
+    slip: SlipId | None
     kind: str
-    twins: tuple[str, ...]
+    twins: tuple[SlipId, ...]
     value: float | None
     right: float | None
     typed: float | str | None
@@ -174,5 +176,5 @@ class Mix:
     answers: int
     bands: tuple[float, ...]
     wide: float
-    copying_flags: frozenset[str]
+    copying_flags: frozenset[FlagCode]
     required: Required

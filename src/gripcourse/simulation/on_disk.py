@@ -5,17 +5,16 @@ it is done.
 """
 
 import shutil
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from functools import partial
-from multiprocessing import get_context
+from collections.abc import Callable
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
 from gripcourse.course.model import Course
-from gripcourse.issuing.register import Register, read_register, write_register
-from gripcourse.jobs.packed import pack, unpack
+from gripcourse.issuing.register import Register
+from gripcourse.issuing.register_file import read_register_file, write_register_file
+from gripcourse.jobs.pools import pool_for
+from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.model import Conduct, SimulatedWork
@@ -23,7 +22,8 @@ from gripcourse.simulation.record import read_truth, write_truth
 from gripcourse.simulation.student import Classroom, work_of
 from gripcourse.simulation.write import write_work
 
-_AT_A_TIME = 4  # students that a worker is handed
+# A workbook takes a tenth of a second to fill in; this is for a mistake of ours.
+_SECONDS_PER_STUDENT = 120.0
 
 
 def truth_path(out: Path) -> Path:
@@ -56,17 +56,22 @@ def write_cohort(
         OSError: the folder cannot be written.
     """
     register = Register(room.context.course.id, tuple(room.context.register.values()))
-    write_register(register_of(out), register)
-    works = []
-    for work in _each(room, out, workers):
-        works.append(work)
-        on_done()
+    write_register_file(register_of(out), register)
+    jobs = run_each(
+        _write_one,
+        tuple(room.behaviours),
+        (room, out),
+        workers=workers,
+        seconds=_SECONDS_PER_STUDENT,
+        pool=pool_for(workers),
+    )
+    works = in_order(all_done(jobs), lambda _: on_done())
     for work in works:
         if work.owner != work.student:
             target = submission_path(out, work.student)
             shutil.copyfile(submission_path(out, work.owner), target)
     write_truth(truth_path(out), works)
-    return tuple(works)
+    return works
 
 
 def grade_cohort(
@@ -84,7 +89,7 @@ def grade_cohort(
     Raises:
         GripcourseError: the folder holds no cohort of this course.
     """
-    register = read_register(register_of(out), course.id).by_student()
+    register = read_register_file(register_of(out), course.id).by_student()
     works = read_truth(truth_path(out))
     files = [submission_path(out, work.student) for work in works]
     graded = grade_files(
@@ -95,24 +100,9 @@ def grade_cohort(
     )
 
 
-def _each(room: Classroom, out: Path, workers: int) -> Iterator[SimulatedWork]:
-    students: Sequence[str] = tuple(room.behaviours)
-    if workers == 1:
-        yield from (_write_one(student, room, out) for student in students)
-        return
-    # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
-    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        job = partial(_write_packed, packed=pack(room), out=out)
-        yield from pool.map(job, students, chunksize=_AT_A_TIME)
-
-
-def _write_packed(student: str, packed: bytes, out: Path) -> SimulatedWork:
-    room: Classroom = unpack(packed)
-    return _write_one(student, room, out)
-
-
-def _write_one(student: str, room: Classroom, out: Path) -> SimulatedWork:
+def _write_one(student: str, place: tuple[Classroom, Path]) -> SimulatedWork:
     """Write a student's workbook; one that is only copied is copied when all are there."""
+    room, out = place
     work = work_of(student, room)
     if work.behaviour.conduct is not Conduct.COPIED_WORKBOOK:
         write_work(work, room, submission_path(out, student))

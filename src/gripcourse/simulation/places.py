@@ -17,7 +17,7 @@ from gripcourse.simulation.arithmetic import PI, Hand
 from gripcourse.simulation.behaviour import drawn
 from gripcourse.simulation.calculation import Calculation, by_formula
 from gripcourse.slips.candidates import candidates_of
-from gripcourse.slips.model import DECLARED, Candidate
+from gripcourse.slips.model import DECLARED, Candidate, SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.text.units import factor
@@ -108,7 +108,9 @@ def effect(ground: Ground, name: str, done: Calculation) -> Effect:
     return Effect.HIDDEN if near else Effect.APART
 
 
-def twins_of(ground: Ground, name: str, candidate: Candidate, done: Calculation) -> tuple[str, ...]:
+def twins_of(
+    ground: Ground, name: str, candidate: Candidate, done: Calculation
+) -> tuple[SlipId, ...]:
     """Return the other candidates of a quantity that give the very same value."""
     quantity = ground.plan.quantities[name]
 

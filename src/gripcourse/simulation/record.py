@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.machine.files import write_text
 from gripcourse.simulation.arithmetic import DigitRounding
 from gripcourse.simulation.model import (
@@ -17,6 +17,7 @@ from gripcourse.simulation.model import (
     SimulatedWork,
     Style,
 )
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
 _FORMAT = 1
@@ -25,10 +26,22 @@ _FORMAT = 1
 def write_truth(path: Path, works: Sequence[SimulatedWork]) -> None:
     """Write what was done, a line for each student."""
     lines = (
-        json.dumps({"format": _FORMAT, **asdict(work)}, ensure_ascii=False, allow_nan=False)
+        json.dumps({"format": _FORMAT, **_fields(work)}, ensure_ascii=False, allow_nan=False)
         for work in works
     )
     write_text(path, "".join(f"{line}\n" for line in lines))
+
+
+def _fields(work: SimulatedWork) -> dict[str, object]:
+    actions = [
+        {
+            **asdict(action),
+            "slip": "" if action.slip is None else str(action.slip),
+            "twins": [str(slip) for slip in action.twins],
+        }
+        for action in work.actions
+    ]
+    return {**asdict(work), "actions": actions}
 
 
 def read_truth(path: Path) -> tuple[SimulatedWork, ...]:
@@ -80,11 +93,17 @@ def _behaviour(written: object) -> Behaviour:
 def _action(written: object) -> Action:
     if not isinstance(written, dict):
         raise TypeError(written)
+    slip = written["slip"]
     return Action(
-        **{**written, "done": ActionKind(written["done"]), "twins": tuple(written["twins"])}
+        **{
+            **written,
+            "done": ActionKind(written["done"]),
+            "slip": SlipId.parse(slip) if slip else None,
+            "twins": tuple(SlipId.parse(one) for one in written["twins"]),
+        }
     )
 
 
 def _failure(path: Path, what: Message) -> UsageError:
-    remedy = message("Make the cohort again: gripcourse simulate.")
-    return UsageError([Problem(str(path), "", what, remedy)])
+    remedy = message("Make the cohort again.")
+    return UsageError([Problem(str(path), "", what, remedy, step=NextStep.SIMULATE)])

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array
 from gripcourse.simulation.behaviour import hand_of
@@ -34,7 +34,7 @@ from gripcourse.simulation.places import (
     slip_kinds,
     twins_of,
 )
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.variants.model import Issued
 
 _TAINTING = frozenset({ActionKind.SLIP, ActionKind.ROUNDED_DOWN, ActionKind.COPIED})
@@ -114,7 +114,7 @@ def work_of(student: str, room: Classroom) -> SimulatedWork:
 
 def _seated(student: str, room: Classroom) -> _Student:
     issued = room.context.register[student]
-    plan = make_plan(room.context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(room.context.course, issued.variant.composition)
     behaviour = room.behaviours[student]
     hand = hand_of(behaviour)
     ground = make_ground(plan, room.context.policy, hand, issued.variant.given, room.mix.apart)
@@ -160,10 +160,15 @@ def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation
             computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
             return {str(rng.choice(computed)): Deviation(ActionKind.WRONG_UNIT)} if computed else {}
         case Conduct.ROUNDED_DOWN:
-            sizes = [one.id for one in plan.answered if one.kind is Kind.CHOICE]
+            sizes = [one.id for one in plan.answered if _is_rounded_up(one)]
             return {str(rng.choice(sizes)): Deviation(ActionKind.ROUNDED_DOWN)} if sizes else {}
         case _:
             return {}
+
+
+def _is_rounded_up(quantity: Quantity) -> bool:
+    """Tell whether a size may not be below what is required; to the nearest may go down."""
+    return quantity.choice is not None and quantity.choice.rounding is Rounding.UP
 
 
 def _slips(one: _Student, count: int, rng: np.random.Generator) -> Mapping[str, Deviation]:
@@ -215,12 +220,10 @@ def _action(
         done = ActionKind.FOLLOWS if quantity.id in tainted else ActionKind.RIGHT
         return _told(quantity, done, step, _cell(one, quantity, float(step.typed)))
     candidate = deviation.candidate
-    twins: tuple[str, ...] = ()
-    if candidate is not None:
-        twins = twins_of(one.ground, quantity.id, candidate, drawn.done)
+    twins = () if candidate is None else twins_of(one.ground, quantity.id, candidate, drawn.done)
     return replace(
         _told(quantity, deviation.done, step, _deviating_cell(one, quantity, drawn, rng)),
-        slip=candidate.id if candidate is not None else "",
+        slip=candidate.id if candidate is not None else None,
         kind=candidate.kind if candidate is not None else "",
         twins=twins,
     )
@@ -229,12 +232,12 @@ def _action(
 def _told(
     quantity: Quantity, done: ActionKind, step: WorkedStep, cell: float | str | None
 ) -> Action:
-    return Action(quantity.id, done, "", "", (), _tidy(step.typed), _tidy(step.right), cell)
+    return Action(quantity.id, done, None, "", (), _tidy(step.typed), _tidy(step.right), cell)
 
 
 def _blank(quantity: Quantity, done: Calculation) -> Action:
     right = _tidy(done.steps[quantity.id].right)
-    return Action(quantity.id, ActionKind.BLANK, "", "", (), None, right, None)
+    return Action(quantity.id, ActionKind.BLANK, None, "", (), None, right, None)
 
 
 def _tidy(value: Array) -> float | None:

@@ -6,24 +6,26 @@ difference of large ones, an absolute one is proposed.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
-from multiprocessing import get_context
+from itertools import chain
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity, Tolerance
-from gripcourse.jobs.packed import pack, unpack
+from gripcourse.jobs.pools import pool_for
+from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.bands import tolerance_of
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.honest import hands_of, work_honestly
 from gripcourse.simulation.model import Mix
 from gripcourse.simulation.tally import AnswerTally, tally_of
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.variants.model import Variant
 
 _AT_A_TIME = 256  # variants of one composition
+# So many variants take some seconds; this is for a mistake of ours.
+_SECONDS_PER_GROUP = 600.0
 _STEPS = (1.0, 2.0, 5.0, 10.0)  # of round absolute tolerances
 
 Done: TypeAlias = Callable[[], None]
@@ -87,8 +89,7 @@ class _Desk:
 class _Group:
     """Variants of one composition."""
 
-    scheme: str
-    options: Mapping[str, str]
+    composition: Composition
     variants: Sequence[Variant]
 
 
@@ -133,32 +134,27 @@ def _counted(
     """Yield what was counted of each quantity over all compositions."""
     tallies: dict[str, tuple[Quantity, AnswerTally]] = {}
     groups = list(_groups(variants))
-    for group, counted in zip(groups, _each(context, groups, workers), strict=True):
-        for quantity, tally in counted:
-            before = tallies.get(quantity.id)
-            tallies[quantity.id] = (quantity, tally if before is None else before[1] + tally)
-        for _ in group.variants:
+
+    def tick(number: int) -> None:
+        for _ in groups[number].variants:
             on_done()
+
+    jobs = run_each(
+        _count,
+        groups,
+        context,
+        workers=workers,
+        seconds=_SECONDS_PER_GROUP,
+        pool=pool_for(workers),
+    )
+    for quantity, tally in chain.from_iterable(in_order(all_done(jobs), tick)):
+        before = tallies.get(quantity.id)
+        tallies[quantity.id] = (quantity, tally if before is None else before[1] + tally)
     yield from tallies.values()
 
 
-def _each(
-    context: _Desk, groups: Sequence[_Group], workers: int
-) -> Iterator[list[tuple[Quantity, AnswerTally]]]:
-    if workers == 1:
-        yield from (_count(group, context) for group in groups)
-        return
-    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        yield from pool.map(partial(_count_packed, packed=pack(context)), groups)
-
-
-def _count_packed(group: _Group, packed: bytes) -> list[tuple[Quantity, AnswerTally]]:
-    context: _Desk = unpack(packed)
-    return _count(group, context)
-
-
 def _count(group: _Group, context: _Desk) -> list[tuple[Quantity, AnswerTally]]:
-    plan = make_plan(context.course, group.scheme, group.options)
+    plan = plan_of(context.course, group.composition)
     asked = [
         one
         for one in plan.answered
@@ -173,12 +169,12 @@ def _count(group: _Group, context: _Desk) -> list[tuple[Quantity, AnswerTally]]:
 
 def _groups(variants: Sequence[Variant]) -> Iterator[_Group]:
     """Yield variants of one composition together, not too many at a time."""
-    groups: dict[tuple[str, tuple[tuple[str, str], ...]], list[Variant]] = {}
+    groups: dict[Composition, list[Variant]] = {}
     for one in variants:
-        groups.setdefault((one.scheme, tuple(sorted(one.options.items()))), []).append(one)
-    for (scheme, options), group in groups.items():
+        groups.setdefault(one.composition, []).append(one)
+    for composition, group in groups.items():
         for start in range(0, len(group), _AT_A_TIME):
-            yield _Group(scheme, dict(options), group[start : start + _AT_A_TIME])
+            yield _Group(composition, group[start : start + _AT_A_TIME])
 
 
 def _audited(quantity: Quantity, tally: AnswerTally, policy: Policy, mix: Mix) -> AuditedBand:

@@ -8,7 +8,7 @@ from typing import TypeAlias
 from gripcourse.machine.files import replacing
 from gripcourse.simulation.model import SimulatedWork
 from gripcourse.simulation.student import Classroom
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
 from gripcourse.workbook.names import ANSWER, cell_name
 from gripcourse.workbook.write import answer_workbook
@@ -26,7 +26,7 @@ def write_work(work: SimulatedWork, room: Classroom, target: Path) -> None:
         target: file to write.
     """
     course, issued = room.context.course, room.context.register[work.student]
-    plan = make_plan(course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(course, issued.variant.composition)
     words = Words(issued.student.language or course.language)
     typed = {action.quantity: action.typed for action in work.actions if action.typed is not None}
     fill(io.BytesIO(answer_workbook(plan, issued, course, words)), typed, target)

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator, Mapping
 
+from gripcourse.course.column_symbols import column_symbols
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipPolicy
 from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
-from gripcourse.slips.model import DECLARED, Candidate
+from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import known, unit_text
@@ -34,7 +35,7 @@ def candidates_of(plan: Plan, identifier: str, policy: SlipPolicy) -> tuple[Cand
     if formula is None:
         return ()
     found = [
-        Candidate(slip.id, DECLARED, slip.formula, policy.declared, slip.credit, slip.hint)
+        Candidate(SlipId.declared(slip.id), slip.formula, policy.declared, slip.credit, slip.hint)
         for slip in quantity.slips
     ]
     found = [one for one in found if one.formula.tree != formula.tree]
@@ -54,8 +55,7 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
     new = [one for one in made.values() if one.tree not in taken and _is_known(one, around.formula)]
     for one in reversed(new):
         yield Candidate(
-            id=f"{slip.kind}:{one.detail}",
-            kind=slip.kind,
+            id=SlipId(slip.kind, one.detail),
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,
@@ -92,4 +92,5 @@ def _written(plan: Plan, place: Place, language: str) -> str:
             symbols = {
                 name: symbol_box(plan.quantities[name].symbol.of(language)) for name in names(place)
             }
-            return text(typeset(place, symbols, language))
+            columns = column_symbols(place, None, plan.quantities, language)
+            return text(typeset(place, symbols | columns, language))

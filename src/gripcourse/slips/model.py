@@ -1,12 +1,50 @@
 """What a student may have computed instead of a formula."""
 
 from dataclasses import dataclass
+from typing import Self
 
 from gripcourse.formula.tree import Formula
 from gripcourse.policy.slips import DECLARED
 from gripcourse.text.words import Texts
 
-__all__ = ["DECLARED", "Candidate"]
+__all__ = ["DECLARED", "USED", "Candidate", "SlipId"]
+
+USED = "used"
+"""Kind of the slips where another number than the given or found one was used."""
+
+
+@dataclass(frozen=True, slots=True)
+class SlipId:
+    """A slip, unique within the quantity that it was made in.
+
+    Attributes:
+        kind: of generic slip, `DECLARED`, or `USED`.
+        detail: a declared slip's or an erratum's own id; of a number used wrongly the id of its
+            quantity; else what the kind changed in the formula.
+    """
+
+    kind: str
+    detail: str
+
+    @classmethod
+    def declared(cls, id_: str) -> Self:
+        """Return the slip, or the erratum, that a formula declares under an id."""
+        return cls(DECLARED, id_)
+
+    @classmethod
+    def used(cls, quantity: str) -> Self:
+        """Return the slip of using another number for a quantity."""
+        return cls(USED, quantity)
+
+    @classmethod
+    def parse(cls, written: str) -> Self:
+        """Read what `str` wrote: `kind:detail`, or a declared slip's own id."""
+        kind, colon, detail = written.partition(":")
+        return cls(kind, detail) if colon else cls.declared(written)
+
+    def __str__(self) -> str:
+        """As it stands in files."""
+        return self.detail if self.kind == DECLARED else f"{self.kind}:{self.detail}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,17 +52,20 @@ class Candidate:
     """A wrong method of one quantity.
 
     Attributes:
-        id: unique within the quantity; a declared slip's own, else "kind:detail".
-        kind: of generic slip, or `DECLARED`.
+        id: its name, and of what kind it is.
         formula: what is computed instead, in the same declared unit.
         prior: how common it is, on the scale of the slip policy.
         credit: share of the points for an answer that it explains, 0…1.
         hint: for the student.
     """
 
-    id: str
-    kind: str
+    id: SlipId
     formula: Formula
     prior: float
     credit: float
     hint: Texts
+
+    @property
+    def kind(self) -> str:
+        """Of generic slip, or `DECLARED`."""
+        return self.id.kind

@@ -2,16 +2,26 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from heapq import heappop, heappush
 
 from gripcourse.course.catalogue import columns_of
-from gripcourse.course.compose import compose, direct_inputs, reference_formula
+from gripcourse.course.compose import (
+    compose,
+    default_values,
+    direct_inputs,
+    reference_formula,
+)
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+
+# Of the thousands of compositions of a course those that a batch or a table has; 50 kB each.
+_REMEMBERED = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +52,11 @@ class Plan:
     manual: tuple[Quantity, ...]
     constants: tuple[Quantity, ...]
 
+    @property
+    def composition(self) -> Composition:
+        """What the plan computes."""
+        return Composition.of(self.scheme.id, self.options)
+
     def reference_formula(self, identifier: str) -> Formula | None:
         """Return the formula that gives the reference of a quantity in this plan's convention."""
         return reference_formula(self.quantities[identifier], self.convention)
@@ -53,14 +68,27 @@ def make_plan(
     options: Mapping[str, str],
     convention: Convention | None = None,
 ) -> Plan:
+    """Make the plan of a scheme and options that do not travel together; see `plan_of`."""
+    return plan_of(course, Composition.of(scheme_id, options), convention)
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def plan_of(course: Course, composition: Composition, convention: Convention | None = None) -> Plan:
     """Put a scheme with a variant's options into the order of calculation.
+
+    Args:
+        course: what is declared.
+        composition: the scheme and its options.
+        convention: whose version of a formula is the reference; None for the course's.
 
     Raises:
         UsageError: for an unknown scheme, an option that is missing or unknown, or a convention
             that the course does not have.
     """
-    scheme = _scheme(course, scheme_id)
-    _check_options(scheme, options)
+    scheme = _scheme(course, composition.scheme)
+    chosen = composition.options
+    _check_options(scheme, chosen)
+    options = {option.id: chosen[option.id] for option in scheme.options}
     convention = convention or course.convention
     _check_convention(course, convention)
     declared = compose(course, scheme, options)
@@ -93,6 +121,23 @@ def default_options(scheme: Scheme) -> dict[str, str]:
     if scheme.example is not None:
         return dict(scheme.example.options)
     return {option.id: option.choices[0].id for option in scheme.options}
+
+
+def usual_values(plan: Plan) -> dict[str, float]:
+    """Return givens and constants as the worked example has them, else the defaults of givens.
+
+    Args:
+        plan: of any options; what the example says of others' quantities is left out.
+
+    Returns:
+        Values in declared units; of constants only those that the example changes.
+    """
+    example = plan.scheme.example
+    stated = {} if example is None else example.given
+    inputs = {one.id for one in (*plan.givens, *plan.constants)}
+    return default_values(plan.givens) | {
+        name: value for name, value in stated.items() if name in inputs
+    }
 
 
 def _scheme(course: Course, scheme_id: str) -> Scheme:

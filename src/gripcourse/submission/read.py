@@ -6,14 +6,15 @@ Only named cells are read: the size that a sheet claims to have is never walked 
 import hashlib
 import io
 import re
-import warnings
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import redirect_stdout
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
+from gripcourse.machine.process_wide import without_warnings
 from gripcourse.submission.model import Identity, Rejected
 from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -70,11 +71,11 @@ class _Place:
     row: int
 
 
-def read_workbook(path: Path) -> RawWorkbook | Rejected:
+def read_workbook(source: Readable) -> RawWorkbook | Rejected:
     """Read the named cells of a workbook.
 
     Args:
-        path: a file of any content.
+        source: a file of any content, or its bytes.
 
     Returns:
         The cells, or why the file cannot be used. Whatever the content is, nothing is raised.
@@ -82,22 +83,22 @@ def read_workbook(path: Path) -> RawWorkbook | Rejected:
     Raises:
         OSError: there is no such file, or it may not be read.
     """
-    data = path.read_bytes()
+    data, file = content_of(source), shown_name(source)
     digest = hashlib.sha256(data).hexdigest()
-    reason = refusal(path.name, data)
+    reason = refusal(pure_path(source).name, data)
     if reason is not None:
-        return Rejected(str(path), digest, reason)
+        return Rejected(file, digest, reason)
     book = _load(data)
     if isinstance(book, Message):
-        return Rejected(str(path), digest, book)
+        return Rejected(file, digest, book)
     places = _places(book)
     answers = _cells(book, places, names.ANSWER)
     if not answers:
-        return Rejected(str(path), digest, _FOREIGN)
+        return Rejected(file, digest, _FOREIGN)
     computed = formulas(data)
     identity, remarks = _identity(book, places)
     return RawWorkbook(
-        file=str(path),
+        file=file,
         digest=digest,
         identity=identity,
         creator=book.properties.lastModifiedBy or book.properties.creator or "",
@@ -125,8 +126,9 @@ def _opened(data: bytes) -> "Workbook":
     # A fifth of a second to import: only those who read a workbook pay for it.
     from openpyxl import load_workbook  # noqa: PLC0415
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of features that are lost on saving: nothing is saved
+    # The library prints of styles that are not there: into our output, if it may. It warns of
+    # features that are lost on saving: nothing is saved.
+    with without_warnings(), redirect_stdout(io.StringIO()):
         return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
 
 

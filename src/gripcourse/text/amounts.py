@@ -2,6 +2,7 @@
 
 from datetime import date
 
+from gripcourse.text.conventions import is_english
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words
 
@@ -17,7 +18,7 @@ def points_text(value: float, words: Words) -> str:
 
 def percent_text(share: float, words: Words) -> str:
     """Write a share of one as a percentage: `12.5%`, `12,5 %`."""
-    space = "" if words.language == "en" else NO_BREAK_SPACE
+    space = "" if is_english(words.language) else NO_BREAK_SPACE
     return f"{words.number(round(100 * share, 1), 5)}{space}%"
 
 

@@ -6,6 +6,8 @@ How people's numbers are read back is in `number_reading`.
 import math
 from decimal import Decimal
 
+from gripcourse.text.conventions import decimal_sign, is_english
+
 _MINUS = "\u2212"
 _NARROW_SPACE = "\u202f"
 _GROUPED_FROM = 5  # digits before the decimal sign: 1234, but 12 345
@@ -41,9 +43,9 @@ def format_number(value: float, language: str, figures: int = 5) -> str:
 
 def _plain(size: Decimal, language: str) -> str:
     """Write a number that is not negative without a power of ten."""
-    decimal_sign, group_sign = (".", ",") if language == "en" else (",", _NARROW_SPACE)
+    group_sign = "," if is_english(language) else _NARROW_SPACE
     whole, _, decimals = f"{size:f}".partition(".")
     decimals = decimals.rstrip("0")
     if len(whole) >= _GROUPED_FROM:
         whole = f"{int(whole):,}".replace(",", group_sign)
-    return f"{whole}{decimal_sign}{decimals}" if decimals else whole
+    return f"{whole}{decimal_sign(language)}{decimals}" if decimals else whole

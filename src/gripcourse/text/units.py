@@ -1,12 +1,14 @@
 """Units: their dimension, their size, and how people write them.
 
-A unit is spelled as `pint` spells it: names of `units.csv` joined by `*`, `/` and `**`, for example
-`mm`, `N*m`, `m/s**2`; the empty text is a plain number. A new unit is a row of `units.csv`.
+A unit is spelled by names of `units.csv` joined by `*`, `/` and `**`, for example `mm`, `N*m`,
+`m/s**2`; the empty text is a plain number. A new unit is a row of `units.csv`, which holds its size
+and what it is made of in SI.
 
 Angles are plain numbers whose SI unit is the radian.
 """
 
 import csv
+import math
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
@@ -14,16 +16,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any, Final
+from typing import Final
 
 from gripcourse.text.words import LANGUAGES
 
-if TYPE_CHECKING:
-    from pint import UnitRegistry
-
 
 class UnitError(ValueError):
-    """A unit that is not in the table, or that cannot be multiplied, for example °C."""
+    """A unit that is not in the table."""
 
     def __init__(self, unit: str) -> None:
         self.unit = unit
@@ -63,9 +62,21 @@ PLAIN: Final = Dimension()
 
 @dataclass(frozen=True, slots=True)
 class _Row:
-    """A row of the table: our spelling, one text per language, other accepted spellings."""
+    """A row of the table.
+
+    Attributes:
+        unit: our spelling.
+        size: in the unit that `si` names, without pi.
+        pi: how many times pi is a factor of its size.
+        si: what it is made of: base units joined like any unit.
+        texts: how it is written in each language.
+        also: other accepted spellings.
+    """
 
     unit: str
+    size: Fraction
+    pi: int
+    si: str
     texts: Mapping[str, str]
     also: tuple[str, ...]
 
@@ -78,8 +89,9 @@ class _Part:
     power: int
 
 
-_OUR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()]+|1(?![\d*]))(?:\*\*(-?\d+))?")
-_THEIR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()^-]+|1(?![\d^-]))(?:\^?(-?\d+))?")
+# A power has two digits at most: more is no unit, and a number with a million digits is no power.
+_OUR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()]+|1(?![\d*]))(?:\*\*(-?\d{1,2}))?(?!\d)")
+_THEIR_FACTOR: Final = re.compile(r"([*/])([^\s*/\d()^-]+|1(?![\d^-]))(?:\^?(-?\d{1,2}))?(?!\d)")
 _BASE_UNITS: Final = {
     "mass": "kg",
     "length": "m",
@@ -107,7 +119,7 @@ def factor(unit: str) -> float:
     """Return the size of a unit in SI: a value in `unit` times the factor is in SI.
 
     Raises:
-        UnitError: the unit is unknown or affine.
+        UnitError: the unit is unknown.
     """
     return _size(unit)[0]
 
@@ -117,7 +129,7 @@ def dimension(unit: str) -> Dimension:
     """Return what a unit measures.
 
     Raises:
-        UnitError: the unit is unknown or affine.
+        UnitError: the unit is unknown.
     """
     return _size(unit)[1]
 
@@ -172,26 +184,29 @@ def _dimension(exponents: Mapping[str, Fraction]) -> Dimension:
     return Dimension(tuple(sorted((base, power) for base, power in exponents.items() if power)))
 
 
-@lru_cache(maxsize=1)
-def _registry() -> "UnitRegistry[Any]":
-    # A third of a second to import: only those who ask for a size or a dimension pay for it.
-    import pint  # noqa: PLC0415
-
-    return pint.UnitRegistry()
-
-
 def _size(unit: str) -> tuple[float, Dimension]:
-    """Ask the registry for a unit's size in SI and its dimension."""
+    """Multiply the sizes of a unit's factors, and what they are made of."""
     if unit == "":
         return 1.0, PLAIN
-    if not known(unit):
+    parts = _split(unit, _OUR_FACTOR)
+    if unit in _table():
+        parts = (_Part(unit, 1),)
+    if parts is None or not known(unit):
         raise UnitError(unit)
-    registry = _registry()
-    if registry.Quantity(0.0, unit).to_base_units().magnitude != 0.0:
-        raise UnitError(unit)  # a scale with its own zero cannot be multiplied
-    one = registry.Quantity(1.0, unit).to_base_units()
-    exponents = {str(base).strip("[]"): Fraction(str(p)) for base, p in one.dimensionality.items()}
-    return float(one.magnitude), _dimension(exponents)
+    size, pi, measured = Fraction(1), 0, PLAIN
+    for part in parts:
+        if part.name != "1":
+            row = _table()[part.name]
+            size *= row.size**part.power
+            pi += row.pi * part.power
+            measured *= _made_of(row) ** Fraction(part.power)
+    return float(size) * math.pi**pi, measured
+
+
+def _made_of(row: _Row) -> Dimension:
+    parts = _split(row.si, _OUR_FACTOR) or ()
+    bases = {name: base for base, name in _BASE_UNITS.items()}
+    return _dimension({bases[p.name]: Fraction(p.power) for p in parts if p.name != "1"})
 
 
 @lru_cache(maxsize=1)
@@ -199,7 +214,14 @@ def _table() -> Mapping[str, _Row]:
     """Read `units.csv`: rows by our spelling, in the order of the file."""
     text = (files("gripcourse") / "text" / "units.csv").read_text(encoding="utf-8")
     rows = [
-        _Row(row["unit"], {name: row[name] for name in LANGUAGES}, tuple(row["also"].split()))
+        _Row(
+            unit=row["unit"],
+            size=Fraction(row["size"].replace("pi/", "1/")),
+            pi=row["size"].count("pi"),
+            si=row["si"],
+            texts={name: row[name] for name in LANGUAGES},
+            also=tuple(row["also"].split()),
+        )
         for row in csv.DictReader(text.splitlines())
     ]
     return {row.unit: row for row in rows}

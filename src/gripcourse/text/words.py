@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from gripcourse.text.conventions import is_english
 from gripcourse.text.number_text import format_number
 from gripcourse.text.shown import shown
 from gripcourse.text.translations import catalogue_file, read_translations
@@ -86,6 +87,6 @@ class Words:
 @lru_cache(maxsize=len(LANGUAGES))
 def _catalogue(language: str) -> gettext.NullTranslations:
     """Read `locale/<language>.po`; English is the language of the keys and has no catalogue."""
-    if language == "en":
+    if is_english(language):
         return gettext.NullTranslations()
     return read_translations(catalogue_file(language), language).catalogue

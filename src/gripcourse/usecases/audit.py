@@ -7,6 +7,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.exports.audit_tables import audit_tables
+from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
@@ -21,17 +22,19 @@ CERTIFICATE = "certificate.pdf"
 class WrittenAudit:
     """What was found out about a table, and where it was written."""
 
-    table: Path
+    table: str
     audit: VariantAudit
     written: tuple[Path, ...]
 
 
-def audit_table(course: Course, table: Path, out: Path, words: Words, today: date) -> WrittenAudit:
-    """VariantAudit a table and write the certificate and its numbers into a folder.
+def audit_table(
+    course: Course, table: Readable, out: Path, words: Words, today: date
+) -> WrittenAudit:
+    """Audit a table and write the certificate and its numbers into a folder.
 
     Args:
         course: whose variants they are.
-        table: CSV or spreadsheet.
+        table: CSV or spreadsheet, a file or its bytes.
         out: folder to write to.
         words: the language of the certificate.
         today: the day that it bears.
@@ -47,7 +50,8 @@ def audit_table(course: Course, table: Path, out: Path, words: Words, today: dat
 
     policy = load_policy(course)
     found = audit(course, policy, read_table(table, course), load_spaces(course))
-    source = CertificateSource(table.name, hashlib.sha256(table.read_bytes()).hexdigest())
+    digest = hashlib.sha256(content_of(table)).hexdigest()
+    source = CertificateSource(pure_path(table).name, digest)
     sections = [section.id for section in course.sections]
     files = {
         name: text.encode("utf-8-sig")
@@ -56,4 +60,4 @@ def audit_table(course: Course, table: Path, out: Path, words: Words, today: dat
     files[CERTIFICATE] = certificate(found, source, course, policy, words, today)
     for name, content in files.items():
         write_bytes(out / name, content)
-    return WrittenAudit(table, found, tuple(out / name for name in files))
+    return WrittenAudit(shown_name(table), found, tuple(out / name for name in files))

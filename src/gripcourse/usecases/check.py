@@ -1,11 +1,11 @@
 """A student's self-check of one workbook."""
 
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.grading.self_check import AnswerCheck, self_check
+from gripcourse.machine.content import Readable, is_there, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.interpret import interpret
@@ -23,15 +23,21 @@ class CheckedWorkbook:
     remarks: tuple[Message, ...]
 
 
-def check_file(file: Path, course: Course, policy: Policy) -> CheckedWorkbook:
-    """AnswerCheck a workbook against itself.
+def check_file(source: Readable, course: Course, policy: Policy) -> CheckedWorkbook:
+    """Check a workbook against itself.
+
+    Args:
+        source: a file, or its bytes.
+        course: whose workbook it is.
+        policy: for the bands.
 
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
     """
-    if not file.is_file():
+    file = shown_name(source)
+    if not is_there(source):
         raise _refusal(file, message("There is no such file."), message("Name a workbook."))
-    raw = read_workbook(file)
+    raw = read_workbook(source)
     if isinstance(raw, Rejected):
         raise _refusal(
             file, raw.reason, message("Hand in the answer workbook that you were given.")
@@ -45,11 +51,11 @@ def check_file(file: Path, course: Course, policy: Policy) -> CheckedWorkbook:
     try:
         plan = make_plan(course, raw.identity.scheme, raw.identity.options)
     except UsageError as error:
-        named = [replace(problem, file=str(file)) for problem in error.problems]
+        named = [replace(problem, file=file) for problem in error.problems]
         raise UsageError(named) from error
     submission = interpret(raw, plan.quantities.values())
     return CheckedWorkbook(plan, self_check(submission, plan, policy), submission.remarks)
 
 
-def _refusal(file: Path, what: Message, remedy: Message) -> UsageError:
-    return UsageError([Problem(str(file), "", what, remedy)])
+def _refusal(file: str, what: Message, remedy: Message) -> UsageError:
+    return UsageError([Problem(file, "", what, remedy)])

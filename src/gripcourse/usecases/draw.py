@@ -3,9 +3,8 @@
 from pathlib import Path
 
 from gripcourse.drawing.paper.document import dxf_bytes
-from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import variant_block
-from gripcourse.drawing.view.general_view import general_view
+from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Words, message
@@ -31,10 +30,8 @@ def write_general_view(solved: Solved, out: Path, student: str, words: Words) ->
         raise UsageError([Problem("", "", what, remedy)])
     block = variant_block(solved.plan, solved.variant.id, student, words)
     drawn = general_view(solved.plan, scheme.view, solved.values, block, words)
-    sheet = drawn.arranged.sheet
     stem = f"{solved.variant.id}-general-view"
     paths = [out / f"{stem}.dxf", out / f"{stem}.svg"]
     write_bytes(paths[0], dxf_bytes(drawn.document))
-    title = f"{block.document}: {block.title}, {block.designation}"
-    write_text(paths[1], svg_text(drawn.document, sheet.width, sheet.height, title))
+    write_text(paths[1], sheet_svg(drawn, block)[0])
     return paths

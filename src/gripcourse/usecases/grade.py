@@ -10,8 +10,10 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.grades import grades_csv
-from gripcourse.grading.model import Decision, Flag, Report
+from gripcourse.exports.report_result import grades_result
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.student_reports import (
@@ -71,9 +73,12 @@ def find_files(paths: Iterable[Path]) -> list[Path]:
 
 
 def grade(
-    files: Sequence[Path], context: GradingContext, workers: int, on_done: Callable[[Path], None]
+    files: Sequence[Readable],
+    context: GradingContext,
+    workers: int,
+    on_done: Callable[[Readable], None],
 ) -> tuple[Graded, ...]:
-    """Grade files; see `cohort.run.grade_files`."""
+    """Grade files; see `batch.run.grade_files`."""
     return grade_files(files, context, min(workers, len(files)), on_done)
 
 
@@ -107,7 +112,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, context, out, graded_on)
+    failed = write_grades(reports, context, out, graded_on, workers)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -121,7 +126,11 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
 
 
 def write_grades(
-    reports: Sequence[Report], context: GradingContext, out: Path, graded_on: date
+    reports: Sequence[Report],
+    context: GradingContext,
+    out: Path,
+    graded_on: date,
+    workers: int = 1,
 ) -> Lost | None:
     """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
 
@@ -133,7 +142,7 @@ def write_grades(
     write_text(out / GRADES_JSON, json_text(reports, Words(context.course.language)))
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
-        cohort_pdf, [tuple(reports)], printing, workers=1, seconds=printing.seconds
+        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
     )
     if isinstance(pdf, Lost):
         # An earlier one would say something else than the grades.
@@ -144,60 +153,9 @@ def write_grades(
 
 
 def json_text(reports: Sequence[Report], words: Words) -> str:
-    """Return the reports as JSON, one object per file."""
-    return json.dumps([report_json(one, words) for one in reports], ensure_ascii=False, indent=1)
-
-
-def report_json(report: Report, words: Words) -> dict[str, object]:
-    """Return one report as plain values; values are in declared units, None where there is none."""
-    return {
-        "file": report.file,
-        "student": report.student,
-        "variant": report.variant,
-        "scheme": report.scheme,
-        "judged": report.judged,
-        "score": report.score if report.judged else None,
-        "max_score": report.max_score if report.judged else None,
-        "open_points": report.open_points,
-        "flags": [flag.code for flag in report.flags],
-        "flag_messages": [words.say(flag.message) for flag in report.flags],
-        "remarks": [words.say(remark) for remark in report.remarks],
-        "findings": [
-            {
-                "quantity": finding.quantity,
-                "section": finding.section,
-                "outcome": finding.outcome.value,
-                "against": finding.against.value,
-                "given": finding.given,
-                "typed": finding.typed,
-                "cell": finding.cell,
-                "reference": finding.reference,
-                "expected": finding.expected,
-                "band": finding.band,
-                "points": finding.points,
-                "max_points": finding.max_points,
-                "slip": finding.slip,
-                "message": words.say(finding.message),
-                "remarks": [words.say(remark) for remark in finding.remarks],
-                "decision": _decision_json(finding.decision),
-            }
-            for finding in report.findings
-        ],
-    }
-
-
-def _decision_json(decision: Decision | None) -> dict[str, object] | None:
-    if decision is None:
-        return None
-    return {
-        "automatic": decision.automatic.value,
-        "credit": decision.credit,
-        "lines": dict(decision.lines),
-        "marker": decision.marker,
-        "decided_at": decision.decided_at.isoformat(),
-        "comment": decision.comment,
-        "outdated": decision.outdated,
-    }
+    """Return the reports as JSON; see `exports.report_result.GradesResult`."""
+    plain = grades_result(reports, words).to_dict()
+    return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
 
 
 def _told(lost: Lost, of: str) -> str:
@@ -212,7 +170,7 @@ def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
         number=incident_number(outcome.trace),
         reason=outcome.reason,
     )
-    return replace(report, flags=(*report.flags, Flag("report_incident", said)))
+    return replace(report, flags=(*report.flags, Flag(FlagCode.REPORT_INCIDENT, said)))
 
 
 def _is_workbook(path: Path) -> bool:

@@ -1,11 +1,12 @@
 """Writing what students get: a folder each, with the assignment sheet and the answer workbook."""
 
 import logging
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.documents.assignment_sheet import assignment_sheet
 from gripcourse.errors import GripcourseError, Problem
@@ -17,7 +18,7 @@ from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.model import Issued
 from gripcourse.workbook.write import write_answer_workbook
 
-PlanFactory: TypeAlias = Callable[[str, Mapping[str, str]], Plan]
+PlanFactory: TypeAlias = Callable[[Composition], Plan]
 """Makes the plan of a scheme with its options; it may remember what it made."""
 
 Progress: TypeAlias = Callable[["Handout"], None]
@@ -47,7 +48,7 @@ class IssuingContext:
 
     Attributes:
         course, policy: printed in the documents.
-        plan: of a scheme with its options.
+        plan: of a composition.
         out: the folder with one folder per student.
     """
 
@@ -97,7 +98,7 @@ def issue_one(context: IssuingContext, entry: Issued) -> Handout:
     student = entry.student.id
     words = Words(entry.student.language or context.course.language)
     try:
-        plan = context.plan(entry.variant.scheme, entry.variant.options)
+        plan = context.plan(entry.variant.composition)
         reasons = why_infeasible(plan, entry.variant.given)
     except Exception as fault:  # noqa: BLE001 - one student's fault must not stop the others
         return Handout(student, (), (_fault(student, context.out / student, fault),))

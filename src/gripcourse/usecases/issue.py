@@ -11,13 +11,14 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
-from gripcourse.issuing.register import read_register, register_path, write_register
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
-from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.jobs.workers import Lost, in_order, run_each
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
 from gripcourse.policy.model import Policy
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.handout import (
     Handout,
@@ -43,14 +44,14 @@ class Order:
     """What is to be issued.
 
     Attributes:
-        roster, table: files.
+        roster, table: files, or their bytes.
         out: folder to write the students' folders to.
         today: day of the issue.
         deadline: last day for handing in, None for none.
     """
 
-    roster: Path
-    table: Path
+    roster: Readable
+    table: Readable
     out: Path
     today: date
     deadline: date | None
@@ -83,7 +84,7 @@ def issue_order(
         course: its folder holds the key and the register.
         policy: printed in the documents.
         order: what to issue.
-        workers: how many processes lay out documents.
+        workers: how many processes lay out documents; 0 for none but this one.
         on_done: called with each student's id.
         issue_one: writes one student's documents.
 
@@ -93,17 +94,19 @@ def issue_order(
     """
     students = read_roster(order.roster)
     variants = read_table(order.table, course)
-    before = read_register(register_path(course.root), course.id)
+    before = read_register(course.root, course.id)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
-    key = known or secrets.token_bytes(KEY_BYTES)
-    extended = extend(before, students, variants, Terms(key, order.today, order.deadline))
+    terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
     if known is None:
-        make_key(place, key)
-    write_register(register_path(course.root), extended.register)
+        extend(before, students, variants, terms)  # what is refused makes no key
+        make_key(place, terms.key)
+    extended = extend_register(
+        course.root, course.id, lambda register: extend(register, students, variants, terms)
+    )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
-    context = IssuingContext(course, policy, partial(make_plan, course), order.out)
+    context = IssuingContext(course, policy, partial(plan_of, course), order.out)
     notes = (*(_key_notes(course) if known is None else ()), *extended.notes)
     return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
 
@@ -124,14 +127,18 @@ def _write(
     on_done: Callable[[str], None],
     issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
-    done: dict[int, Handout] = {}
     shared = (issue_one, context)
     jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
-    for number, handout in jobs:
-        entry = entries[number]
-        done[number] = _lost(context, entry, handout) if isinstance(handout, Lost) else handout
-        on_done(entry.student.id)
-    return tuple(done[number] for number in range(len(entries)))
+
+    def written(number: int) -> None:
+        _log.info("documents of %s: done", entries[number].student.id)
+        on_done(entries[number].student.id)
+
+    done = in_order(jobs, written)
+    return tuple(
+        _lost(context, entry, handout) if isinstance(handout, Lost) else handout
+        for entry, handout in zip(entries, done, strict=True)
+    )
 
 
 def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:

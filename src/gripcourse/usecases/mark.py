@@ -1,23 +1,22 @@
 """Marks of persons: entering one, a whole table, and showing what waits."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
-from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.errors import GradebookError, Problem, UsageError
+from gripcourse.database.home import exists
+from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_judged, latest_marks
-from gripcourse.gradebook.opening import exists
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
+from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric import Rubric
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
-from gripcourse.variants.cells import exact_number
 from gripcourse.variants.sheet import cell_place
 
 
@@ -57,8 +56,8 @@ def existing_gradebook(place: str) -> Gradebook:
     """
     if not exists(place):
         what = message("There is no gradebook here yet.")
-        remedy = message("Grade first: gripcourse grade; or name it with --gradebook.")
-        raise GradebookError([Problem(place, "", what, remedy)])
+        remedy = message("Grade first, or name another place.")
+        raise GradebookError([Problem(place, "", what, remedy, step=NextStep.GRADE)])
     return open_gradebook(place)
 
 
@@ -70,28 +69,6 @@ def what_waits(place: str) -> tuple[Waiting, ...]:
     """
     book = existing_gradebook(place)
     return waiting(book.attempts(), book.entries())
-
-
-def read_lines(written: Iterable[str]) -> dict[str, float]:
-    """Read `id=share` texts of the command line.
-
-    Raises:
-        UsageError: with all that cannot be read.
-    """
-    lines: dict[str, float] = {}
-    problems: list[Problem] = []
-    for one in written:
-        typed, _, share = one.partition("=")
-        name, value = typed.strip(), exact_number(share.strip(), decimal_comma=True)
-        if value is None or not name or name in lines:
-            what = message("'{text}' is no line with its share.", text=one)
-            remedy = message("Write each line once, for example --line sizes=0.5.")
-            problems.append(Problem("", "--line", what, remedy))
-            continue
-        lines[name] = value
-    if problems:
-        raise UsageError(problems)
-    return lines
 
 
 def enter_mark(
@@ -107,13 +84,14 @@ def enter_mark(
     marks, faults = _marks([draft], context, book, marker, now)
     if faults:
         raise UsageError(
-            Problem("", _option(fault.field), fault.what, fault.remedy) for _, fault in faults
+            Problem("", "", fault.what, fault.remedy, parameter=_parameter(fault), step=fault.step)
+            for _, fault in faults
         )
     return _kept(marks, book)
 
 
 def enter_table(
-    path: Path, context: GradingContext, place: str, marker: str, now: datetime
+    source: Readable, context: GradingContext, place: str, marker: str, now: datetime
 ) -> Marking:
     """Enter a table of marks, whole or not at all.
 
@@ -124,7 +102,7 @@ def enter_table(
     """
     book = existing_gradebook(place)
     lines = {line for rubric in context.policy.rubrics.values() for line in rubric.by_id}
-    table = read_marks(path, lines)
+    table = read_marks(source, lines)
     marks, faults = _marks([one.draft for one in table.rows], context, book, marker, now)
     if faults:
         raise UsageError(
@@ -133,6 +111,7 @@ def enter_table(
                 cell_place(table.rows[number].row, fault.field.removeprefix("line:")),
                 fault.what,
                 fault.remedy,
+                step=fault.step,
             )
             for number, fault in faults
         )
@@ -182,7 +161,7 @@ def _rubrics(
     issued = context.register.get(student)
     if attempt is None or issued is None:
         return {}
-    plan = make_plan(context.course, issued.variant.scheme, issued.variant.options)
+    plan = plan_of(context.course, issued.variant.composition)
     return {one.id: context.policy.rubrics[one.rubric] for one in plan.manual}
 
 
@@ -198,8 +177,6 @@ def _kept(marks: Sequence[Mark], book: Gradebook, empty: int = 0) -> Marking:
     return Marking(items, unchanged=len(marks) - len(fresh), empty=empty)
 
 
-def _option(field: str) -> str:
-    """Name what the command line calls a field of a draft."""
-    if field in {"student", "quantity"}:
-        return field.upper()
-    return f"--{field.partition(':')[0]}"
+def _parameter(fault: EntryFault) -> str:
+    """Name the field of a draft; a fault names a line of a rubric behind a colon."""
+    return "lines" if fault.field.startswith("line:") else fault.field

@@ -4,8 +4,10 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.course.model import Course
+from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
 
 
 def open_grading(root: Path) -> GradingContext:
@@ -16,5 +18,14 @@ def open_grading(root: Path) -> GradingContext:
         RegisterError: the register cannot be used.
     """
     course = load_course(root)
-    register = read_register(register_path(course.root), course.id).by_student()
-    return GradingContext(course, load_policy(course), register)
+    return grading_of(course, load_policy(course))
+
+
+def grading_of(course: Course, policy: Policy) -> GradingContext:
+    """Read the register of a loaded course.
+
+    Raises:
+        RegisterError: the register cannot be used.
+    """
+    register = read_register(course.root, course.id).by_student()
+    return GradingContext(course, policy, register)

@@ -1,15 +1,14 @@
 """Solving one variant: from a table, or from a scheme with values set by hand."""
 
-import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity
-from gripcourse.errors import Problem, UsageError
+from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.machine.files import replacing, write_bytes
-from gripcourse.solver.plan import Plan, default_options, make_plan
+from gripcourse.solver.plan import Plan, default_options, make_plan, plan_of, usual_values
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_reading import Unreadable, read_number
 from gripcourse.text.suggestion import did_you_mean
@@ -49,62 +48,46 @@ def solve_from_table(
         what = message("The table has no variant '{variant}'.", variant=identifier)
         raise UsageError([Problem("", "", what, did_you_mean(identifier, by_id))])
     variant = by_id[identifier]
-    plan = make_plan(course, variant.scheme, variant.options, convention)
+    plan = plan_of(course, variant.composition, convention)
     return _solved(plan, variant, variant.given)
 
 
 def solve_scheme(
     course: Course,
     scheme_id: str,
-    settings: Iterable[str],
-    options: Iterable[str],
+    given: Mapping[str, float | str],
+    options: Mapping[str, str],
     convention: Convention | None,
 ) -> Solved:
-    """Solve a scheme with values set by hand; a given that is not set takes the worked example's.
+    """Solve a scheme with values set by hand.
+
+    What is not set, a constant too, is the worked example's; else a given takes its default.
 
     Args:
         course: where the scheme is.
         scheme_id: its id.
-        settings: `name=value` in declared units; a given, a constant, or a value to assume instead
-            of computing it.
-        options: `name=choice`.
+        given: in declared units, or as people type them; of a given, a constant, or a value to
+            assume instead of computing it.
+        options: what is chosen; the first choice of an option that is not named.
         convention: None for the course's.
 
     Raises:
         UsageError: for an unknown scheme, option or name, or a value that cannot be used.
     """
-    chosen = dict(_split(one) for one in options)
     scheme = course.schemes.get(scheme_id)
     defaults = default_options(scheme) if scheme is not None else {}
-    plan = make_plan(course, scheme_id, {**defaults, **chosen}, convention)
-    known = _example_values(plan) | _settings(plan, settings)
+    plan = make_plan(course, scheme_id, {**defaults, **options}, convention)
+    known = usual_values(plan) | _values(plan, given)
     kinds = {Kind.GIVEN, Kind.CONSTANT}
-    given = {name: value for name, value in known.items() if plan.quantities[name].kind in kinds}
+    taken = {name: value for name, value in known.items() if plan.quantities[name].kind in kinds}
     missing = [one.id for one in plan.givens if one.id not in known]
     if missing:
         what = message("These values are not set: {names}.", names=", ".join(missing))
-        raise UsageError([Problem("", "--set", what, message("Set them with --set name=value."))])
-    solved = _solved(plan, Variant("", plan.scheme.id, plan.options, given), known)
-    return replace(solved, assumed=tuple(name for name in known if name not in given))
-
-
-def solution_json(solved: Solved) -> str:
-    """Return the solution as JSON: scheme, convention, and every value with what it is."""
-    plan = solved.plan
-    values = {
-        name: {
-            "value": _finite(solved.values[name]),
-            "unit": quantity.unit,
-            "symbol": quantity.symbol.of(plan.course.language),
-            "kind": quantity.kind.value,
-            "section": quantity.section,
-            "source": _source(quantity),
-        }
-        for name, quantity in plan.quantities.items()
-        if quantity.kind is not Kind.MANUAL
-    }
-    content = {"scheme": plan.scheme.id, "convention": plan.convention.value, "values": values}
-    return json.dumps(content, ensure_ascii=False, indent=1)
+        remedy = message("Give each of them a value.")
+        step = NextStep.SET_VALUES
+        raise UsageError([Problem("", "", what, remedy, parameter="given", step=step)])
+    solved = _solved(plan, Variant("", plan.scheme.id, plan.options, taken), known)
+    return replace(solved, assumed=tuple(name for name in known if name not in taken))
 
 
 def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
@@ -126,7 +109,7 @@ def write_key(solved: Solved, out: Path | None, words: Words) -> Path:
     if solved.assumed:
         what = message("The key computes {names} itself.", names=", ".join(solved.assumed))
         remedy = message("Set only given values and constants.")
-        raise UsageError([Problem("", "--set", what, remedy)])
+        raise UsageError([Problem("", "", what, remedy, parameter="given")])
     from gripcourse.workbook.key import write_key_workbook  # noqa: PLC0415 (only for this)
 
     path = out or Path(f"key_{_name(solved)}.xlsx")
@@ -184,28 +167,21 @@ def _without_value(plan: Plan, values: Mapping[str, float]) -> Iterable[Problem]
             )
 
 
-def _example_values(plan: Plan) -> dict[str, float]:
-    example = plan.scheme.example
-    if example is None:
-        return {}
-    givens = {one.id for one in plan.givens}
-    return {name: value for name, value in example.given.items() if name in givens}
-
-
-def _settings(plan: Plan, settings: Iterable[str]) -> dict[str, float]:
+def _values(plan: Plan, given: Mapping[str, float | str]) -> dict[str, float]:
     values: dict[str, float] = {}
     problems: list[Problem] = []
     settable = {n: q for n, q in plan.quantities.items() if q.kind is not Kind.MANUAL}
-    for setting in settings:
-        name, text = _split(setting)
-        read = read_number(text)
+    for name, written in given.items():
+        read = read_number(written) if isinstance(written, str) else written
         if name not in settable:
             what = message("The scheme has no quantity '{name}'.", name=name)
-            problems.append(_setting_problem(setting, what, did_you_mean(name, settable)))
+            problems.append(_unusable(name, what, did_you_mean(name, settable)))
+        elif isinstance(read, int | float):
+            values[name] = float(read)
         elif isinstance(read, Unreadable) or read.unit:
-            what = message("'{text}' is not a number.", text=text)
+            what = message("'{text}' is not a number.", text=str(written))
             remedy = message("Write a plain number in {unit}.", unit=_unit(settable[name]))
-            problems.append(_setting_problem(setting, what, remedy))
+            problems.append(_unusable(name, what, remedy))
         else:
             values[name] = read.value
     if problems:
@@ -213,27 +189,9 @@ def _settings(plan: Plan, settings: Iterable[str]) -> dict[str, float]:
     return values
 
 
-def _split(setting: str) -> tuple[str, str]:
-    name, equals, text = setting.partition("=")
-    if not equals:
-        what = message("'{setting}' has no equals sign.", setting=setting)
-        raise UsageError([_setting_problem(setting, what, message("Write name=value."))])
-    return name.strip(), text.strip()
-
-
 def _unit(quantity: Quantity) -> Texts:
     return Texts({one: unit_text(quantity.unit, one) or "—" for one in LANGUAGES})
 
 
-def _setting_problem(setting: str, what: Message, remedy: Message) -> Problem:
-    return Problem("", setting, what, remedy)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
-
-
-def _source(quantity: Quantity) -> dict[str, str]:
-    source = quantity.source
-    note = "" if source.note is None else source.note.of(LANGUAGES[0])
-    return {"work": source.work, "equation": source.equation, "note": note}
+def _unusable(name: str, what: Message, remedy: Message) -> Problem:
+    return Problem("", name, what, remedy, parameter="given")

@@ -11,7 +11,7 @@ from gripcourse.grading.model import Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
 
 # A report takes about a second, a hundred times as much is no report any more.
@@ -44,7 +44,7 @@ def student_pdf(report: Report, printing: Printing) -> bytes:
 
     course = printing.course
     words = Words(report.language or course.language)
-    plan = make_plan(course, report.scheme, report.options)
+    plan = plan_of(course, report.composition)
     return student_report(report, plan, printing.policy, course, words, printing.graded_on)
 
 

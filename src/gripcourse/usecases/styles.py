@@ -5,8 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from gripcourse.documents.assignment_sheet import STYLES as SHEET_STYLES
-from gripcourse.documents.report import atlas, certificate, cohort, solution, student
+from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import Problem
 from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font
 from gripcourse.machine.resources import template_file
@@ -68,6 +67,6 @@ def _missing_fonts(style: str, shown: str) -> Iterator[Problem]:
 
 
 def _printed() -> list[str]:
-    # Not the style sheet of the reference: a browser has fonts of its own.
-    reports = (student, cohort, solution, certificate, atlas)
-    return sorted({*SHEET_STYLES, *(name for one in reports for name in one.STYLES)})
+    # A browser, which shows the other kinds, has fonts of its own.
+    printed = (kind for kind in document_kinds() if kind.printed)
+    return sorted({name for kind in printed for name in kind.styles})

@@ -1,16 +1,17 @@
 """Templates of a course judged before anybody gets a document: read, compared, and filled once."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import Document, render_html, template_environment, template_problem
+from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.machine.resources import template_folders
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Words, message
-from gripcourse.usecases.samples import SampleDocument, printed_documents, reference_documents
 
 # Jinja2 costs 40 ms to import: only who prints or judges a template pays.
 # ruff: noqa: PLC0415
@@ -83,19 +84,13 @@ def _files(templates: Path) -> dict[str, Path]:
 
 def sample_documents(sample: SampleDocument) -> tuple[list[Document], list[Problem]]:
     """Return a document of every kind, and what keeps the others from being made."""
-    makers: Mapping[str, Callable[[], Document | Mapping[str, Document]]] = {
-        **printed_documents(sample),
-        "reference": lambda: reference_documents(sample),
-    }
     documents: list[Document] = []
     problems: list[Problem] = []
-    for make in makers.values():
+    for kind in document_kinds():
         try:
-            made = make()
+            documents += [make() for make in kind.samples(sample).values()]
         except GripcourseError as error:
             problems += error.problems
-        else:
-            documents += made.values() if isinstance(made, Mapping) else (made,)
     return documents, problems
 
 

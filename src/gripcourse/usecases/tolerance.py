@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.model import Course
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import policy_path
 from gripcourse.policy.model import Policy
@@ -29,7 +30,7 @@ _HEADS = (
 class ToleranceSample:
     """What an audit looks at: the issued table, and variants drawn besides."""
 
-    table: Path
+    table: Readable
     count: int
     seed: int
 
@@ -53,7 +54,7 @@ def audit(
     workers: int,
     on_done: Callable[[], None],
 ) -> ToleranceAudit:
-    """ToleranceAudit the tolerances of a course; see `virtual.tolerance.audit_tolerances`."""
+    """Audit the tolerances of a course; see `simulation.tolerance.audit_tolerances`."""
     return audit_tolerances(course, policy, load_mix(course), variants, workers, on_done)
 
 

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.compose import compose
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity
-from gripcourse.errors import Problem, UsageError
-from gripcourse.issuing.register import read_register, register_path
+from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.issuing.store import read_register
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.trace import Clue, Origin, rank
+from gripcourse.machine.content import Readable
 from gripcourse.submission.measure import Understood, from_text
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -45,13 +47,13 @@ class Sought:
     students: Mapping[str, tuple[str, ...]]
 
 
-def in_table(path: Path, course: Course) -> Sought:
+def in_table(source: Readable, course: Course) -> Sought:
     """Look in a table of variants.
 
     Raises:
         TableError: it cannot be used.
     """
-    return Sought({one.id: one for one in read_table(path, course)}, {})
+    return Sought({one.id: one for one in read_table(source, course)}, {})
 
 
 def in_register(root: Path, course: Course) -> Sought:
@@ -61,12 +63,11 @@ def in_register(root: Path, course: Course) -> Sought:
         RegisterError: the register is damaged or of another course.
         UsageError: nothing was issued there.
     """
-    path = register_path(root)
-    entries = read_register(path, course.id).entries
+    entries = read_register(root, course.id).entries
     if not entries:
         what = message("Nothing was issued from this course.")
-        remedy = message("Name another folder, or a table with --table.")
-        raise UsageError([Problem(str(path), "", what, remedy)])
+        remedy = message("Name another folder, or a table of variants.")
+        raise UsageError([Problem(str(root), "", what, remedy, step=NextStep.NAME_TABLE)])
     variants: dict[str, Variant] = {}
     students: dict[str, tuple[str, ...]] = {}
     for entry in entries:
@@ -84,12 +85,14 @@ def _free(name: str, taken: Mapping[str, Variant]) -> str:
     return next(one for one in (name, *suffixes) if one not in taken)
 
 
-def trace(numbers: Sequence[str], named: Sequence[str], course: Course, sought: Sought) -> Traced:
+def trace(
+    numbers: Sequence[str], named: Sequence[tuple[str, str]], course: Course, sought: Sought
+) -> Traced:
     """Rank the variants that numbers may come from.
 
     Args:
         numbers: as people type them, with or without a unit, of unknown meaning.
-        named: `quantity=number`.
+        named: ids of quantities, each with its number.
         course: its declarations say what a number can be.
         sought: where to look.
 
@@ -103,7 +106,7 @@ def trace(numbers: Sequence[str], named: Sequence[str], course: Course, sought: 
         quantities = dict(one) | quantities
     problems: list[Problem] = []
     clues = [_clue(text, text, quantities, problems) for text in numbers]
-    clues += [_named_clue(text, quantities, problems) for text in named]
+    clues += [_named_clue(*pair, quantities, problems) for pair in named]
     if not clues:
         what = message("There is no number to trace.")
         problems.append(Problem("", "", what, message("Write some, for example 1843 22,6 0,37.")))
@@ -115,35 +118,26 @@ def trace(numbers: Sequence[str], named: Sequence[str], course: Course, sought: 
 
 def _declared(course: Course, variants: Mapping[str, Variant]) -> dict[str, Mapping[str, Quantity]]:
     """Return for each variant every declaration that a number can belong to."""
-    composed: dict[tuple[str, frozenset[tuple[str, str]]], Mapping[str, Quantity]] = {}
+    composed = dict[Composition, Mapping[str, Quantity]]()
     for one in variants.values():
-        kind = (one.scheme, frozenset(one.options.items()))
+        kind = one.composition
         if kind not in composed and one.scheme in course.schemes:
             found = compose(course, course.schemes[one.scheme], one.options)
             composed[kind] = {name: each for name, each in found.items() if each.kind in _TRACED}
     # What was issued from an earlier version of the course has no declarations any more.
-    return {
-        name: composed.get((one.scheme, frozenset(one.options.items())), {})
-        for name, one in variants.items()
-    }
+    return {name: composed.get(one.composition, {}) for name, one in variants.items()}
 
 
-def _named_clue(text: str, quantities: Mapping[str, Quantity], problems: list[Problem]) -> Clue:
-    name, equals, number = text.partition("=")
-    name = name.strip()
-    if not equals or name not in quantities:
-        what = (
-            message("There is no quantity '{name}' that could be traced.", name=name)
-            if equals
-            else message("'{text}' does not name a quantity and a number.", text=text)
-        )
-        remedy = did_you_mean(name, quantities) if equals else _EXAMPLE
-        problems.append(Problem("", "--quantity", what, remedy))
+def _named_clue(
+    name: str, number: str, quantities: Mapping[str, Quantity], problems: list[Problem]
+) -> Clue:
+    text = f"{name}={number}"
+    if name not in quantities:
+        what = message("There is no quantity '{name}' that could be traced.", name=name)
+        remedy = did_you_mean(name, quantities)
+        problems.append(Problem("", "", what, remedy, parameter="quantities"))
         return Clue(text, {})
     return _clue(text, number, {name: quantities[name]}, problems)
-
-
-_EXAMPLE = message("Write it as in mass=60 or force=2,26 kN.")
 
 
 def _clue(
@@ -162,5 +156,5 @@ def _clue(
         problems.append(Problem("", shown, refused[0], remedy))
     elif not fitting:
         what = message("The unit fits no quantity that is meant.")
-        problems.append(Problem("", shown, what, message("Leave the unit out, or mend it.")))
+        problems.append(Problem("", shown, what, message("Leave the unit out, or correct it.")))
     return Clue(shown, fitting)

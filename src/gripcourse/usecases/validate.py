@@ -1,16 +1,24 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
 from gripcourse.course.check import check_course
+from gripcourse.course.compose import all_part_ids
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
-from gripcourse.errors import GripcourseError, Problem
+from gripcourse.errors import GripcourseError, Problem, UsageError
+from gripcourse.issuing.store import read_register
 from gripcourse.machine.doctor import checks
 from gripcourse.policy.load import load_policy, read_policy
+from gripcourse.proofs.calculations import calculations, differences
+from gripcourse.proofs.check_declared import check_declared
+from gripcourse.proofs.declared import read_declared_proofs
+from gripcourse.proofs.published_cases import read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
@@ -29,6 +37,7 @@ def all_problems(root: Path) -> list[Problem]:
         return problems
     problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
     problems += _mix_problems(course)
+    problems += register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -36,6 +45,7 @@ def all_problems(root: Path) -> list[Problem]:
     read, unread = read_templates(templates)
     problems += [*unread, *style_problems(templates)]
     if is_sound:
+        problems += _printed_problems(course)
         spaces, found = _spaces(course)
         problems += [*found, *_table_problems(course)]
         for sample in islice(samples(course, load_policy(course), spaces, words), 1):
@@ -44,11 +54,63 @@ def all_problems(root: Path) -> list[Problem]:
     return [*problems, *_machine_problems(root)]
 
 
+def scheme_problems(root: Path, scheme: str) -> list[Problem]:
+    """Return the problems of one scheme, its parts and its printed numbers; in a moment.
+
+    Args:
+        root: of the course.
+        scheme: its id.
+
+    Raises:
+        UsageError: the course has no such scheme.
+    """
+    course, problems = read_course(root)
+    if course is None:
+        return problems
+    only = with_scheme(course, scheme)
+    problems += check_course(only)
+    return problems or _printed_problems(course, scheme)
+
+
+def with_scheme(course: Course, scheme: str) -> Course:
+    """Return a course as if it had one scheme only, with the parts that it uses.
+
+    Raises:
+        UsageError: it has no such scheme.
+    """
+    if scheme not in course.schemes:
+        what = message("The course has no scheme '{scheme}'.", scheme=scheme)
+        raise UsageError([Problem("", "", what, did_you_mean(scheme, course.schemes))])
+    one = course.schemes[scheme]
+    used = all_part_ids(one)
+    parts = {name: part for name, part in course.parts.items() if name in used}
+    return replace(course, schemes={scheme: one}, parts=parts)
+
+
+def _printed_problems(course: Course, scheme: str | None = None) -> list[Problem]:
+    """Compute every worked example and published case, and check what the course declares."""
+    cases, problems = read_published_cases(course)
+    declared, found = read_declared_proofs(course)
+    problems += [*found, *check_declared(course, declared)]
+    for one in calculations(course, cases, scheme):
+        problems += differences(one)
+    return problems
+
+
 def _machine_problems(root: Path) -> Iterator[Problem]:
     for check in checks(root):
         if not check.ok and check.name.split()[0] in _NEEDED:
             what = message("{fault}.", fault=check.message)
             yield Problem("", check.name, what, check.remedy)
+
+
+def register_problems(course: Course) -> tuple[Problem, ...]:
+    """Return what is wrong with what was issued from a course."""
+    try:
+        read_register(course.root, course.id)
+    except GripcourseError as error:
+        return error.problems
+    return ()
 
 
 def _mix_problems(course: Course) -> list[Problem]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import Readable
 from gripcourse.policy.load import load_policy
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
@@ -13,23 +14,16 @@ from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
 
 
-def draw_table(
-    course: Course,
-    count: int,
-    seed: int,
-    scheme: str | None,
-    out: Path,
-    *,
-    freely: bool = False,
+def draw_variants(
+    course: Course, count: int, seed: int, scheme: str | None, *, freely: bool = False
 ) -> Drawn:
-    """Draw variants and write the table.
+    """Draw variants.
 
     Args:
         course: whose variants are drawn.
         count: how many.
-        seed: the same seed gives the same table.
+        seed: the same seed gives the same variants.
         scheme: only this one; None for all.
-        out: file to write.
         freely: whether to leave the policy's rules for variants aside: what is drawn can be solved,
             but nothing keeps it apart.
 
@@ -40,14 +34,22 @@ def draw_table(
     if not spaces:
         what = message("There is no space to draw '{scheme}' from.", scheme=scheme or "")
         known = [one.scheme for one in load_spaces(course)]
-        raise UsageError([Problem("", "--scheme", what, did_you_mean(scheme or "", known))])
+        remedy = did_you_mean(scheme or "", known)
+        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
     rules = None if freely else sifter(load_policy(course), len(course.sections))
-    drawn = draw(course, spaces, count, seed, rules)
+    return draw(course, spaces, count, seed, rules)
+
+
+def draw_table(
+    course: Course, count: int, seed: int, scheme: str | None, out: Path, *, freely: bool = False
+) -> Drawn:
+    """Draw variants and write them as a table; see `draw_variants`."""
+    drawn = draw_variants(course, count, seed, scheme, freely=freely)
     write_table(out, drawn.variants, course)
     return drawn
 
 
-def import_table(course: Course, source: Path, out: Path) -> int:
+def import_table(course: Course, source: Readable, out: Path) -> int:
     """Check an instructor's table and write it as CSV; return the number of its variants.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Measuring the grader with students whose doings are known."""
+"""Measuring the grader with simulated students, whose mistakes are known."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
-from gripcourse.issuing.register import read_register
+from gripcourse.issuing.register_file import read_register_file
 from gripcourse.machine.files import write_text
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
@@ -57,7 +57,7 @@ def simulate(
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         what = message("This folder is not empty.")
         remedy = message("Name a new or empty folder: nothing is ever overwritten.")
-        raise UsageError([Problem(str(out), "--out", what, remedy)])
+        raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
     room = make_classroom(
         course, policy, load_mix(course), cohort.count, cohort.seed, cohort.scheme
     )
@@ -80,7 +80,7 @@ def evaluate_folder(
         GripcourseError: the folder holds no cohort of this course.
     """
     found = evaluate(grade_cohort(folder, course, policy, workers, on_done), load_mix(course))
-    register = read_register(register_of(folder), course.id).by_student()
+    register = read_register_file(register_of(folder), course.id).by_student()
     _write_misses(folder / MISSES, found, register)
     return found
 

@@ -9,11 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.formula.tree import Formula
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.variants.cases import Cases
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
@@ -103,24 +106,26 @@ def solve_groups(
         variants: the table.
         spaces: whose constraints the variants must satisfy as well.
     """
-    together: dict[tuple[str, tuple[tuple[str, str], ...]], list[int]] = {}
+    together: dict[Composition, list[int]] = {}
     for row, variant in enumerate(variants):
-        together.setdefault(_key(variant.scheme, variant.options), []).append(row)
-    constraints = {
-        _key(space.scheme, case.options): case.constraints
-        for space in spaces
-        for case in space.cases
-    }
+        together.setdefault(variant.composition, []).append(row)
+    by_scheme = {space.scheme: space.cases for space in spaces}
     groups = []
-    for key, rows in together.items():
-        plan = make_plan(course, key[0], dict(key[1]))
+    for composition, rows in together.items():
+        plan = plan_of(course, composition)
         given = {
             quantity.id: np.array([variants[row].given[quantity.id] for row in rows])
             for quantity in plan.givens
         }
-        judged = reasons_infeasible(plan, given, constraints.get(key, ()))
+        judged = reasons_infeasible(plan, given, _constraints(by_scheme, composition))
         groups.append(group_of(plan, judged, np.arange(len(rows)), np.array(rows, dtype=np.intp)))
     return tuple(groups)
+
+
+def _constraints(by_scheme: Mapping[str, Cases], composition: Composition) -> tuple[Formula, ...]:
+    cases = by_scheme.get(composition.scheme)
+    case = None if cases is None else cases.with_options(composition.options)
+    return () if case is None else case.constraints
 
 
 def group_of(plan: Plan, judged: Feasibility, positions: Rows, rows: Rows) -> Group:
@@ -139,10 +144,6 @@ def group_of(plan: Plan, judged: Feasibility, positions: Rows, rows: Rows) -> Gr
     }
     refused = {reason: where[positions] for reason, where in judged.refused.items()}
     return Group(plan, rows, values, refused)
-
-
-def _key(scheme: str, options: Mapping[str, str]) -> tuple[str, tuple[tuple[str, str], ...]]:
-    return scheme, tuple(sorted(options.items()))
 
 
 def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[AnswerItem, ...]:

@@ -26,10 +26,12 @@ from gripcourse.variants.fair import (
     DifficultySpread,
     Margin,
     Steps,
+    VerdictShare,
     near_steps,
     spreads_of,
     steps_of,
     steps_ratio,
+    verdicts_of,
 )
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
@@ -97,6 +99,7 @@ class VariantAudit:
         ratio: answers of the longest assignment over those of the shortest.
         margins: decisions, and how often a size lies at the edge of its step.
         spreads: answers to computed quantities, scheme by scheme.
+        verdicts: how often each comes out as yes, scheme by scheme.
         apart: how far the variants are apart.
         beside: what counts for no limit.
         pairs: those that are farthest above a limit; without any, the nearest there are.
@@ -110,6 +113,7 @@ class VariantAudit:
     ratio: float
     margins: tuple[Margin, ...]
     spreads: tuple[DifficultySpread, ...]
+    verdicts: tuple[VerdictShare, ...]
     apart: Apartness
     beside: Beside
     pairs: tuple[Pair, ...]
@@ -119,6 +123,18 @@ class VariantAudit:
         """Quantities that hardly differ in a scheme, the least different first."""
         weak = (one for one in self.spreads if one.equal > self.rules.weak_item)
         return tuple(sorted(weak, key=lambda one: (-one.equal, one.scheme, one.quantity)))
+
+    @property
+    def weak_verdicts(self) -> frozenset[str]:
+        """Verdicts that have one answer in all variants of the table: they tell nobody apart."""
+        yes: dict[str, list[VerdictShare]] = {}
+        for one in self.verdicts:
+            yes.setdefault(one.quantity, []).append(one)
+        return frozenset(
+            quantity
+            for quantity, shares in yes.items()
+            if sum(one.yes for one in shares) in {0, sum(one.variants for one in shares)}
+        )
 
     @property
     def alike_steps(self) -> bool:
@@ -134,7 +150,7 @@ class VariantAudit:
 def audit(
     course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
 ) -> VariantAudit:
-    """VariantAudit a table.
+    """Audit a table.
 
     Args:
         course: whose variants they are.
@@ -168,6 +184,7 @@ def audit(
         ratio=steps_ratio(steps),
         margins=_margins(edges),
         spreads=spreads_of(groups, answered.computed),
+        verdicts=verdicts_of(groups, answered.verdicts),
         apart=apart,
         beside=Beside(*(mean_share(items, size) for items in (
             answered.computed, answered.sizes, answered.verdicts, answered.given))),

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from gripcourse.course.toml_table import Table
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula, Name, Node, Number, Operation, names, walk
@@ -25,7 +26,7 @@ def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
     """
     found: list[tuple[Table, Formula]] = []
     for place in table.tables("constraint"):
-        place.known_keys(("formula", "evaluated_in"))
+        place.known_keys()
         text = place.text("formula")
         units = _units(place)
         if not text:
@@ -34,7 +35,7 @@ def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
             found.append((place, Formula(text, parse(text), units)))
         except FormulaFault as fault:
             place.add(
-                "formula", fault.what, message("Mend the formula."), caret(text, fault.span)
+                "formula", fault.what, message("Correct the formula."), caret(text, fault.span)
             )  # fmt: skip
     return found
 
@@ -125,7 +126,7 @@ def _units(place: Table) -> dict[str, str]:
             place.add(
                 f"evaluated_in.{name}",
                 message("The unit '{unit}' is not known.", unit=unit),
-                message("Write it as in units.csv of the package, for example 'N*m'."),
+                unit_remedy(unit),
             )
             units[name] = ""
     return units

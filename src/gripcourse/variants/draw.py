@@ -12,15 +12,17 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.words import message
+from gripcourse.variants.cases import SpaceCase
 from gripcourse.variants.counts import counts_of
 from gripcourse.variants.explain import in_short, list_text
 from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
 from gripcourse.variants.model import Variant
-from gripcourse.variants.space import Space, SpaceCase
+from gripcourse.variants.space import Space
 from gripcourse.variants.tally import Refusal, Tally, by_count, summed
 
 _FIRST_ROUND = 256  # candidates; a power of two, as a Sobol sequence wants it
@@ -95,14 +97,18 @@ def draw(
     Raises:
         TableError: too few candidates can be solved; the main reasons are named.
     """
-    search = [_Search(course, space, case, further) for space in spaces for case in space.cases]
+    search = [
+        _Search(course, space, place, further)
+        for space in spaces
+        for place in range(len(space.cases))
+    ]
     seeds = np.random.SeedSequence(seed).spawn(len(search) + 2)
     counts = counts_of(spaces, count, np.random.default_rng(seeds.pop()))
     found = [
         one.find(wanted, own) for one, wanted, own in zip(search, counts, seeds[:-1], strict=True)
     ]
     _make_up(search, counts, found, seeds)
-    rows = [(one.space.scheme, one.case.options, row)
+    rows = [(one.space.scheme, one.options, row)
             for one, result in zip(search, found, strict=True) for row in result.rows]  # fmt: skip
     order = np.random.default_rng(seeds[-1]).permutation(len(rows)) if len(search) > 1 else None
     mixed = rows if order is None else [rows[position] for position in order]
@@ -173,14 +179,24 @@ class _Search:
 
     course: Course
     space: Space
-    case: SpaceCase
+    place: int
     further: Filter | None
+
+    @property
+    def options(self) -> Mapping[str, str]:
+        """The combination of options that is searched."""
+        return self.space.cases.combinations[self.place]
+
+    @property
+    def case(self) -> SpaceCase:
+        """What may be drawn for it."""
+        return self.space.cases[self.place]
 
     def find(self, wanted: int, seed: np.random.SeedSequence, most: int = _MOST_TRIED) -> _Found:
         """Try candidates until enough are accepted, or so many were tried."""
         if not wanted:
             return _Found((), 0, 0, (), ())
-        plan = make_plan(self.course, self.space.scheme, self.case.options)
+        plan = plan_of(self.course, Composition.of(self.space.scheme, self.options))
         rows: dict[tuple[float, ...], Mapping[str, float]] = {}
         reasons: Counter[Reason] = Counter()
         set_aside: tuple[Refusal, ...] = ()

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
@@ -18,15 +19,14 @@ class Steps:
     """How much the variants of one scheme with the same options ask for.
 
     Attributes:
-        scheme, options: which they are.
+        composition: which they are.
         variants: how many the table has.
         computed, decided, read: quantities that are computed, decided, read from a table or
             answered with yes or no.
         chain: answers in the longest chain, each needed for the next.
     """
 
-    scheme: str
-    options: tuple[tuple[str, str], ...]
+    composition: Composition
     variants: int
     computed: int
     decided: int
@@ -71,6 +71,26 @@ class DifficultySpread:
     median: float
     highest: float
     equal: float
+
+
+@dataclass(frozen=True, slots=True)
+class VerdictShare:
+    """How often a verdict comes out as yes in the variants of one scheme.
+
+    Attributes:
+        quantity, scheme: which they are.
+        variants: how many have the verdict.
+        points: that it is worth, the mean over the variants.
+        yes: in how many of them the answer is yes.
+        must_hold: whether the course refuses variants in which it is no.
+    """
+
+    quantity: str
+    scheme: str
+    variants: int
+    points: float
+    yes: int
+    must_hold: bool
 
 
 def steps_of(groups: Sequence[Group]) -> tuple[Steps, ...]:
@@ -120,12 +140,35 @@ def spreads_of(
     )
 
 
+def verdicts_of(groups: Sequence[Group], items: Sequence[AnswerItem]) -> tuple[VerdictShare, ...]:
+    """Count how the verdicts come out, scheme by scheme."""
+    ids = scheme_ids(groups)
+    demanded = {
+        (group.plan.scheme.id, quantity.id)
+        for group in groups
+        for quantity in group.plan.answered
+        if quantity.must_hold
+    }
+    return tuple(
+        VerdictShare(
+            item.quantity,
+            ids[scheme],
+            int(own.sum()),
+            float(item.points[own].mean()),
+            int(np.count_nonzero(item.values[own])),
+            (ids[scheme], item.quantity) in demanded,
+        )
+        for item in items
+        for scheme in np.unique(item.schemes)
+        for own in [item.schemes == scheme]
+    )
+
+
 def _steps(group: Group) -> Steps:
     kinds = [quantity.kind for quantity in group.plan.answered]
     computed, decided = kinds.count(Kind.FORMULA), kinds.count(Kind.CHOICE)
     return Steps(
-        group.plan.scheme.id,
-        tuple(sorted(group.plan.options.items())),
+        group.plan.composition,
         len(group.rows),
         computed,
         decided,

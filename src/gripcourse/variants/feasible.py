@@ -120,7 +120,8 @@ def _reasons_of(batch: _Batch, quantity: Quantity) -> dict[Reason, Mask]:
     inputs = batch.plan.inputs.get(quantity.id, ())
     found = {Reason(RefusalCause.NO_VALUE, quantity.id, None): ~finite & _all_finite(batch, inputs)}
     if quantity.kind is Kind.VERDICT:
-        found[Reason(RefusalCause.VERDICT, quantity.id, quantity.formula)] = values == 0.0
+        if quantity.must_hold:
+            found[Reason(RefusalCause.VERDICT, quantity.id, quantity.formula)] = values == 0.0
         return found
     in_unit = values / factor(quantity.unit)
     found[Reason(RefusalCause.BOUNDS, quantity.id, None)] = finite & _outside(

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import date
 
+from gripcourse.course.composition import Composition
+
 
 @dataclass(frozen=True, slots=True)
 class Variant:
@@ -20,6 +22,11 @@ class Variant:
     scheme: str
     options: Mapping[str, str]
     given: Mapping[str, float]
+
+    @property
+    def composition(self) -> Composition:
+        """What it has in common with the variants that are computed alike."""
+        return Composition.of(self.scheme, self.options)
 
 
 @dataclass(frozen=True, slots=True)

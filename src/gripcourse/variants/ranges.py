@@ -5,7 +5,7 @@ A range is written in one of four ways: `low`, `high`, `step`; `values`; `catalo
 number of teeth decides the form factor.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import TypeAlias
@@ -17,7 +17,6 @@ from gripcourse.text.units import dimension, factor
 from gripcourse.text.words import message
 
 _WAYS = ("step", "values", "catalogue", "follows")
-_KEYS = ("low", "high", "step", "values", "catalogue", "follows", "pairs")
 _MOST_VALUES = 100_000  # a finer step is a slip of the pen, and no tidy number
 
 
@@ -72,14 +71,23 @@ class RangeReader:
     givens: Mapping[str, Quantity]
     options: Mapping[str, Collection[str]]
 
-    def read(self, table: Table, quantity: Quantity) -> Range:
-        """Read a range and its special cases `[[given.<id>.when]]`."""
-        table.known_keys((*_KEYS, "when"))
+    def read(self, table: Table, quantity: Quantity, *, is_own: bool) -> Range:
+        """Read a range and its special cases `[[given.<id>.when]]`.
+
+        Args:
+            table: of the range.
+            quantity: that it belongs to.
+            is_own: whether the space itself says it. A range beside a given serves many schemes:
+                a case of it that needs an option of others is passed over.
+        """
+        table.known_keys()
         special = []
         for case in table.tables("when"):
-            case.known_keys((*_KEYS, "option", "choice"))
+            case.known_keys()
             option, choice = case.text("option"), case.text("choice")
             if choice not in self.options.get(option, ()):
+                if not is_own and self._is_known(option, choice):
+                    continue
                 case.add(
                     "choice",
                     message("The space has no '{choice}' of '{option}'.", choice=choice,
@@ -89,12 +97,27 @@ class RangeReader:
             special.append((option, choice, self._allowed(case, quantity)))
         return Range(self._allowed(table, quantity), tuple(special))
 
-    def check_leaders(self, tables: Mapping[str, Table], read: Mapping[str, Range]) -> None:
-        """Record followers whose leader follows too, or has values that they do not know."""
-        for id_, one in read.items():
+    def _is_known(self, option: str, choice: str) -> bool:
+        """Tell whether some scheme of the course offers a choice."""
+        return any(
+            option == one.id and choice == each.id
+            for scheme in self.course.schemes.values()
+            for one in scheme.options
+            for each in one.choices
+        )
+
+    def check_leaders(self, read: Sequence[tuple[Table, str, Range]]) -> None:
+        """Record followers whose leader follows too, or has values that they do not know.
+
+        Args:
+            read: every range with its table and the id of its given.
+        """
+        for table, _, one in read:
             for follower in (one.usual, *(allowed for _, _, allowed in one.special)):
-                if isinstance(follower, Follower) and follower.values and follower.leader in read:
-                    _check_leader(tables[id_], follower, read[follower.leader])
+                if isinstance(follower, Follower) and follower.values:
+                    for _, leader, other in read:
+                        if leader == follower.leader:
+                            _check_leader(table, follower, other)
 
     def _allowed(self, table: Table, quantity: Quantity) -> Allowed:
         ways = [name for name in _WAYS if table.has(name)]
@@ -259,7 +282,7 @@ def _check(table: Table, values: tuple[float, ...], quantity: Quantity) -> None:
                 "",
                 message("The value {value} is outside the bounds {low} to {high} of the quantity.",
                         value=value, low=low, high=high),
-                message("Narrow the range, or mend the bounds in {file}.", file=quantity.file),
+                message("Narrow the range, or correct the bounds in {file}.", file=quantity.file),
             )  # fmt: skip
             break
     if quantity.integer and any(not value.is_integer() for value in values):

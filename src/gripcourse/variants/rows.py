@@ -5,9 +5,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Option, Quantity, Scheme
 from gripcourse.errors import Problem
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
@@ -15,7 +16,8 @@ from gripcourse.variants.explain import explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import TableColumn, plain
 from gripcourse.variants.model import Variant
-from gripcourse.variants.sheet import Sheet, SheetRow, cell_place
+from gripcourse.variants.row_faults import CellFault, problems_of
+from gripcourse.variants.sheet import Sheet, SheetRow
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,8 @@ class RowReader:
     columns: Mapping[str, TableColumn]
     absent: frozenset[str]
     problems: list[Problem]
-    plans: dict[tuple[str, tuple[str, ...]], Plan] = field(default_factory=dict)
+    plans: dict[Composition, Plan] = field(default_factory=dict)
+    faults: list[CellFault] = field(default_factory=list)
 
     def read(self) -> list[Variant]:
         """Return the variants of all rows that are right."""
@@ -45,11 +48,12 @@ class RowReader:
             variant = self._variant(row, seen)
             if variant is not None:
                 rows.append((row, variant))
+        self.problems.extend(problems_of(self.sheet.file, self.faults))
         self._refuse_infeasible(rows)
         return [variant for _, variant in rows]
 
     def _variant(self, row: SheetRow, seen: dict[str, SheetRow]) -> Variant | None:
-        before = len(self.problems)
+        before = len(self.faults)
         id_ = self._id(row, seen)
         scheme = self._scheme(row)
         if scheme is None:
@@ -60,7 +64,7 @@ class RowReader:
         plan = self._plan(scheme, options)
         given = {quantity.id: self._given(row, quantity, plan) for quantity in plan.givens}
         self._refuse_unused(row, plan)
-        if len(self.problems) > before:
+        if len(self.faults) > before:
             return None
         return Variant(id_, scheme.id, options, {k: v for k, v in given.items() if v is not None})
 
@@ -113,10 +117,10 @@ class RowReader:
         return None
 
     def _plan(self, scheme: Scheme, options: Mapping[str, str]) -> Plan:
-        key = (scheme.id, tuple(options.values()))
-        if key not in self.plans:
-            self.plans[key] = make_plan(self.course, scheme.id, options)
-        return self.plans[key]
+        composition = Composition.of(scheme.id, options)
+        if composition not in self.plans:
+            self.plans[composition] = plan_of(self.course, composition)
+        return self.plans[composition]
 
     def _given(self, row: SheetRow, quantity: Quantity, plan: Plan) -> float | None:
         written = self._cell(row, quantity.id)
@@ -178,13 +182,12 @@ class RowReader:
                 )  # fmt: skip
 
     def _refuse_infeasible(self, rows: list[tuple[SheetRow, Variant]]) -> None:
-        groups: dict[tuple[str, tuple[str, ...]], list[tuple[SheetRow, Variant]]] = {}
+        groups: dict[Composition, list[tuple[SheetRow, Variant]]] = {}
         for row, variant in rows:
-            key = (variant.scheme, tuple(variant.options.values()))
-            groups.setdefault(key, []).append((row, variant))
+            groups.setdefault(variant.composition, []).append((row, variant))
         found: list[tuple[int, Problem]] = []
-        for key, group in groups.items():
-            plan = self.plans[key]
+        for composition, group in groups.items():
+            plan = self.plans[composition]
             given = {
                 quantity.id: np.array([variant.given[quantity.id] for _, variant in group])
                 for quantity in plan.givens
@@ -213,8 +216,7 @@ class RowReader:
             return
         column = self.columns.get(id_)
         name = column.name if column is not None else id_.removeprefix("option:")
-        place = cell_place(row.number, name)
-        self.problems.append(Problem(self.sheet.file, place, what, remedy))
+        self.faults.append(CellFault(row.number, name, what, remedy))
 
 
 def _means(written: str, id_: str, title: Texts) -> bool:

@@ -3,13 +3,14 @@
 Nothing is understood here: cells come out as text, rows keep the number that a spreadsheet shows.
 """
 
+import csv
 import io
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import date, time
-from pathlib import Path
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
 from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
@@ -47,11 +48,11 @@ class Sheet:
     decimal_comma: bool
 
 
-def read_sheet(path: Path) -> Sheet:
+def read_sheet(source: Readable) -> Sheet:
     """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
 
     Args:
-        path: the file.
+        source: the file, or its bytes; its name tells what kind of table it is.
 
     Returns:
         Its cells as text. A number of a spreadsheet is written with all its digits, a formula
@@ -60,16 +61,17 @@ def read_sheet(path: Path) -> Sheet:
     Raises:
         TableError: the file is missing, not a table, empty, or not in UTF-8.
     """
-    if not path.is_file():
-        raise _failure(path, message("There is no such file."), message("Check the path."))
-    if path.suffix.lower() == ".xlsx":
-        return _sheet(path, _spreadsheet_rows(path), decimal_comma=True)
-    if path.suffix.lower() in {".csv", ".txt", ".tsv"}:
-        text = _text(path)
+    if not is_there(source):
+        raise _failure(source, message("There is no such file."), message("Check the path."))
+    suffix = pure_path(source).suffix.lower()
+    if suffix == ".xlsx":
+        return _sheet(source, _spreadsheet_rows(source), decimal_comma=True)
+    if suffix in {".csv", ".txt", ".tsv"}:
+        text = _text(source)
         delimiter = _delimiter(text)
-        return _sheet(path, _csv_rows(path, text, delimiter), decimal_comma=delimiter != ",")
+        return _sheet(source, _csv_rows(source, text, delimiter), decimal_comma=delimiter != ",")
     raise _failure(
-        path,
+        source,
         message("A table of this kind cannot be read."),
         message("Save it as .csv (CSV UTF-8) or as .xlsx."),
     )
@@ -97,30 +99,30 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
     return letters
 
 
-def _sheet(path: Path, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
+def _sheet(source: Readable, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
     """Cut blank rows and columns off and number the rest."""
     rows = [SheetRow(number, row) for number, row in enumerate(cells, start=1) if any(row)]
     if not rows or rows[0].number != 1:
         raise _failure(
-            path,
+            source,
             message("The first row is blank; it must hold the headings."),
             message("Put the headings into the first row of the first sheet."),
         )
     width = max(_width(row.cells) for row in rows)
     padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
-    return Sheet(str(path), padded[0].cells, tuple(padded[1:]), decimal_comma)
+    return Sheet(shown_name(source), padded[0].cells, tuple(padded[1:]), decimal_comma)
 
 
 def _width(cells: tuple[str, ...]) -> int:
     return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
 
 
-def _text(path: Path) -> str:
+def _text(source: Readable) -> str:
     try:
-        return path.read_bytes().decode("utf-8-sig")
+        return content_of(source).decode("utf-8-sig")
     except UnicodeDecodeError as fault:
         raise _failure(
-            path,
+            source,
             message("The file is not in UTF-8: line {line} cannot be read.",
                     line=fault.object[: fault.start].count(b"\n") + 1),
             message("Save it again as “CSV UTF-8”: Excel has it in its list of file types."),
@@ -134,39 +136,27 @@ def _delimiter(text: str) -> str:
     return next((sign for sign in _DELIMITERS if sign in plain), ",")
 
 
-def _csv_rows(path: Path, text: str, delimiter: str) -> list[tuple[str, ...]]:
+def _csv_rows(source: Readable, text: str, delimiter: str) -> list[tuple[str, ...]]:
     """Read every record, whatever its length; a quoted line break does not end a row."""
-    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who read a table pay
-
     if not text.strip():
         return []
-    width = max(line.count(delimiter) for line in text.splitlines()) + 1
     try:
-        frame = pd.read_csv(
-            io.StringIO(text),
-            sep=delimiter,
-            header=None,
-            names=range(width),
-            index_col=False,
-            dtype=str,
-            keep_default_na=False,
-            skip_blank_lines=False,
-        )
-    except pd.errors.ParserError as fault:
+        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True))
+    except csv.Error as fault:
         raise _failure(
-            path,
+            source,
             message("The rows cannot be told apart: {fault}.", fault=fault),
             message("Look for a quotation mark that is opened and never closed."),
         ) from fault
-    # A row shorter than the widest one ends in missing cells: they are blank as well.
-    return _stripped(frame.fillna("").itertuples(index=False, name=None))
+    width = max(map(len, rows))
+    return _stripped((*row, *[""] * (width - len(row))) for row in rows)
 
 
-def _spreadsheet_rows(path: Path) -> list[tuple[str, ...]]:
+def _spreadsheet_rows(source: Readable) -> list[tuple[str, ...]]:
     """Read the first sheet: stored results, and the formula where no result is stored."""
-    results = _sheet_values(path, results=True)
+    results = _sheet_values(source, results=True)
     if any(cell is None for row in results for cell in row):
-        formulas = _sheet_values(path, results=False)
+        formulas = _sheet_values(source, results=False)
         pairs = zip(results, formulas, strict=True)
         results = [
             tuple(formula if value is None else value for value, formula in zip(*pair, strict=True))
@@ -175,17 +165,19 @@ def _spreadsheet_rows(path: Path) -> list[tuple[str, ...]]:
     return _stripped([tuple(_cell_text(cell) for cell in row) for row in results])
 
 
-def _sheet_values(path: Path, *, results: bool) -> list[tuple[object, ...]]:
+def _sheet_values(source: Readable, *, results: bool) -> list[tuple[object, ...]]:
     import zipfile  # noqa: PLC0415 - with openpyxl, which costs 200 ms, only where it is needed
 
     import openpyxl  # noqa: PLC0415 - as above
     from openpyxl.utils.exceptions import InvalidFileException  # noqa: PLC0415 - as above
 
     try:
-        workbook = openpyxl.load_workbook(path, read_only=True, data_only=results)
+        workbook = openpyxl.load_workbook(
+            io.BytesIO(content_of(source)), read_only=True, data_only=results
+        )
     except (zipfile.BadZipFile, InvalidFileException, KeyError, ValueError) as fault:
         raise _failure(
-            path,
+            source,
             message("The file is damaged, protected by a password, or no spreadsheet."),
             message("Open it in a spreadsheet program and save it again as .xlsx."),
         ) from fault
@@ -211,5 +203,5 @@ def _stripped(rows: Iterable[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [tuple(cell.strip() for cell in row) for row in rows]
 
 
-def _failure(path: Path, what: Message, remedy: Message) -> TableError:
-    return TableError([Problem(str(path), "", what, remedy)])
+def _failure(source: Readable, what: Message, remedy: Message) -> TableError:
+    return TableError([Problem(shown_name(source), "", what, remedy)])

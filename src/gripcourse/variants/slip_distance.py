@@ -75,7 +75,7 @@ def near_slips(
             wrong = _value(group, quantity, slip)
             with np.errstate(invalid="ignore"):  # a slip that gives no number misleads nobody
                 near = np.abs(wrong - right) < reach
-            yield NearSlip(quantity.id, slip.id, slip.kind, quantity.kind is Kind.CHOICE, near)
+            yield NearSlip(quantity.id, str(slip.id), slip.kind, quantity.kind is Kind.CHOICE, near)
 
 
 def too_near(group: Group, policy: Policy) -> dict[tuple[str, str], Mask]:

@@ -1,41 +1,28 @@
-"""The ranges that variants are drawn from: `variants/spaces/*.toml`, one file per scheme.
+"""The ranges that variants are drawn from.
+
+A range stands beside its given. A file `variants/spaces/*.toml` says what is peculiar to a
+scheme: its share, the options that are mixed, constraints, and ranges of its own. A scheme whose
+givens all have ranges needs no such file.
 
 Every range is turned into the list of values it allows, so that students get tidy numbers and
 nothing has to be rounded later.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import product
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
-from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.compose import all_part_ids, compose, option_sets, pair_option_sets
+from gripcourse.course.model import Course, Option, Quantity, Scheme
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+from gripcourse.variants.cases import Cases, SpaceCase
 from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Follower, Range, RangeReader
-
-_KEYS = ("scheme", "weight", "options", "given", "constraint")
-
-
-@dataclass(frozen=True, slots=True)
-class SpaceCase:
-    """One combination of options and what may be drawn for it.
-
-    Attributes:
-        options: choice by option id.
-        given: allowed values of the given quantities, in their declared units, ascending.
-        followers: the given quantities that another one decides.
-        constraints: what a variant must satisfy besides being solvable.
-    """
-
-    options: Mapping[str, str]
-    given: Mapping[str, tuple[float, ...]]
-    followers: Mapping[str, Follower]
-    constraints: tuple[Formula, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +38,7 @@ class Space:
 
     scheme: str
     weight: float
-    cases: tuple[SpaceCase, ...]
+    cases: Cases
     file: str
 
 
@@ -65,14 +52,37 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
     problems: list[Problem] = []
     spaces: list[Space] = []
     for path in sorted((course.root / "variants" / "spaces").glob("*.toml")):
-        table = read_toml(path, course.root, problems)
+        table = read_toml(path, course.root, problems, SPACE)
         space = None if table is None else _space(course, table)
         if table is not None and space is not None:
             _refuse_second(table, spaces, space)
             spaces.append(space)
+    named = {space.scheme for space in spaces}
+    if not problems:  # else a file that cannot be read may be the one of the scheme
+        spaces += [
+            _plain_space(course, scheme, problems)
+            for scheme in course.schemes.values()
+            if scheme.id not in named and _has_ranges(course, scheme)
+        ]
     if problems:
-        raise CourseError(problems)
-    return tuple(spaces)
+        raise CourseError(
+            {(one.file, str(one.key), str(one.what)): one for one in problems}.values()
+        )
+    return tuple(sorted(spaces, key=lambda space: space.file))
+
+
+def _has_ranges(course: Course, scheme: Scheme) -> bool:
+    """Tell whether a scheme without a file means to be drawn from: one of its givens says how."""
+    parts = [course.parts[part].quantities for part in all_part_ids(scheme)]
+    declared = (*parts, scheme.quantities, *scheme.overrides.values())
+    return any(one.range is not None for quantities in declared for one in quantities.values())
+
+
+def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Space:
+    """Make the space of a scheme that leaves everything to the ranges beside its givens."""
+    file = f"variants/spaces/{scheme.id}.toml"
+    table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
+    return Space(scheme.id, 1.0, _cases(course, table, scheme), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -87,7 +97,7 @@ def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
 
 
 def _space(course: Course, table: Table) -> Space | None:
-    table.known_keys(_KEYS)
+    table.known_keys()
     id_ = table.text("scheme")
     if id_ not in course.schemes:
         if id_:
@@ -100,23 +110,19 @@ def _space(course: Course, table: Table) -> Space | None:
     weight = table.number("weight", 1.0)
     if not 0 < weight < float("inf"):
         table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
-    plans = _plans(course, course.schemes[id_], table)
-    return Space(id_, weight, _cases(course, table, plans), table.file)
+    return Space(id_, weight, _cases(course, table, course.schemes[id_]), table.file)
 
 
-def _plans(course: Course, scheme: Scheme, table: Table) -> tuple[Plan, ...]:
-    """Make a plan of every combination of the options that the space mixes."""
+def _mixed(scheme: Scheme, table: Table) -> Scheme:
+    """Return the scheme with those choices of its options only that the space mixes."""
     mixed = table.table("options") or Table({}, table.file, "options", table.problems)
     mixed.known_keys(option.id for option in scheme.options)
-    choices = [_choices(option, mixed) for option in scheme.options]
-    return tuple(
-        make_plan(
-            course,
-            scheme.id,
-            {option.id: choice for option, choice in zip(scheme.options, chosen, strict=True)},
-        )
-        for chosen in product(*choices)
-    )
+    options = []
+    for option in scheme.options:
+        listed = _choices(option, mixed)
+        kept = tuple(choice for choice in option.choices if choice.id in listed)
+        options.append(replace(option, choices=kept))
+    return replace(scheme, options=tuple(options))
 
 
 def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
@@ -133,46 +139,90 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
     return tuple(choice for choice in known if choice in listed or not listed)
 
 
-def _cases(course: Course, table: Table, plans: Sequence[Plan]) -> tuple[SpaceCase, ...]:
-    ranges = table.named_tables("given")
+def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
+    """Read the ranges and constraints of a scheme; thousands of combinations share them.
+
+    Any two choices of two options are looked at together. A combination is composed when it is
+    asked for.
+    """
+    mixed = _mixed(scheme, table)
+    plans = [make_plan(course, scheme.id, options) for options in pair_option_sets(mixed)]
+    own = table.named_tables("given")
     givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
-    for id_, written in ranges.items():
+    for id_, written in own.items():
         if id_ not in givens:
             written.add(
                 "",
                 message("No such quantity is given in this scheme."),
                 did_you_mean(id_, givens),
             )
-    for id_ in givens:
-        if id_ not in ranges:
-            table.add(
-                f"given.{id_}",
-                message("The given quantity has no range."),
-                message("Write low, high and step, or values, or catalogue, or follows."),
-            )
-    known = {id_: written for id_, written in ranges.items() if id_ in givens}
-    options: dict[str, set[str]] = {}
-    for plan in plans:
-        for name, choice in plan.options.items():
-            options.setdefault(name, set()).add(choice)
+    options = {option.id: {choice.id for choice in option.choices} for option in mixed.options}
     constraints = read_constraints(table)
-    for place, constraint in constraints:
-        check_constraint(place, constraint, plans)
+    for line, constraint in constraints:
+        check_constraint(line, constraint, (*plans, *_plans_with(course, mixed, plans, constraint)))
     reader = RangeReader(course, givens, options)
-    read = {id_: reader.read(written, givens[id_]) for id_, written in known.items()}
-    reader.check_leaders(known, read)
-    return tuple(_case(plan, read, [one for _, one in constraints]) for plan in plans)
+    declared = {id(one): one for plan in plans for one in plan.givens}
+    found = ((key, one, _written(one, own, table)) for key, one in declared.items())
+    places = {key: (one, place) for key, one, place in found if place is not None}
+    read = {
+        key: reader.read(place, one, is_own=one.id in own) for key, (one, place) in places.items()
+    }
+    reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
+    formulas = [one for _, one in constraints]
+
+    def make(options: Mapping[str, str]) -> SpaceCase:
+        return _case(make_plan(course, scheme.id, options), options, read, formulas)
+
+    return Cases.made_by(option_sets(mixed), make)
 
 
-def _case(plan: Plan, read: Mapping[str, Range], constraints: Sequence[Formula]) -> SpaceCase:
+def _plans_with(
+    course: Course, scheme: Scheme, plans: Sequence[Plan], constraint: Formula
+) -> Iterator[Plan]:
+    """Yield a plan that has all quantities of a constraint, where none of `plans` has.
+
+    It is looked for among all combinations: three choices together may bring what no two do.
+    """
+    wanted = set(constraint.names)
+    known = {name for plan in plans for name in plan.quantities}
+    if wanted <= known and not any(wanted <= plan.quantities.keys() for plan in plans):
+        for options in option_sets(scheme):
+            if wanted <= compose(course, scheme, options).keys():
+                yield make_plan(course, scheme.id, options)
+                return
+
+
+def _written(quantity: Quantity, own: Mapping[str, Table], space: Table) -> Table | None:
+    """Return where the range of a given stands: in the space, else beside its declaration."""
+    if quantity.id in own:
+        return own[quantity.id]
+    if quantity.range is not None:
+        return replace(quantity.range, problems=space.problems)
+    space.add(
+        f"given.{quantity.id}",
+        message("The given quantity has no range."),
+        message(
+            "Write range = {{ low = …, high = …, step = … }} beside it in {file}, or a table here.",
+            file=quantity.file,
+        ),
+    )
+    return None
+
+
+def _case(
+    plan: Plan,
+    options: Mapping[str, str],
+    read: Mapping[int, Range],
+    constraints: Sequence[Formula],
+) -> SpaceCase:
     """Take from the ranges what counts for one combination of options."""
     chosen = {
-        quantity.id: read[quantity.id].chosen(plan.options)
+        quantity.id: read[id(quantity)].chosen(options)
         for quantity in plan.givens
-        if quantity.id in read
+        if id(quantity) in read
     }
     return SpaceCase(
-        plan.options,
+        options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
         tuple(one for one in constraints if plan.quantities.keys() >= set(one.names)),

@@ -8,12 +8,15 @@ For example:
 A cell is blank where the scheme of its row has no such quantity.
 """
 
+import csv
+import io
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Kind, Quantity
 from gripcourse.errors import Problem, TableError
+from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.variants.cells import converted, number_text
@@ -28,11 +31,12 @@ from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
 
 
-def read_table(path: Path, course: Course) -> tuple[Variant, ...]:
+def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
     """Read variants from a `.csv` or `.xlsx` file and judge each.
 
     Args:
-        path: of the file; headings may be ids, symbols or titles, with or without a unit.
+        source: the file, or its bytes; headings may be ids, symbols or titles, with or without a
+            unit.
         course: whose variants they are.
 
     Returns:
@@ -42,7 +46,7 @@ def read_table(path: Path, course: Course) -> tuple[Variant, ...]:
         TableError: with every problem of the table: headings, cells, and variants that cannot be
             solved, each with its row as a spreadsheet shows it.
     """
-    sheet = read_sheet(path)
+    sheet = read_sheet(source)
     problems: list[Problem] = []
     columns = find_columns(sheet, table_vocabulary(course), problems)
     absent = _absent_columns(sheet, columns, course, problems)
@@ -63,8 +67,6 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         variants: with values in declared units.
         course: whose variants they are; it decides the columns.
     """
-    import pandas as pd  # noqa: PLC0415 - costs 400 ms, only those who write a table pay
-
     listed = tuple(variants)
     options = list(dict.fromkeys(id_ for variant in listed for id_ in variant.options))
     used = {id_ for variant in listed for id_ in variant.given}
@@ -80,8 +82,9 @@ def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None
         ]
         for variant in listed
     ]
-    text = pd.DataFrame(rows, columns=header, dtype=str).to_csv(index=False, lineterminator="\n")
-    write_bytes(path, text.encode("utf-8-sig"))
+    text = io.StringIO(newline="")
+    csv.writer(text, lineterminator="\n").writerows([header, *rows])
+    write_bytes(path, text.getvalue().encode("utf-8-sig"))
 
 
 def _heading(quantity: Quantity) -> str:

@@ -60,7 +60,7 @@ class Tables:
 
 
 def place_tables(plan: Plan, words: Words) -> Tables:
-    """CellPlace the catalogues that a plan reads side by side."""
+    """Place the catalogues that a plan reads side by side."""
     sheet = words.say(message("Catalogues"))
     tables: list[CatalogueTable] = []
     first = 0

@@ -1,5 +1,6 @@
 """What the key says about a quantity in words: its formula on one line, source, tolerance."""
 
+from gripcourse.course.column_symbols import column_symbols
 from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.plain import text
@@ -63,14 +64,19 @@ def tolerance_text(quantity: Quantity, words: Words) -> str:
 
 
 def _symbols(formula: Formula, quantity: Quantity, plan: Plan, words: Words) -> dict[str, Box]:
-    """Return the symbol of every name, and the quantity's own for tables that are read."""
+    """Return the symbol of every name, and what stands for the tables that are read."""
     own = symbol_box(quantity.symbol.of(words.language))
     calls = (node for node in walk(formula.tree) if isinstance(node, Call))
     columns = {call.column: own for call in calls if call.column is not None}
-    return columns | {
-        name: symbol_box(plan.quantities[name].symbol.of(words.language))
-        for name in names(formula.tree)
-    }
+    read = column_symbols(formula.tree, quantity, plan.quantities, words.language)
+    return (
+        columns
+        | read
+        | {
+            name: symbol_box(plan.quantities[name].symbol.of(words.language))
+            for name in names(formula.tree)
+        }
+    )
 
 
 def _units(formula: Formula, plan: Plan, words: Words) -> str:

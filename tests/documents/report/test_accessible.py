@@ -15,10 +15,11 @@ from pypdf import PdfReader
 from pypdf.generic import ContentStream, DictionaryObject
 
 from gripcourse.course.model import Course
+from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import render_pdf
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import SampleDocument, printed_documents, samples
+from gripcourse.usecases.samples import printed_samples, samples
 from gripcourse.variants.space import load_spaces
 
 REPOSITORY = Path(__file__).parents[3]
@@ -62,7 +63,7 @@ def kind(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="module")
 def reader(kind: str, sample: SampleDocument) -> PdfReader:
-    document = printed_documents(sample)[kind]()
+    document = printed_samples(sample)[kind]()
     return PdfReader(io.BytesIO(render_pdf(document, REPOSITORY / "templates", sample.words)))
 
 
@@ -93,7 +94,7 @@ def marks_and_shown(reader: PdfReader) -> Iterator[tuple[int, str | int | None]]
 
 
 def test_every_kind_that_is_printed_is_tried(sample: SampleDocument) -> None:
-    assert set(printed_documents(sample)) == set(KINDS)
+    assert set(printed_samples(sample)) == set(KINDS)
 
 
 def test_a_document_says_what_it_is(reader: PdfReader) -> None:

@@ -73,6 +73,20 @@ def test_what_is_to_be_looked_at_is_said_variant_by_variant(values: dict[str, ob
     assert "too near to another variant; the nearest is 001" in said["=twin"]
 
 
+def test_each_verdict_has_its_shares_of_yes_and_no(
+    audited: VariantAudit, course: Course, policy: Policy
+) -> None:
+    first, *rest = audited.verdicts
+    mixed = replace(audited, verdicts=(replace(first, yes=0, must_hold=False), *rest))
+    found = certificate_values(mixed, SOURCE, course, policy, Words("en"))["verdicts"]
+    assert isinstance(found, list)
+    assert len(found) == len({one.quantity for one in audited.verdicts})
+    remarks = {remark for *_, remark in found}
+    assert remarks <= {"", "always no", "always yes: the course demands it"}
+    assert "always yes: the course demands it" in remarks
+    assert {row["must_hold"] for row in rows(audited, course, "verdicts.csv")} == {"yes"}
+
+
 def test_the_worst_pair_comes_first(values: dict[str, object]) -> None:
     pairs = values["pairs"]
     assert isinstance(pairs, list)

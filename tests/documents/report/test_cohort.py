@@ -11,8 +11,9 @@ from gripcourse.documents.report.cohort import cohort_report, cohort_values
 from gripcourse.documents.report.items import item_statistics
 from gripcourse.documents.report.quantities import AskedQuantity, quantity_groups
 from gripcourse.documents.report.totals import quantity_totals
-from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy
+from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Words, message
 
 Change = Callable[..., Report]
@@ -22,8 +23,8 @@ Change = Callable[..., Report]
 def reports(
     perfect: Report, wrong: Change, blank: Change, rejected: Change, long_name: str
 ) -> list[Report]:
-    odd = Flag("givens_changed", message("Given values were changed in the workbook."))
-    unread = Flag("rejected", message("The file is protected by a password."))
+    odd = Flag(FlagCode.GIVENS_CHANGED, message("Given values were changed in the workbook."))
+    unread = Flag(FlagCode.REJECTED, message("The file is protected by a password."))
     return [
         perfect,
         replace(wrong(perfect, "drive_force", 1.0), name=long_name, flags=(odd,)),
@@ -135,7 +136,7 @@ def test_what_a_likeness_rests_on_is_named_by_titles(
     perfect: Report, policy: Policy, course: Course
 ) -> None:
     names = message("{names} and {count} more", names="grip_force, bore", count=50)
-    odd = Flag("same_answers", message("It rests on: {names}.", names=names))
+    odd = Flag(FlagCode.SAME_ANSWERS, message("It rests on: {names}.", names=names))
     flagged = cohort_values([replace(perfect, flags=(odd,))], policy, course, Words("en"))
     (said,) = flagged["flagged"][0].sentences  # type: ignore[index]
     assert "accepted bore of the cylinder and 50 more" in said
@@ -184,7 +185,12 @@ def test_sections_slips_and_fairness_have_their_tables(
     text_of: Callable[[bytes], str],
 ) -> None:
     slip = with_finding(
-        reports[0], "bore", outcome=Outcome.SLIP, slip="unit:mm>cm", given=6.3, points=0.0
+        reports[0],
+        "bore",
+        outcome=Outcome.SLIP,
+        slip=SlipId.parse("unit:mm>cm"),
+        given=6.3,
+        points=0.0,
     )
     written = text_of(printed([*reports, slip], "en"))
     for heading in (

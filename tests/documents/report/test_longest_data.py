@@ -9,7 +9,7 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.documents.report.cohort import cohort_report
 from gripcourse.documents.report.student import student_report
-from gripcourse.grading.model import Against, Flag, Outcome, Report
+from gripcourse.grading.model import Against, Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
@@ -54,7 +54,9 @@ def test_no_text_of_a_student_leaves_the_page_of_the_report(
 def test_no_text_of_a_student_leaves_the_page_of_the_cohort(
     hostile: Report, policy: Policy, course: Course, graded_on: date, beyond_the_edge: Beyond
 ) -> None:
-    flag = Flag("odd", message("The workbook names the author {name}.", name="Щ" * 200))
+    flag = Flag(
+        FlagCode.SIGNATURE, message("The workbook names the author {name}.", name="Щ" * 200)
+    )
     flagged = replace(hostile, flags=(flag,), file=f"{'ф' * 200}.xlsx")
     pdf = cohort_report([flagged] * 3, policy, course, Words("uk"), graded_on)
     assert not beyond_the_edge(pdf)

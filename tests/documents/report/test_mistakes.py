@@ -6,8 +6,9 @@ from dataclasses import replace
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
 from gripcourse.documents.report.mistakes import kind_rows, mistakes_of, slip_rows
-from gripcourse.grading.model import Flag, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Texts, Words, message
 
@@ -18,7 +19,9 @@ HINT = Texts({"en": "It is in cm.", "ru": "Дано в см.", "uk": "Подан
 
 def _slipped(with_finding: Change, report: Report, slip: str = "unit:cm") -> Report:
     said = message("A known slip: {hint}", hint=HINT)
-    return with_finding(report, "bore_required", outcome=Outcome.SLIP, slip=slip, message=said)
+    return with_finding(
+        report, "bore_required", outcome=Outcome.SLIP, slip=SlipId.parse(slip), message=said
+    )
 
 
 def test_a_slip_has_its_share_of_those_who_were_wrong_there(
@@ -42,7 +45,9 @@ def test_a_declared_slip_has_its_declared_hint(perfect: Report, course: Course, 
     declared = compose(course, plan.scheme, plan.options)
     name = next(name for name, one in declared.items() if one.slips and name in plan.quantities)
     slip = declared[name].slips[0]
-    finding = replace(perfect.findings[0], quantity=name, outcome=Outcome.SLIP, slip=slip.id)
+    finding = replace(
+        perfect.findings[0], quantity=name, outcome=Outcome.SLIP, slip=SlipId.declared(slip.id)
+    )
     (row,) = slip_rows([replace(perfect, findings=(finding,))], declared, ENGLISH)
     assert row.hint == slip.hint.of("en")
 
@@ -53,7 +58,7 @@ def test_a_slip_in_a_blank_step_is_counted_in_that_step_and_once(
     shown = {"outcome": Outcome.CARRIED, "slip": "unit:cm", "roots": ("grip_force",)}
     report = with_finding(with_finding(perfect, "drive_force", **shown), "pin_force", **shown)
     (mistake,) = mistakes_of(report)
-    assert (mistake.quantity, mistake.slip) == ("grip_force", "unit:cm")
+    assert (mistake.quantity, str(mistake.slip)) == ("grip_force", "unit:cm")
 
 
 def test_what_follows_from_a_mistake_and_what_is_blank_are_none(
@@ -64,7 +69,7 @@ def test_what_follows_from_a_mistake_and_what_is_blank_are_none(
 
 
 def test_another_students_workbook_holds_nobodys_slips(perfect: Report, wrong: Change) -> None:
-    flag = Flag("issued_to_other", message("The workbook was issued to another student."))
+    flag = Flag(FlagCode.ISSUED_TO_OTHER, message("The workbook was issued to another student."))
     assert list(mistakes_of(replace(wrong(perfect, "bore", 1.0), flags=(flag,)))) == []
 
 
@@ -72,11 +77,16 @@ def test_kinds_are_counted_over_all_quantities_and_the_unexplained_stand_last(
     perfect: Report, wrong: Change, with_finding: Change, policy: Policy
 ) -> None:
     two = with_finding(
-        _slipped(with_finding, perfect), "pin_force", outcome=Outcome.SLIP, slip="unit:mm"
+        _slipped(with_finding, perfect),
+        "pin_force",
+        outcome=Outcome.SLIP,
+        slip=SlipId.parse("unit:mm"),
     )
     many = wrong(wrong(wrong(perfect, "bore", 1.0), "grip_force", 1.0), "drive_force", 1.0)
-    own = with_finding(perfect, "pin_force", outcome=Outcome.SLIP, slip="one_shear_plane")
-    used = with_finding(perfect, "pin_force", outcome=Outcome.SLIP, slip="used:mass")
+    own = with_finding(
+        perfect, "pin_force", outcome=Outcome.SLIP, slip=SlipId.parse("one_shear_plane")
+    )
+    used = with_finding(perfect, "pin_force", outcome=Outcome.SLIP, slip=SlipId.parse("used:mass"))
     rows = kind_rows([two, many, own, used], policy.slips, ENGLISH)
     assert [(row.title, row.answers, row.students) for row in rows] == [
         ("another unit", "2", "1"),
@@ -90,7 +100,9 @@ def test_kinds_are_counted_over_all_quantities_and_the_unexplained_stand_last(
 def test_a_number_used_wrongly_names_what_it_was_used_for(
     perfect: Report, with_finding: Change, course: Course, plan: Plan
 ) -> None:
-    report = with_finding(perfect, "drive_force", outcome=Outcome.SLIP, slip="used:grip_force")
+    report = with_finding(
+        perfect, "drive_force", outcome=Outcome.SLIP, slip=SlipId.parse("used:grip_force")
+    )
     declared = compose(course, plan.scheme, plan.options)
     (row,) = slip_rows([report], declared, ENGLISH)
     title = plan.quantities["grip_force"].title.of("en")

@@ -8,6 +8,7 @@ import pytest
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
 from gripcourse.grading.model import Against, Cause, Outcome, Report
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
 
@@ -37,7 +38,7 @@ def mistaken(perfect: Report, plan: Plan, with_finding: Change) -> tuple[Report,
     """Somebody who read a given value wrongly, and the id of that value."""
     given = plan.givens[0].id
     report = with_finding(
-        perfect, "grip_force", outcome=Outcome.SLIP, slip=f"used:{given}", points=0.0
+        perfect, "grip_force", outcome=Outcome.SLIP, slip=SlipId.used(given), points=0.0
     )
     report = with_finding(report, "drive_force", outcome=Outcome.CARRIED, roots=("grip_force",))
     said = message("These answers fit together if 12 kg was used.")
@@ -91,7 +92,7 @@ def test_an_answer_that_another_number_was_used_for_is_gone_over_first(
     mistaken: tuple[Report, str], plan: Plan, with_finding: Change
 ) -> None:
     report, _ = mistaken
-    report = with_finding(report, "grip_force", slip="used:lifting_load")
+    report = with_finding(report, "grip_force", slip=SlipId.used("lifting_load"))
     cause = replace(report.causes[0], quantity="lifting_load")
     steps = next_steps(replace(report, causes=(cause,)), plan, ENGLISH)
     assert [one.title for one in steps.first] == [plan.quantities["lifting_load"].title.of("en")]

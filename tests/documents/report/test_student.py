@@ -9,8 +9,9 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.report.student import TEMPLATE, student_report, student_values
-from gripcourse.grading.model import Against, Cause, Flag, Outcome, Report
+from gripcourse.grading.model import Against, Cause, Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
 
@@ -160,7 +161,7 @@ def test_what_follows_from_a_slip_in_a_blank_step_does_not_bring_the_right_value
         low=TELLTALE,
         high=TELLTALE,
         band=TELLTALE / 100,
-        slip="unit:cm",
+        slip=SlipId.parse("unit:cm"),
         roots=("bore_required",),
         message=message("Follows from a slip in a step that you left blank."),
     )
@@ -226,7 +227,7 @@ def test_a_sound_decision_is_shown_as_the_student_took_it(
 
 
 def test_flags_are_for_the_instructor(perfect: Report, text: Callable[..., str]) -> None:
-    flag = Flag("foreign_variant", message("The answers fit another variant better."))
+    flag = Flag(FlagCode.OTHER_VARIANT, message("The answers fit another variant better."))
     assert "another variant" not in text(replace(perfect, flags=(flag,)))
 
 

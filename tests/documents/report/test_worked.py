@@ -1,9 +1,13 @@
 """A line of calculation: symbols, numbers with units, result; golden numbers are the guide's."""
 
+from dataclasses import replace
+
 import pytest
 
 from gripcourse.documents.report.worked import entering_units, worked_line
 from gripcourse.formula.markup import text
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words
 
@@ -114,3 +118,32 @@ def test_every_answer_can_be_worked_in_every_language(
     for quantity in plan.answered:
         inputs = {name: values[name] for name in plan.inputs[quantity.id]}
         assert line(plan, quantity.id, inputs, values[quantity.id], Words(language))
+
+
+def reading(plan: Plan, quantity: str, formula: str, inputs: dict[str, float]) -> str:
+    """Print a quantity that has another formula, which reads tables."""
+    declared = plan.quantities[quantity]
+    changed = replace(declared, formula=Formula(formula, parse(formula), {}))
+    quantities = {**plan.quantities, quantity: changed}
+    box = worked_line(changed, inputs, None, replace(plan, quantities=quantities), Words("en"))
+    assert box is not None
+    return text(box).replace("\u00a0", " ")
+
+
+def test_a_value_between_rows_has_the_symbol_of_what_is_read(plan: Plan) -> None:
+    formula = 'interpolate("flange.bolt_circle", flange_size/2)'
+    written = reading(plan, "flange_bolt_circle", formula, {"flange_size": 90.0})
+    assert written == "D_1(d_f/2) = D_1((90 mm)/2)"
+
+
+def test_a_value_read_inside_a_formula_has_not_the_symbol_of_the_result(plan: Plan) -> None:
+    """It has the symbol of the quantity that is read there, else the name of the column."""
+    formula = '2*lookup("flange.bolt_circle", flange_size) + lookup("flange.bolt_count", 9)'
+    written = reading(plan, "pin_length", formula, {})
+    assert written == "l_p = 2 · D_1(d_f) + bolt_count(9)"
+
+
+def test_a_table_is_entered_with_an_angle_as_it_is_declared(plan: Plan) -> None:
+    formula = 'interpolate("flange.bolt_circle", arm_angle_open)'
+    written = reading(plan, "flange_bolt_circle", formula, {"arm_angle_open": 36.5})
+    assert written.endswith("(36.5°)")

@@ -15,7 +15,7 @@ from gripcourse.course.diagram_words import VOCABULARY
 from gripcourse.course.model import Course
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
 from gripcourse.drawing.diagram.layout import HIGHEST, SYMBOLS, WIDEST, DiagramLayout, lay_out
-from gripcourse.drawing.diagram.letters import covered_length, lines_of
+from gripcourse.drawing.diagram.letters import covered_lengths, lines_of
 from gripcourse.drawing.diagram.marks import Fill, Point, RingMark, chain
 from gripcourse.solver.motion import coordinates, drive_at
 from gripcourse.solver.plan import Plan, make_plan
@@ -176,7 +176,7 @@ def test_symbols_keep_clear_of_lines(drawn: tuple[Drawn, ...]) -> None:
         lines = lines_of(one.layout.marks)
         for letter in one.layout.written:
             written += 1
-            covered = covered_length(letter.box, lines)
+            covered = covered_lengths([letter.box], lines)[0]
             assert covered < SEEN_UNDER_A_LETTER, f"{one.name}: {letter.symbol} {covered}"
             if covered > 0.1:
                 touched.append(f"{one.name}: {letter.symbol}")

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from gripcourse.drawing.diagram.letters import LetterBox, covered_length, lines_of, write_letters
+from gripcourse.drawing.diagram.letters import LetterBox, covered_lengths, lines_of, write_letters
 from gripcourse.drawing.diagram.marks import (
     ArcMark,
     Fill,
@@ -49,7 +49,7 @@ def test_two_symbols_at_one_place_stand_apart() -> None:
 def test_a_symbol_moves_away_from_a_line() -> None:
     lines = lines_of([path((-20, 2), (20, 2))])
     [written] = write_letters([Letter("F", ((0.0, 0.0),))], lines, SHEET)
-    assert covered_length(written.box, lines) == 0
+    assert covered_lengths([written.box], lines)[0] == 0
 
 
 def test_a_symbol_does_not_leave_the_sheet() -> None:
@@ -75,13 +75,13 @@ def test_the_first_of_free_places_is_taken() -> None:
     ],
 )
 def test_the_line_under_a_box_is_measured(line: Path, length: float) -> None:
-    assert covered_length(LetterBox(0, 0, 4, 2), lines_of([line])) == pytest.approx(length)
+    assert covered_lengths([LetterBox(0, 0, 4, 2)], lines_of([line]))[0] == pytest.approx(length)
 
 
 def test_an_axis_under_a_symbol_counts_less() -> None:
     box = LetterBox(0, 0, 4, 2)
     axis = lines_of([path((-5, 1), (5, 1), line=LineKind.CENTRE)])
-    assert 0 < covered_length(box, axis) < 4
+    assert 0 < covered_lengths([box], axis)[0] < 4
 
 
 def test_a_rod_ends_at_the_ring_of_its_joint() -> None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.model import AsPrinted, Course, Kind, Quantity, Rounding, Source
+from gripcourse.course.model import AsPrinted, Choice, Course, Kind, Quantity, Rounding, Source
 from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
 from gripcourse.documents.reference.occurrence import Condition, Content, Occurrence
 from gripcourse.formula.boxes import Box
@@ -12,7 +12,7 @@ from gripcourse.formula.tree import Formula, names
 from gripcourse.formula.typeset import typeset
 from gripcourse.text.amounts import amount_text, percent_text
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import LANGUAGES, Texts, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 
 _FIGURES: Final = 12  # a declared number is printed as it was declared
 _KINDS: Final = {
@@ -280,16 +280,24 @@ def _rule(quantity: Quantity, symbols: Symbols, words: Words) -> EntryRule | Non
     choice = quantity.choice
     if choice is None:
         return None
-    steps = message("any larger entry is accepted")
-    if choice.steps is not None:
-        steps = message("accepted up to {steps} steps above it", steps=choice.steps)
     return EntryRule(
         choice.column,
         choice.also,
         words.say(_ROUNDED[choice.rounding]),
-        words.say(steps),
+        words.say(_accepted(choice)),
         _condition(choice.condition, symbols, words.language),
     )
+
+
+def _accepted(choice: Choice) -> Message:
+    """Say which other entries are accepted."""
+    if choice.rounding is Rounding.NEAREST:
+        if not choice.steps:
+            return message("no other entry is accepted")
+        return message("accepted up to {steps} steps on either side of it", steps=choice.steps)
+    if choice.steps is None:
+        return message("any larger entry is accepted")
+    return message("accepted up to {steps} steps above it", steps=choice.steps)
 
 
 def _printed(one: AsPrinted, quantity: Quantity, symbols: Symbols, words: Words) -> Printed:

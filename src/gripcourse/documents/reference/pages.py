@@ -9,6 +9,7 @@ from typing import Final
 
 from gripcourse.course.model import Course, Kind
 from gripcourse.documents.pdf import Document, render_html
+from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.entry import (
     BringingOption,
     Link,
@@ -34,7 +35,8 @@ from gripcourse.machine.resources import template_file
 from gripcourse.text.words import Texts, Words
 
 STYLE: Final = "reference.css"
-_INDEX, _SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("", "_scheme", "_errata"))
+INDEX: Final = "reference.html.j2"
+_SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("_scheme", "_errata"))
 _TABULATED: Final = frozenset({Kind.GIVEN, Kind.CONSTANT})
 
 
@@ -89,12 +91,13 @@ class Listed:
     answered: int
 
 
-def pages(course: Course, words: Words) -> dict[str, str]:
+def pages(course: Course, words: Words, home: str = "") -> dict[str, str]:
     """Return every page of the reference by the name of its file.
 
     Args:
         course: whose declarations are printed.
         words: the language of the pages; titles stand in the other languages too.
+        home: the address that leads out of the reference, to what it is a part of; if any.
 
     Raises:
         CourseError: a template is missing or cannot be filled.
@@ -103,17 +106,18 @@ def pages(course: Course, words: Words) -> dict[str, str]:
     templates = course.root / "templates"
     return {
         name: render_html(document, templates, words)
-        for name, document in page_documents(course, words).items()
+        for name, document in page_documents(course, words, home).items()
     }
 
 
-def page_documents(course: Course, words: Words) -> dict[str, Document]:
+def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Document]:
     """Return what every page is made of by the name of its file; see `pages`."""
     style = template_file(course.root / "templates", f"style/{STYLE}").read_text(encoding="utf-8")
     contents = [content_of(course, scheme) for scheme in course.schemes.values()]
     common: dict[str, object] = {
         "style": style,
         "course": course.title.of(words.language),
+        "home": home,
         "schemes": [_listed(content, words.language) for content in contents],
         "errata": len(course.errata),
     }
@@ -125,7 +129,7 @@ def page_documents(course: Course, words: Words) -> dict[str, Document]:
         f"{content.scheme.id}.html": page(_SCHEME, scheme_values(content, words))
         for content in contents
     }
-    made["index.html"] = page(_INDEX, index_values(course, words))
+    made["index.html"] = page(INDEX, index_values(course, words))
     if course.errata:
         made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
     return made
@@ -147,6 +151,7 @@ def scheme_values(content: Content, words: Words) -> dict[str, object]:
         "title": scheme.title.of(language),
         "others": titles_elsewhere(scheme.title, language),
         "task": scheme.task.of(language),
+        "diagram": diagram_of(content, words),
         "always": scheme.parts,
         "options": _options(content, language),
         "pieces": _pieces(content, language),

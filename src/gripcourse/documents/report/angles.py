@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import Final
 
 from gripcourse.course.model import Quantity
+from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Operation, names
 
 _ANGLES: Final = frozenset({"deg", "rad"})
@@ -47,7 +48,10 @@ def _counted(node: Node, angles: set[str], *, angular: bool) -> Iterator[str]:
             yield from _counted(left, angles, angular=angular)
             yield from _counted(right, angles, angular=angular)
         case Call(function, arguments):
-            inside = function in _TAKE_ANGLES or (angular and function in _KEEP_ANGLES)
+            # A table is entered with an angle as it is.
+            reads_table = FUNCTIONS[function].reads_column
+            inside = reads_table or function in _TAKE_ANGLES
+            inside = inside or (angular and function in _KEEP_ANGLES)
             for argument in arguments:
                 yield from _counted(argument, angles, angular=inside)
         case _:

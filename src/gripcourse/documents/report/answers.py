@@ -7,20 +7,14 @@ from dataclasses import dataclass
 from gripcourse.course.model import Kind, Quantity
 from gripcourse.documents.report.marked import MarkedItem, marked_item
 from gripcourse.documents.report.root_causes import name_of
-from gripcourse.documents.report.totals import is_open
-from gripcourse.documents.report.verdicts import AGAINST_WORDS, OUTCOME_WORDS, SIGNS
+from gripcourse.documents.report.verdicts import AGAINST_WORDS
 from gripcourse.documents.report.worked import entering_units, worked_line
 from gripcourse.formula.boxes import Box
-from gripcourse.grading.model import Against, Finding, Outcome, Report
+from gripcourse.grading.model import Against, Finding, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, amount_text, points_text
 from gripcourse.text.words import Words, message
-
-# What followed from the student's numbers is shown with its result: the student has it already.
-_RESULT_KNOWN = frozenset({Outcome.CORRECT, Outcome.CARRIED})
-# The list of what to mend, or the word in the row, says it all about these.
-_SAID_ELSEWHERE = frozenset({Outcome.BLANK, Outcome.UNREADABLE, Outcome.MANUAL})
 
 _TYPED_LETTERS = 30  # of an unreadable cell; the list of what to mend shows more of it
 _SAME = 1e-9  # two numbers that differ by rounding in the last bits only
@@ -38,7 +32,7 @@ class AnswerRow:
         roots: symbols of the wrong answers that it follows from.
         reference: the reference with its unit; empty where it is not revealed or there is none.
         points: `2 / 2`.
-        outcome: for the style sheet.
+        style: class of the style sheet.
         message: the verdict in a sentence, empty for none.
         line: the calculation, None for none.
         units: symbol and unit of each of its numbers, empty where they carry their units.
@@ -55,7 +49,7 @@ class AnswerRow:
     roots: tuple[str, ...]
     reference: str
     points: str
-    outcome: str
+    style: str
     message: str
     line: Box | None
     units: tuple[tuple[str, str], ...]
@@ -87,13 +81,13 @@ def answer_row(
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
         answer=answer_text(finding, quantity, words),
-        sign=SIGNS[finding.outcome],
-        verdict=words.say(OUTCOME_WORDS[finding.outcome]),
+        sign=finding.outcome.traits.sign,
+        verdict=words.say(finding.outcome.traits.word),
         against=_against(finding, words),
         roots=_roots(finding, plan, words),
         reference=value_text(finding.reference, quantity, words) if reveal else "",
         points=_points(finding, words),
-        outcome=finding.outcome.value,
+        style=finding.outcome.traits.style,
         message=words.say(finding.message) if _spoken(finding) else "",
         line=line,
         units=entering_units(quantity, plan, words) if line is not None else (),
@@ -116,6 +110,11 @@ def own_numbers(report: Report, plan: Plan) -> dict[str, float]:
         if name in plan.quantities and plan.quantities[name].kind in {Kind.GIVEN, Kind.CONSTANT}
     }
     return known | answers
+
+
+def is_unreadable(finding: Finding) -> bool:
+    """Whether the cell holds something, but nothing that could be judged."""
+    return finding.outcome.traits.missing and finding.outcome.traits.typed
 
 
 def answer_text(finding: Finding, quantity: Quantity, words: Words) -> str:
@@ -145,7 +144,7 @@ def _against(finding: Finding, words: Words) -> str:
 
 
 def _roots(finding: Finding, plan: Plan, words: Words) -> tuple[str, ...]:
-    if finding.outcome is not Outcome.CARRIED:
+    if not finding.outcome.traits.follows:
         return ()
     return tuple(name_of(root, plan, words) for root in finding.roots)
 
@@ -153,7 +152,7 @@ def _roots(finding: Finding, plan: Plan, words: Words) -> tuple[str, ...]:
 def _line(
     finding: Finding, plan: Plan, own: Mapping[str, float], words: Words, *, reveal: bool
 ) -> Box | None:
-    if finding.outcome is Outcome.CORRECT or is_open(finding):
+    if finding.outcome.traits.equals_reference or finding.is_open:
         return None
     quantity = plan.quantities[finding.quantity]
     shown = finding.inputs if reveal else _only_own(finding.inputs, own)
@@ -162,7 +161,8 @@ def _line(
 
 def _result(finding: Finding, quantity: Quantity, *, reveal: bool) -> float | None:
     """Return what may stand at the end of the calculation."""
-    if finding.outcome in _RESULT_KNOWN:
+    if finding.outcome.traits.right:
+        # What followed from the student's numbers is no secret: the student has it already.
         if quantity.kind is Kind.CHOICE:
             # Of several sound decisions the student's own is shown, not the smallest.
             return finding.given
@@ -196,20 +196,21 @@ def _only_own(inputs: Mapping[str, float], own: Mapping[str, float]) -> dict[str
 
 def _spoken(finding: Finding) -> bool:
     """Whether the verdict's sentence says more than its word and its points."""
-    if finding.outcome in _RESULT_KNOWN:
-        explained = finding.outcome is Outcome.CARRIED and not _follows(finding)
+    traits = finding.outcome.traits
+    if traits.right:
+        explained = traits.follows and not _follows(finding)
         costs = finding.points < finding.max_points
         return costs or explained or finding.against is Against.PRINTED
-    return finding.outcome not in _SAID_ELSEWHERE
+    return not traits.said_elsewhere
 
 
 def _remarks(finding: Finding, words: Words) -> tuple[str, ...]:
-    if finding.outcome is Outcome.UNREADABLE:
-        return ()
+    if is_unreadable(finding):
+        return ()  # the list of what to do next has them
     return tuple(words.say(remark) for remark in finding.remarks)
 
 
 def _points(finding: Finding, words: Words) -> str:
     possible = points_text(finding.max_points, words)
-    earned = "…" if is_open(finding) else points_text(finding.points, words)
+    earned = "…" if finding.is_open else points_text(finding.points, words)
     return f"{earned}{NO_BREAK_SPACE}/{NO_BREAK_SPACE}{possible}"

@@ -10,11 +10,12 @@ from itertools import groupby
 
 import numpy as np
 
-from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.compose import declared_in
+from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
+from gripcourse.documents.report.verdict_shares import verdict_rows
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import DECLARED
 from gripcourse.text.amounts import amount_text, percent_text, points_text
@@ -108,6 +109,7 @@ def certificate_values(
         "weak": _weak_rows(weak[:_MOST], titles, declared, words),
         "weak_rest": len(weak[_MOST:]),
         "weak_limit": audit.rules.weak_item,
+        "verdicts": verdict_rows(audit, declared, words),
         "slips_counted": audit.slips_counted,
         "slips": aligned_cells(
             [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
@@ -209,8 +211,12 @@ def _sentences(
         yield message("too near to another variant; the nearest is {variant}", variant=other)
 
 
+def _scheme_of(steps: Steps) -> str:
+    return steps.composition.scheme
+
+
 def _by_scheme(audit: VariantAudit) -> Iterator[tuple[str, Iterable[Steps]]]:
-    yield from groupby(sorted(audit.steps, key=lambda one: one.scheme), lambda one: one.scheme)
+    yield from groupby(sorted(audit.steps, key=_scheme_of), _scheme_of)
 
 
 def _steps(title: str, steps: Sequence[Steps]) -> tuple[str, ...]:
@@ -280,9 +286,7 @@ def _mean(counts: Sequence[SlipCount]) -> float:
 
 def _declared(audit: VariantAudit, course: Course, words: Words) -> dict[str, str]:
     """Return the title of every quantity that occurs; the first scheme's counts."""
-    found: dict[str, Quantity] = {}
-    for one in audit.steps:
-        found = compose(course, course.schemes[one.scheme], dict(one.options)) | found
+    found = declared_in(course, (one.composition for one in audit.steps))
     return {id_: quantity.title.of(words.language) for id_, quantity in found.items()}
 
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import PurePath
 
-from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Quantity, Section
+from gripcourse.course.compose import declared_in
+from gripcourse.course.model import Course, Section
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import ChartBox, box_plot, facility_plot, score_plot
 from gripcourse.documents.report.columns import aligned_rows
@@ -23,7 +23,6 @@ from gripcourse.documents.report.totals import (
     shares,
     spread,
 )
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
 from gripcourse.grading.model import Report
 from gripcourse.policy.model import Policy
 from gripcourse.text.amounts import percent_text, points_text
@@ -78,7 +77,8 @@ def cohort_values(
     reports: Sequence[Report], policy: Policy, course: Course, words: Words
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `cohort_report` for the arguments."""
-    declared, scores = _declared(reports, course), shares(reports)
+    declared = declared_in(course, (report.composition for report in reports))
+    scores = shares(reports)
     judged = [report for report in reports if report.judged]
     totals, items = quantity_totals(judged), item_statistics(judged)
     asked = AskedQuantity(judged, totals, items, declared, course)
@@ -101,25 +101,12 @@ def cohort_values(
             fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
         ),
         "fewest": FEWEST,
-        "outcomes": [(SIGNS[outcome], words.say(OUTCOME_WORDS[outcome])) for outcome in COUNTED],
+        "outcomes": [(outcome.traits.sign, words.say(outcome.traits.word)) for outcome in COUNTED],
         "groups": quantity_groups(asked, words),
         "marked": marked_tables(reports, declared, policy, words),
         "decided": decision_rows(reports, declared, words),
         "flagged": flagged_files(reports, declared, words),
     }
-
-
-def _declared(reports: Sequence[Report], course: Course) -> dict[str, Quantity]:
-    """Return the declaration of every quantity that occurs, by id; the first scheme's counts."""
-    declared: dict[str, Quantity] = {}
-    seen: set[tuple[str, frozenset[tuple[str, str]]]] = set()
-    for report in reports:
-        kind = (report.scheme, frozenset(report.options.items()))
-        if kind in seen or report.scheme not in course.schemes:
-            continue
-        seen.add(kind)
-        declared = compose(course, course.schemes[report.scheme], report.options) | declared
-    return declared
 
 
 def _summary(

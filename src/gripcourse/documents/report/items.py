@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, Report
 
 # The standard error of a correlation of eight pairs is 0.38: fewer say nothing at all.
 FEWEST: Final = 8
@@ -57,7 +57,7 @@ def item_statistics(reports: Sequence[Report]) -> Mapping[str, ItemStatistics]:
 
 def is_consequence(finding: Finding) -> bool:
     """Whether an answer is another than the reference only because an earlier one was wrong."""
-    return finding.outcome is Outcome.CARRIED and bool(finding.roots)
+    return finding.outcome.traits.follows and bool(finding.roots)
 
 
 def _as_reference(finding: Finding) -> float:
@@ -65,7 +65,7 @@ def _as_reference(finding: Finding) -> float:
 
 
 def _as_followed(finding: Finding) -> float:
-    carried = finding.outcome is Outcome.CARRIED
+    carried = finding.outcome.traits.follows
     return 1.0 if carried else finding.points / finding.max_points
 
 

@@ -10,8 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.course.model import Quantity
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS
-from gripcourse.grading.model import Decision, Finding, Outcome, Report
+from gripcourse.grading.model import Decision, Finding, Report
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Rubric, RubricLine
 from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
@@ -134,19 +133,19 @@ def _decided(reports: Sequence[Report]) -> list[tuple[Report, Finding]]:
 
 
 def _has_rubric(finding: Finding) -> bool:
-    return finding.decision is not None and finding.decision.automatic is Outcome.MANUAL
+    return finding.decision is not None and finding.decision.automatic.traits.by_rubric
 
 
 def _said(decision: Decision, words: Words) -> str:
     day = day_text(decision.decided_at.date(), words)
-    if decision.automatic is Outcome.MANUAL:
+    if decision.automatic.traits.by_rubric:
         return words.say(message("Marked by {marker}, {day}.", marker=decision.marker, day=day))
     return words.say(
         message(
             "Decided by {marker}, {day}. The automatic verdict was: {verdict}.",
             marker=decision.marker,
             day=day,
-            verdict=OUTCOME_WORDS[decision.automatic],
+            verdict=decision.automatic.traits.word,
         )
     )
 
@@ -220,8 +219,8 @@ def _row(
     if decision is None:
         raise ValueError(f"nobody decided about {finding.quantity}")
     again = words.say(message("look again"))
-    automatic = words.say(OUTCOME_WORDS[decision.automatic])
-    notes = [] if decision.automatic is Outcome.MANUAL else [automatic]
+    automatic = words.say(decision.automatic.traits.word)
+    notes = [] if decision.automatic.traits.by_rubric else [automatic]
     return MarkedRow(
         name=report.name or report.student,
         item=item,

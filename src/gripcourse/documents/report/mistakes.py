@@ -5,14 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.course.model import Quantity
-from gripcourse.documents.report.root_causes import USED
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.grading.model import Finding, FlagCode, Report
 from gripcourse.policy.slips import SlipKind, SlipPolicy
+from gripcourse.slips.model import DECLARED, USED, SlipId
 from gripcourse.text.amounts import percent_text
 from gripcourse.text.words import Message, Texts, Words, message
 
-# The numbers of another student's workbook are nobody's wrong method.
-_OTHERS = "issued_to_other"
 _MOST = 15  # rows on paper; the table of kinds counts all of them
 
 
@@ -22,12 +20,12 @@ class Mistake:
 
     Attributes:
         quantity: id of the quantity that it was made in, which may be a step that is blank.
-        slip: id of the slip; empty where nothing explains the answer.
+        slip: None where nothing explains the answer.
         finding: the answer that shows it.
     """
 
     quantity: str
-    slip: str
+    slip: SlipId | None
     finding: Finding
 
 
@@ -58,19 +56,20 @@ def mistakes_of(report: Report) -> Iterator[Mistake]:
     What follows from a mistake is none; what a person has decided about is not counted. Of two
     slips that explain an answer equally the likelier counts. Another student's workbook has none.
     """
-    if any(flag.code == _OTHERS for flag in report.flags):
-        return
-    seen: set[tuple[str, str]] = set()
+    if any(flag.code is FlagCode.ISSUED_TO_OTHER for flag in report.flags):
+        return  # the numbers of another student's workbook are nobody's wrong method
+    seen: set[tuple[str, SlipId]] = set()
     for finding in report.findings:
-        if finding.outcome in {Outcome.SLIP, Outcome.WRONG}:
+        if finding.outcome.traits.mistake:
             place = finding.quantity
-        elif finding.outcome is Outcome.CARRIED and finding.slip and finding.roots:
+        elif finding.outcome.traits.follows and finding.slip and finding.roots:
             place = finding.roots[0]  # a step that was left out: its slip shows in this answer
         else:
             continue
-        if not finding.slip or (place, finding.slip) not in seen:
-            seen.add((place, finding.slip))
+        if finding.slip is None or (place, finding.slip) not in seen:
             yield Mistake(place, finding.slip, finding)
+        if finding.slip is not None:
+            seen.add((place, finding.slip))
 
 
 def slip_rows(
@@ -107,7 +106,7 @@ def kind_rows(reports: Sequence[Report], policy: SlipPolicy, words: Words) -> li
     answers: Counter[str] = Counter()
     students: dict[str, int] = defaultdict(int)
     for report in reports:
-        kinds = Counter(_kind(one.slip) for one in mistakes_of(report))
+        kinds = Counter(one.slip.kind if one.slip else "" for one in mistakes_of(report))
         answers += kinds
         for kind in kinds:
             students[kind] += 1
@@ -124,22 +123,11 @@ def kind_rows(reports: Sequence[Report], policy: SlipPolicy, words: Words) -> li
     ]
 
 
-def _kind(slip: str) -> str:
-    """Return the kind of a slip: generic ones are "kind:detail", a declared one has its own id."""
-    if not slip:
-        return ""
-    kind, colon, _ = slip.partition(":")
-    return kind if colon else _DECLARED
-
-
-_DECLARED = "declared"
-
-
 def _title(kind: str, policy: SlipPolicy, words: Words) -> str:
     names: Mapping[str, Message] = {
         "": message("not explained"),
-        _DECLARED: message("a mistake known for this formula"),
-        USED.rstrip(":"): message("another number than the given or found one"),
+        DECLARED: message("a mistake known for this formula"),
+        USED: message("another number than the given or found one"),
     }
     if kind in names:
         return words.say(names[kind])
@@ -149,16 +137,16 @@ def _title(kind: str, policy: SlipPolicy, words: Words) -> str:
 
 def _hint(
     quantity: Quantity | None,
-    slip: str,
+    slip: SlipId,
     finding: Finding,
     declared: Mapping[str, Quantity],
     words: Words,
 ) -> str:
     """Say what was done: the hint that the student reads too."""
-    if slip.startswith(USED):
-        used = declared.get(slip.removeprefix(USED))
-        title = used.title if used else slip.removeprefix(USED)
+    if slip.kind == USED:
+        used = declared.get(slip.detail)
+        title = used.title if used else slip.detail
         return words.say(message("Another number was used for {title}.", title=title))
     own = {one.id: one.hint for one in quantity.slips} if quantity else {}
-    hint = own.get(slip) or finding.message.values.get("hint")
+    hint = own.get(str(slip)) or finding.message.values.get("hint")
     return hint.of(words.language) if isinstance(hint, Texts) else words.say(finding.message)

@@ -3,17 +3,17 @@
 Every step names the student's own cells; none needs a number that the student has not got.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Container, Iterable
 from dataclasses import dataclass
 
-from gripcourse.documents.report.answers import shortened
+from gripcourse.documents.report.answers import is_unreadable, shortened
 from gripcourse.documents.report.root_causes import first_affected
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.documents.report.totals import is_blank
+from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import points_text
 from gripcourse.text.words import Words
 
-_AT_FAULT = frozenset({Outcome.SLIP, Outcome.WRONG})
 _TYPED_LETTERS = 48  # of an unreadable cell: enough to find it and to see what is wrong
 
 
@@ -68,34 +68,47 @@ class NextSteps:
 
 def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     """Gather what a student should do next."""
-    found = {finding.quantity: finding for finding in report.findings}
-    used = {
-        one.quantity: hit.quantity for one in report.causes if (hit := first_affected(one, report))
-    }
-    wrong = [name for name in plan.quantities if name in found and found[name].outcome in _AT_FAULT]
-    roots = {
-        root for one in report.findings if one.outcome is Outcome.CARRIED for root in one.roots
-    }
-    # Where a number was used wrongly, the answer that it affected first is put right with it.
-    spoiled_first = set(used.values())
-    compare = [name for name in used if not plan.quantities[name].kind.answered]
-    first = (roots & set(wrong)) - spoiled_first | (used.keys() - compare)
-    other = set(wrong) - roots - spoiled_first - first
+    faults = _faults(report, plan)
+    open_cells = [one for one in report.findings if is_unreadable(one)]
     return NextSteps(
-        compare=_named(compare, plan, words),
-        first=_named((name for name in plan.quantities if name in first), plan, words),
-        other=_named((name for name in plan.quantities if name in other), plan, words),
-        unreadable=tuple(
-            _unread(one, plan, words)
-            for one in report.findings
-            if one.outcome is Outcome.UNREADABLE
-        ),
-        blank=_named(
-            (one.quantity for one in report.findings if one.outcome is Outcome.BLANK), plan, words
-        ),
-        waiting=_named((one.quantity for one in report.findings if one.is_open), plan, words),
+        compare=_named(faults.compare, plan, words),
+        first=_named(_ordered(faults.first, plan), plan, words),
+        other=_named(_ordered(faults.other, plan), plan, words),
+        unreadable=tuple(_unread(one, plan, words) for one in open_cells),
+        blank=_named(_where(report, is_blank), plan, words),
+        waiting=_named(_where(report, lambda one: one.is_open), plan, words),
         waiting_points=points_text(report.open_points, words),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Faults:
+    """Ids of quantities to go over; see `NextSteps`."""
+
+    compare: tuple[str, ...]
+    first: frozenset[str]
+    other: frozenset[str]
+
+
+def _faults(report: Report, plan: Plan) -> _Faults:
+    """Sort what was done wrongly by when it is to be put right."""
+    spoiled = {
+        one.quantity: hit.quantity for one in report.causes if (hit := first_affected(one, report))
+    }
+    compare = [name for name in spoiled if not plan.quantities[name].kind.answered]
+    # Where a number was used wrongly, the answer that it affected first is put right with it.
+    wrong = set(_where(report, lambda one: one.outcome.traits.mistake)) - set(spoiled.values())
+    roots = {root for one in report.findings if one.outcome.traits.follows for root in one.roots}
+    first = (roots & wrong) | (spoiled.keys() - set(compare))
+    return _Faults(tuple(compare), frozenset(first), frozenset(wrong - roots - first))
+
+
+def _where(report: Report, holds: Callable[[Finding], bool]) -> list[str]:
+    return [one.quantity for one in report.findings if holds(one)]
+
+
+def _ordered(names: Container[str], plan: Plan) -> list[str]:
+    return [name for name in plan.quantities if name in names]
 
 
 def _named(quantities: Iterable[str], plan: Plan, words: Words) -> tuple[NamedStep, ...]:

@@ -13,24 +13,16 @@ from gripcourse.course.model import Course, Quantity
 from gripcourse.documents.report.charts import Bar
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.items import FEWEST, ItemStatistics, ItemView
-from gripcourse.documents.report.totals import QuantityTotal
+from gripcourse.documents.report.totals import QuantityTotal, is_blank
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.text.amounts import percent_text
 from gripcourse.text.words import Words, message
 
-COUNTED: Final = (
-    Outcome.CORRECT,
-    Outcome.CARRIED,
-    Outcome.SLIP,
-    Outcome.WRONG,
-    Outcome.BLANK,
-    Outcome.UNREADABLE,
-    Outcome.NOT_JUDGED,
-)
+COUNTED: Final = tuple(one for one in Outcome if one.traits.counted)
 
-_RIGHT: Final = (Outcome.CORRECT, Outcome.CARRIED)
+_RIGHT: Final = tuple(one for one in Outcome if one.traits.right)
 # Who hands in an empty workbook leaves everything blank: that tells nothing about one quantity.
-_UNTOLD: Final = frozenset({*_RIGHT, Outcome.BLANK})
+_TELLING: Final = tuple(one for one in COUNTED if one.traits.typed and not one.traits.right)
 _HARDEST: Final = 16  # bars of the plot
 
 
@@ -152,9 +144,8 @@ def _left_out(reports: Sequence[Report]) -> set[str]:
     """Return what somebody left blank who answered something else."""
     found = set()
     for report in reports:
-        outcomes = {one.outcome for one in report.findings}
-        if outcomes - {Outcome.BLANK, Outcome.MANUAL}:
-            found |= {one.quantity for one in report.findings if one.outcome is Outcome.BLANK}
+        if any(one.outcome.traits.typed for one in report.findings):
+            found |= {one.quantity for one in report.findings if is_blank(one)}
     return found
 
 
@@ -170,7 +161,7 @@ def _group(
         for total in totals
         if total.quantity not in left_out
         and _right(total)
-        and not any(total.outcomes.get(one) for one in COUNTED if one not in _UNTOLD)
+        and not any(total.outcomes.get(one) for one in _TELLING)
     ]
     rows = [_row(total, asked, words) for total in totals if total not in faultless]
     return QuantityGroup(

@@ -3,17 +3,14 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
-from gripcourse.grading.model import Cause, Finding, Outcome, Report
+from gripcourse.grading.model import Cause, Finding, Report
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, points_text
 from gripcourse.text.words import Words, message
 
 _MOST = 5  # roots; what follows from a lesser one says so in its own row
 _NAMED = 12  # answers of one root; each symbol costs boxes
-
-USED = "used:"
-"""How the slip of an answer begins that a number used wrongly has spoiled."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +49,7 @@ def cause_rows(report: Report, plan: Plan, words: Words) -> Iterator[CauseRow]:
         later = [
             findings[name]
             for name in cause.explains
-            if name in findings and findings[name].outcome is Outcome.CARRIED
+            if name in findings and findings[name].outcome.traits.follows
         ]
         if later and shown < _MOST:
             shown += 1
@@ -71,7 +68,7 @@ def name_of(quantity: str, plan: Plan, words: Words) -> str:
 
 
 def _first_affected(cause: Cause, findings: Iterable[Finding]) -> Finding | None:
-    slip = f"{USED}{cause.quantity}"
+    slip = SlipId.used(cause.quantity)
     found = (one for one in findings if one.slip == slip and one.quantity in cause.explains)
     return next(found, None)
 
@@ -89,8 +86,8 @@ def _row(
     return CauseRow(
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
-        sign="" if root is None else SIGNS[root.outcome],
-        verdict="" if root is None else words.say(OUTCOME_WORDS[root.outcome]),
+        sign="" if root is None else root.outcome.traits.sign,
+        verdict="" if root is None else words.say(root.outcome.traits.word),
         said=words.say(cause.message) if root is None else "",
         later=tuple(name_of(one.quantity, plan, words) for one in later[:_NAMED]),
         more=_more(more, words) if more > 0 else "",

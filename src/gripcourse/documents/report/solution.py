@@ -8,9 +8,8 @@ from gripcourse.course.model import Course, Quantity
 from gripcourse.documents.assignment_sheet import drawn_diagram, given_data, option_pairs
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.worked import entering_units, worked_line
-from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import variant_block
-from gripcourse.drawing.view.general_view import general_view
+from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.formula.boxes import Box
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
@@ -81,8 +80,7 @@ def _general_view(
     block = variant_block(plan, variant.id, "", words)
     drawn = general_view(plan, plan.scheme.view, values, block, words)
     sheet = drawn.arranged.sheet
-    title = f"{block.document}: {block.title}, {block.designation}"
-    svg = svg_text(drawn.document, sheet.width, sheet.height, title)
+    svg, title = sheet_svg(drawn, block)
     return picture(svg), title, sheet.height > sheet.width
 
 

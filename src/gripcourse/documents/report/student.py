@@ -16,8 +16,7 @@ from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbe
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
-from gripcourse.documents.report.totals import SectionTotal, is_open, section_totals
-from gripcourse.documents.report.verdicts import OUTCOME_WORDS, SIGNS
+from gripcourse.documents.report.totals import SectionTotal, section_totals
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
@@ -106,23 +105,11 @@ def student_values(
             )
         ],
         "legend": [
-            (SIGNS[outcome], words.say(OUTCOME_WORDS[outcome]), words.say(meaning))
-            for outcome, meaning in LEGEND
+            (outcome.traits.sign, words.say(outcome.traits.word), words.say(outcome.traits.meaning))
+            for outcome in Outcome
             if any(finding.outcome is outcome for finding in report.findings)
         ],
     }
-
-
-LEGEND = (
-    (Outcome.CORRECT, message("equals the expected value within its band")),
-    (Outcome.CARRIED, message("follows correctly from your own earlier numbers")),
-    (Outcome.SLIP, message("the result of a known mistake, named below the answer")),
-    (Outcome.WRONG, message("neither the expected value nor one that follows from your numbers")),
-    (Outcome.BLANK, message("the cell is empty; it was not read as zero")),
-    (Outcome.UNREADABLE, message("the cell holds something that is not a number")),
-    (Outcome.NOT_JUDGED, message("could not be judged automatically; a person decides")),
-    (Outcome.MANUAL, message("marked or decided by a person")),
-)
 
 
 def _sections(
@@ -164,7 +151,7 @@ def _waiting(total: SectionTotal, words: Words) -> str:
 
 
 def _costly(report: Report) -> list[Finding]:
-    lost = [one for one in report.findings if not is_open(one) and one.points < one.max_points]
+    lost = [one for one in report.findings if not one.is_open and one.points < one.max_points]
     return sorted(lost, key=lambda one: one.points - one.max_points)[:_COSTLY]
 
 
@@ -174,6 +161,6 @@ def _loss(finding: Finding, plan: Plan, words: Words) -> Loss:
         points=f"−{points_text(finding.max_points - finding.points, words)}",
         symbol=quantity.symbol.of(words.language),
         title=quantity.title.of(words.language),
-        sign=SIGNS[finding.outcome],
-        verdict=words.say(OUTCOME_WORDS[finding.outcome]),
+        sign=finding.outcome.traits.sign,
+        verdict=words.say(finding.outcome.traits.word),
     )

@@ -59,8 +59,8 @@ def section_totals(report: Report) -> dict[str, SectionTotal]:
     totals: dict[str, SectionTotal] = {}
     for section in dict.fromkeys(finding.section for finding in report.findings):
         inside = [finding for finding in report.findings if finding.section == section]
-        waiting = [finding for finding in inside if is_open(finding)]
-        scored = [finding for finding in inside if not is_open(finding)]
+        waiting = [finding for finding in inside if finding.is_open]
+        scored = [finding for finding in inside if not finding.is_open]
         totals[section] = SectionTotal(
             points=sum(finding.points for finding in scored),
             max_points=sum(finding.max_points for finding in scored),
@@ -69,9 +69,9 @@ def section_totals(report: Report) -> dict[str, SectionTotal]:
     return totals
 
 
-def is_open(finding: Finding) -> bool:
-    """Whether a person still has to decide about an item."""
-    return finding.is_open
+def is_blank(finding: Finding) -> bool:
+    """Whether an answer was asked for and the cell is empty."""
+    return finding.outcome.traits.missing and not finding.outcome.traits.typed
 
 
 def shares(reports: Sequence[Report]) -> list[float]:

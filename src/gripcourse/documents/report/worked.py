@@ -7,12 +7,13 @@ got that far; the line then ends before the result.
 import math
 from collections.abc import Iterator, Mapping
 from itertools import groupby
-from typing import Final, TypeGuard
+from typing import Final
 
+from gripcourse.course.column_symbols import column_symbols, reads_value
 from gripcourse.course.model import Kind, Quantity, Rounding
 from gripcourse.documents.report.angles import in_radians
 from gripcourse.formula.boxes import Box, Row, Text
-from gripcourse.formula.tree import Call, Formula, Name, Node, Operation, names, walk
+from gripcourse.formula.tree import Formula, Name, Node, Operation, names
 from gripcourse.formula.typeset import equation, number_box, symbol_box, typeset
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
@@ -52,7 +53,7 @@ def worked_line(
     own = _symbol(quantity, words)
     if quantity.kind is Kind.CHOICE:
         return _choice(quantity, own, sides, result, words)
-    if _reads(formula.tree):
+    if reads_value(formula.tree):
         own, *sides = sides  # `b(D) = b(63 мм)`: the table's column has the quantity's symbol
     if result is not None:
         sides.append(_value(result, quantity.unit, words))
@@ -77,10 +78,9 @@ def entering_units(quantity: Quantity, plan: Plan, words: Words) -> tuple[tuple[
 
 
 def _symbols(quantity: Quantity, formula: Formula, plan: Plan, words: Words) -> dict[str, Box]:
-    """Return the symbol of every name, and the quantity's own for a table that it is read from."""
+    """Return the symbol of every name, and what stands for the tables that are read."""
     used = {name: _symbol(plan.quantities[name], words) for name in names(formula.tree)}
-    columns = (node.column for node in walk(formula.tree) if _reads(node))
-    return used | {column: _symbol(quantity, words) for column in columns if column is not None}
+    return used | column_symbols(formula.tree, quantity, plan.quantities, words.language)
 
 
 def _numbers(
@@ -168,8 +168,3 @@ def _comparisons(node: Node) -> Iterator[Operation]:
         yield from _comparisons(node.right)
     else:
         yield node
-
-
-def _reads(node: Node) -> TypeGuard[Call]:
-    """Tell whether a node does nothing but read a table."""
-    return isinstance(node, Call) and node.function == "lookup"

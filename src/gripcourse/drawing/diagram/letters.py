@@ -125,36 +125,53 @@ def write_letters(letters: Sequence[Letter], lines: Lines, sheet: LetterBox) -> 
     return tuple(written)
 
 
-def covered_length(box: LetterBox, lines: Lines) -> float:
-    """Return how much line runs under a box, mm; thin axes count less."""
-    return float(_covered([box], lines)[0])
-
-
 def _best(letter: Letter, lines: Lines, sheet: LetterBox, others: Sequence[Written]) -> Written:
     base, _, below = letter.symbol.partition("_")
     offset = text_width(base, TEXT_HEIGHT)
     width = offset + (text_width(below, SUBSCRIPT) if below else 0.0)
     depth = DROP + 0.5 if below else _DESCENT
     size = (width, TEXT_HEIGHT + depth)
+    around = _Around(lines, sheet, others)
     best: tuple[float, LetterBox] | None = None
     for distance, boxes in _candidates(letter.places, size):
-        covered = _covered([box.wider(_GAP) for box in boxes], lines)
-        for box, line in zip(boxes, covered, strict=True):
-            cost = float(line) if line > _FREE else 0.0
-            if best is not None and cost + _FAR * distance >= best[0]:
-                continue
-            cost += _COVERED * sum(box.wider(_GAP).overlap(one.box) for one in others)
-            cost += 0.0 if sheet.holds(box) else _OUTSIDE
-            ranked = cost + _FAR * distance
-            if best is None or ranked < best[0]:
-                best = ranked, box
-            if cost == 0:
-                break
+        best = _cheapest(boxes, _FAR * distance, around, best)
         if best is not None and best[0] <= _FAR * distance:
             break
     assert best is not None  # noqa: S101 (a letter names one place at least)
     box = best[1]
     return Written(letter.symbol, base, below, (box.left, box.low + depth), offset, box)
+
+
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """What a letter should not cover, and what it must not leave."""
+
+    lines: Lines
+    sheet: LetterBox
+    others: Sequence[Written]
+
+    def disturbed(self, box: LetterBox) -> float:
+        """Return the cost of other letters under a box, and of leaving the sheet."""
+        covered = _COVERED * sum(box.wider(_GAP).overlap(one.box) for one in self.others)
+        return covered + (0.0 if self.sheet.holds(box) else _OUTSIDE)
+
+
+def _cheapest(
+    boxes: Sequence[LetterBox],
+    far: float,
+    around: _Around,
+    best: tuple[float, LetterBox] | None,
+) -> tuple[float, LetterBox] | None:
+    """Return the cheapest of some boxes that are equally far, or the best so far, with its cost."""
+    covered = covered_lengths([box.wider(_GAP) for box in boxes], around.lines)
+    for box, line in zip(boxes, covered, strict=True):
+        seen = float(line) if line > _FREE else 0.0
+        if best is not None and seen + far >= best[0]:
+            continue
+        cost = seen + around.disturbed(box) + far
+        if best is None or cost < best[0]:
+            best = cost, box
+    return best
 
 
 def _candidates(
@@ -178,8 +195,11 @@ def _box_beside(
     return LetterBox(x - half, y - tall, x + half, y + tall)
 
 
-def _covered(boxes: Sequence[LetterBox], lines: Lines) -> NDArray[np.float64]:
-    """Return the weighted length of line inside each box (Liang and Barsky's clipping)."""
+def covered_lengths(boxes: Sequence[LetterBox], lines: Lines) -> NDArray[np.float64]:
+    """Return how much line runs under each box, mm; thin axes count less.
+
+    The lines are cut as Liang and Barsky do.
+    """
     if not len(lines.ends):
         return np.zeros(len(boxes))
     sides = np.array([(one.left, one.low, one.right, one.high) for one in boxes])

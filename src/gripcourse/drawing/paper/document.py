@@ -11,6 +11,7 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.text import FONT_FILE
+from gripcourse.text.conventions import decimal_sign
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -129,7 +130,7 @@ def _add_dimension_style(document: "Drawing", language: str) -> None:
             "dimadec": 1,
             "dimzin": _CUT_ZEROS,
             "dimazin": 2,
-            "dimdsep": ord("." if language == "en" else ","),
+            "dimdsep": ord(decimal_sign(language)),
             "dimlunit": 2,
             "dimaunit": 0,
             "dimlwd": FINE,

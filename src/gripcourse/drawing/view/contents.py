@@ -116,21 +116,33 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     other = numbers_at(plan, view, solved, view.other) if view.other else main
     drawn = [(part, list(shown(part, main))) for part in view.parts]
     shapes = [one for _, found in drawn for one in found]
-    from_behind = [one for _, found in reversed(drawn) for one in found]
-    moving = [part for part in view.parts if part.moves and view.other]
-    edges = [one for part in moving for one in shown(part, other) if one.kind is LineKind.OUTLINE]
-    ghosts = [as_other(one) for one in edges]
     return Figure(
         upright=view.upright,
-        seen={
-            face: list(_visible([*ghosts, *(from_behind if face is Face.END else shapes)], face))
-            for face in Face
-        },
+        seen=_seen(drawn, _ghosts(view, other)),
         cuts={face: list(_cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=list(_measured(view, main, other, solved)),
         labelled=list(_labelled(view, main)),
     )
+
+
+def _ghosts(view: View, other: Numbers) -> list[Shown]:
+    """Return the edges of what moves where it stands in the other position."""
+    moving = [part for part in view.parts if part.moves and view.other]
+    edges = [one for part in moving for one in shown(part, other) if one.kind is LineKind.OUTLINE]
+    return [as_other(one) for one in edges]
+
+
+def _seen(
+    drawn: Sequence[tuple[ViewPart, Sequence[Shown]]], ghosts: Sequence[Shown]
+) -> dict[Face, list[Seen]]:
+    """Return what is seen of each face; from the end the parts lie in the opposite order."""
+    shapes = [one for _, found in drawn for one in found]
+    from_behind = [one for _, found in reversed(drawn) for one in found]
+    return {
+        face: list(_visible([*ghosts, *(from_behind if face is Face.END else shapes)], face))
+        for face in Face
+    }
 
 
 def _visible(shapes: Sequence[Shown], face: Face) -> Iterator[Seen]:

@@ -11,6 +11,7 @@ from gripcourse.course.view import Face, View
 from gripcourse.drawing.paper.document import new_document
 from gripcourse.drawing.paper.sheet import PartsRow, draw_characteristics, draw_list, draw_sheet
 from gripcourse.drawing.paper.strokes import Box
+from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import capital
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.contents import Figure, figure
@@ -73,6 +74,13 @@ def general_view(
     for face, origin in arranged.origins.items():
         draw_face(layout, shown, face, faces[face], arranged.factor, origin)
     return GeneralView(shown, faces, arranged, rows, lines, document)
+
+
+def sheet_svg(drawn: GeneralView, block: TitleBlock) -> tuple[str, str]:
+    """Return the sheet as SVG, and the sentence that stands for it where it cannot be seen."""
+    title = f"{block.document}: {block.title}, {block.designation}"
+    sheet = drawn.arranged.sheet
+    return svg_text(drawn.document, sheet.width, sheet.height, title), title
 
 
 def _numbered(shown: Figure, main: FaceLayout) -> Figure:

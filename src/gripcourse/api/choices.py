@@ -1,0 +1,34 @@
+"""What callers choose by name."""
+
+from gripcourse.course.model import Convention
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import LANGUAGES, message
+
+
+def chosen_convention(name: str | None) -> Convention | None:
+    """Return a convention; None for the course's.
+
+    Raises:
+        UsageError: there is none of this name.
+    """
+    if name is None:
+        return None
+    if name not in list(Convention):
+        what = message("There is no convention '{name}'.", name=name)
+        remedy = did_you_mean(name, list(Convention))
+        raise UsageError([Problem("", "", what, remedy, parameter="convention")])
+    return Convention(name)
+
+
+def chosen_language(name: str) -> str:
+    """Return a language that the program speaks.
+
+    Raises:
+        UsageError: it does not speak it.
+    """
+    if name not in LANGUAGES:
+        what = message("There is no language '{language}'.", language=name)
+        remedy = did_you_mean(name, LANGUAGES)
+        raise UsageError([Problem("", "", what, remedy, parameter="language")])
+    return name

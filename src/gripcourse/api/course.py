@@ -1,0 +1,311 @@
+"""A course in the hands of a program: each call is one use case."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, date, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.api.choices import chosen_convention, chosen_language
+from gripcourse.api.make_results import (
+    check_result,
+    issue_result,
+    refused_check,
+    solution_result,
+    variants_result,
+)
+from gripcourse.api.results import (
+    CheckResult,
+    IssueResult,
+    ProblemsResult,
+    SolutionResult,
+    VariantsResult,
+)
+from gripcourse.api.sources import FileLike, readable, workbooks
+from gripcourse.api.validate import validate
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course as Definition
+from gripcourse.errors import UsageError
+from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.resources import course_root
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
+from gripcourse.text.words import Words
+from gripcourse.variants.table import read_table, write_table
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from gripcourse.usecases.solve import Solved
+
+# Every call imports what it needs itself: documents and databases cost up to half a second.
+# ruff: noqa: PLC0415
+
+
+def nothing(_: object) -> None:
+    """Show no progress."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """A course that can be used, with its policy; `Course.load` makes it.
+
+    Attributes:
+        definition: everything that the instructor wrote.
+        policy: points, tolerances, credits and rubrics.
+        language: of the sentences and titles in results: `en`, `ru` or `uk`.
+    """
+
+    definition: Definition
+    policy: Policy
+    language: str
+
+    @classmethod
+    def load(cls, folder: str | Path | None = None, language: str | None = None) -> "Course":
+        """Load a course with its policy.
+
+        Args:
+            folder: with `variants`, `templates` and `grader`; None for the reference course.
+            language: of results; None for the course's own.
+
+        Raises:
+            UsageError: the folder is no course.
+            CourseError: with every problem of the course.
+        """
+        definition = load_course(course_root(None if folder is None else Path(folder)))
+        return cls(
+            definition, load_policy(definition), chosen_language(language or definition.language)
+        )
+
+    @property
+    def root(self) -> Path:
+        """The folder of the course."""
+        return self.definition.root
+
+    @property
+    def main_table(self) -> Path:
+        """The table of variants that the course issues from."""
+        return self.root / "variants" / "tables" / "main.csv"
+
+    @property
+    def words(self) -> Words:
+        """The language of results."""
+        return Words(self.language)
+
+    def speaking(self, language: str) -> "Course":
+        """Return the same course with results in another language."""
+        return replace(self, language=chosen_language(language))
+
+    def validate(self) -> ProblemsResult:
+        """Check the folder of the course as it is now; see `gripcourse.validate`."""
+        return validate(self.root, self.language)
+
+    def variants(self, table: FileLike | None = None) -> VariantsResult:
+        """Read a table of variants.
+
+        Raises:
+            TableError: with every bad row.
+        """
+        return variants_result(read_table(self.table_source(table), self.definition))
+
+    def draw_variants(
+        self,
+        count: int,
+        seed: int,
+        *,
+        scheme: str | None = None,
+        freely: bool = False,
+        out: str | Path | None = None,
+    ) -> VariantsResult:
+        """Draw variants; write them as a table where `out` names one.
+
+        Args:
+            count: how many.
+            seed: the same seed gives the same variants.
+            scheme: only this one; None for all.
+            freely: whether to leave aside the rules that keep variants apart.
+            out: CSV file to write; None for none.
+
+        Raises:
+            GripcourseError: there is no such scheme, or too few variants can be found.
+        """
+        from gripcourse.usecases.variants import draw_variants
+
+        drawn = draw_variants(self.definition, count, seed, scheme, freely=freely)
+        if out is not None:
+            write_table(Path(out), drawn.variants, self.definition)
+        return variants_result(drawn.variants, drawn.tallies)
+
+    def solve(self, variant: str, *, table: FileLike | None = None) -> "pd.DataFrame":
+        """Return the values of a variant: id, symbol, title, unit, value, kind, section, source.
+
+        Raises:
+            GripcourseError: the table cannot be used, or has no such variant.
+        """
+        return self.solution(variant, table=table).table()
+
+    def solve_scheme(
+        self,
+        scheme: str,
+        given: Mapping[str, float | str] | None = None,
+        options: Mapping[str, str] | None = None,
+        convention: str | None = None,
+    ) -> "pd.DataFrame":
+        """Return the values of a scheme with values of one's own; see `scheme_solution`."""
+        return self.scheme_solution(scheme, given, options, convention).table()
+
+    def solution(
+        self, variant: str, *, table: FileLike | None = None, convention: str | None = None
+    ) -> SolutionResult:
+        """Solve a variant of a table; the course's main one where none is named.
+
+        Raises:
+            GripcourseError: the table cannot be used, or has no such variant.
+        """
+        return solution_result(self.solved(variant, table, convention), self.words)
+
+    def scheme_solution(
+        self,
+        scheme: str,
+        given: Mapping[str, float | str] | None = None,
+        options: Mapping[str, str] | None = None,
+        convention: str | None = None,
+    ) -> SolutionResult:
+        """Solve a scheme with values of one's own.
+
+        Args:
+            scheme: id.
+            given: in declared units, as numbers or as people type them; of given quantities and
+                constants, or of computed ones to assume instead. What is not named is the worked
+                example's.
+            options: what is chosen.
+            convention: `corrected` or `guide`; None for the course's.
+
+        Raises:
+            UsageError: an unknown name, or a value that cannot be used.
+        """
+        from gripcourse.usecases.solve import solve_scheme
+
+        wanted = chosen_convention(convention)
+        solved = solve_scheme(self.definition, scheme, given or {}, options or {}, wanted)
+        return solution_result(solved, self.words)
+
+    def solved(
+        self, variant: str, table: FileLike | None = None, convention: str | None = None
+    ) -> "Solved":
+        """Solve a variant for the writers of documents in `gripcourse.api.documents`."""
+        from gripcourse.usecases.solve import solve_from_table
+
+        variants = read_table(self.table_source(table), self.definition)
+        wanted = chosen_convention(convention)
+        return solve_from_table(self.definition, variants, variant, wanted)
+
+    def issue(  # noqa: PLR0913 (all but two are for those who need them)
+        self,
+        roster: FileLike,
+        out: str | Path,
+        *,
+        table: FileLike | None = None,
+        deadline: date | None = None,
+        today: date | None = None,
+        workers: int = 0,
+        on_done: Callable[[str], None] = nothing,
+    ) -> IssueResult:
+        """Issue a variant to everybody on a roster and write their documents.
+
+        Args:
+            roster: table of the students.
+            out: folder to write a folder per student to.
+            table: of variants; None for the course's main one.
+            deadline: last day for handing in.
+            today: day of the issue; None for today.
+            workers: how many processes lay out documents; 0 for none but this one.
+            on_done: called with each student's id.
+
+        Raises:
+            GripcourseError: something cannot be used; nothing was issued.
+        """
+        from gripcourse.usecases.issue import Order, issue_order
+
+        order = Order(
+            roster=readable(roster, "roster"),
+            table=self.table_source(table),
+            out=Path(out),
+            today=today or _today(),
+            deadline=deadline,
+        )
+        issuing = issue_order(self.definition, self.policy, order, workers, on_done)
+        return issue_result(issuing, self.words)
+
+    def check(self, workbook: FileLike) -> CheckResult:
+        """Say how a workbook is read and whether its numbers fit each other; never the answers.
+
+        A file that is no answer workbook is no exception: the result says why in `refusal`.
+
+        Raises:
+            OSError: a file that is named cannot be read.
+        """
+        from gripcourse.usecases.check import check_file
+
+        source = readable(workbook, "workbook")
+        if not isinstance(source, NamedBytes):
+            source = NamedBytes(str(source), source.read_bytes())
+        try:
+            checked = check_file(source, self.definition, self.policy)
+        except UsageError as refused:
+            return refused_check(refused.problems, self.words)
+        return check_result(checked, self.words)
+
+    def grade(
+        self,
+        files: Iterable[FileLike],
+        *,
+        out: str | Path | None = None,
+        gradebook: str | Path | None = None,
+        graded_on: date | None = None,
+        workers: int = 0,
+        on_done: Callable[[object], None] = nothing,
+    ) -> GradesResult:
+        """Grade workbooks against what was issued from this course.
+
+        Args:
+            files: paths of files and folders, or bytes with their names.
+            out: folder to write reports, the cohort summary and grades to; None to write nothing.
+            gradebook: path or database URL, to keep the attempts in and to take the marks of
+                persons from; None for none.
+            graded_on: day that documents bear; None for today.
+            workers: how many processes, each bounded in time and memory; 0 for none but this one,
+                where a hostile file can take the whole program along.
+            on_done: called with each file when it is graded.
+
+        Raises:
+            GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
+                faults of a submission are in its report.
+        """
+        from gripcourse.usecases.grade import grade, write_results
+        from gripcourse.usecases.gradebook import check_gradebook, keep
+        from gripcourse.usecases.opening import grading_of
+
+        sources = workbooks(files)
+        context = grading_of(self.definition, self.policy)
+        if gradebook is not None:
+            check_gradebook(str(gradebook))
+        graded = grade(sources, context, workers, on_done)
+        if gradebook is not None:
+            graded = keep(graded, context, str(gradebook), datetime.now(UTC))
+        reports = tuple(one.report for one in graded)
+        if out is not None:
+            day = graded_on or _today()
+            written = write_results(graded, context, Path(out), day, workers, nothing)
+            reports = written.reports
+        incidents = [one.incident for one in graded if one.incident]
+        return grades_result(reports, self.words, incidents)
+
+    def table_source(self, table: FileLike | None) -> Path | NamedBytes:
+        """Return the table that is meant: the named one, else the course's main one."""
+        return self.main_table if table is None else readable(table, "variants")
+
+
+def _today() -> date:
+    return datetime.now().astimezone().date()

@@ -1,0 +1,111 @@
+"""Documents of a course: what a program can have written beside the results of `Course`."""
+
+import secrets
+from datetime import date, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.api.course import Course
+from gripcourse.api.sources import FileLike
+from gripcourse.text.words import Words
+
+if TYPE_CHECKING:
+    from gripcourse.machine.doctor import MachineCheck
+    from gripcourse.usecases.audit import WrittenAudit
+
+# Every call imports what it needs itself: laying out costs half a second to import.
+# ruff: noqa: PLC0415
+
+
+def init_course(
+    folder: str | Path, *, source: str | Path | None = None, language: str = "en"
+) -> Course:
+    """Make a course of one's own with a key of its own, and load it.
+
+    Args:
+        folder: new or empty.
+        source: course to copy; None for the reference course.
+        language: of the short guide in it.
+
+    Raises:
+        UsageError: the folder is in use or cannot be written.
+    """
+    from gripcourse.usecases.init import init_course as make
+
+    origin = None if source is None else Path(source)
+    make(Path(folder), secrets.token_bytes(32), Words(language), origin)
+    return Course.load(folder)
+
+
+def doctor(folder: str | Path = ".") -> "tuple[MachineCheck, ...]":
+    """Check this machine: what it has and lacks, each lack with its remedy."""
+    from gripcourse.machine.doctor import checks
+
+    return checks(Path(folder))
+
+
+def write_solution(
+    course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
+) -> Path:
+    """Write the worked solution of a variant as PDF and return where it is."""
+    from gripcourse.usecases.solve import write_solution as write
+
+    return write(course.solved(variant, table), Path(out), course.words)
+
+
+def write_key(
+    course: Course, variant: str, out: str | Path, *, table: FileLike | None = None
+) -> Path:
+    """Write the instructor's workbook with live formulas and return where it is."""
+    from gripcourse.usecases.solve import write_key as write
+
+    return write(course.solved(variant, table), Path(out), course.words)
+
+
+def write_general_view(
+    course: Course,
+    variant: str,
+    out: str | Path,
+    *,
+    table: FileLike | None = None,
+    student: str = "",
+) -> tuple[Path, ...]:
+    """Write the general view of a variant as DXF and SVG into a folder; return the files."""
+    from gripcourse.usecases.draw import write_general_view as write
+
+    return tuple(write(course.solved(variant, table), Path(out), student, course.words))
+
+
+def audit_variants(
+    course: Course,
+    out: str | Path,
+    *,
+    table: FileLike | None = None,
+    today: date | None = None,
+) -> "WrittenAudit":
+    """Audit a table of variants; write its certificate and numbers into a folder."""
+    from gripcourse.usecases.audit import audit_table
+
+    day = today or datetime.now().astimezone().date()
+    return audit_table(course.definition, course.table_source(table), Path(out), course.words, day)
+
+
+def import_variants(course: Course, table: FileLike, out: str | Path) -> int:
+    """Check an instructor's own table, write it as CSV and return the number of its variants."""
+    from gripcourse.usecases.variants import import_table
+
+    return import_table(course.definition, course.table_source(table), Path(out))
+
+
+def draw_atlas(course: Course, atlas: str, out: str | Path) -> tuple[Path, ...]:
+    """Reproduce the figures of a source into a folder; return the files."""
+    from gripcourse.usecases.atlas import draw_atlas as write
+
+    return tuple(write(course.definition, atlas, Path(out), course.words))
+
+
+def write_reference(course: Course, out: str | Path) -> tuple[Path, ...]:
+    """Write the formula reference into a folder; return the pages."""
+    from gripcourse.usecases.reference import write_reference as write
+
+    return tuple(write(course.definition, Path(out), course.words))

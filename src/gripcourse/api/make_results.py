@@ -1,0 +1,138 @@
+"""What the use cases return, put into words as results."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from gripcourse.api.results import (
+    CheckedAnswerResult,
+    CheckResult,
+    DrawingTallyResult,
+    HandoutResult,
+    IssueResult,
+    ProblemResult,
+    ProblemsResult,
+    SolutionResult,
+    SourceResult,
+    ValueResult,
+    VariantResult,
+    VariantsResult,
+)
+from gripcourse.course.model import Kind, Quantity
+from gripcourse.errors import Problem
+from gripcourse.exports.report_result import finite
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Message, Words
+
+if TYPE_CHECKING:
+    # Who asks for one result should not wait for what makes the others.
+    from gripcourse.usecases.check import CheckedWorkbook
+    from gripcourse.usecases.issue import Issuing
+    from gripcourse.usecases.solve import Solved
+    from gripcourse.variants.model import Variant
+    from gripcourse.variants.tally import Tally
+
+
+def solution_result(solved: "Solved", words: Words) -> SolutionResult:
+    """Put a solved variant into words."""
+    plan = solved.plan
+    values = {
+        name: ValueResult(
+            symbol=quantity.symbol.of(words.language),
+            title=quantity.title.of(words.language),
+            unit=quantity.unit,
+            value=finite(solved.values[name]),
+            kind=quantity.kind,
+            section=quantity.section,
+            source=_source_result(quantity, words),
+        )
+        for name, quantity in plan.quantities.items()
+        if quantity.kind is not Kind.MANUAL
+    }
+    return SolutionResult(
+        scheme=plan.scheme.id,
+        variant=solved.variant.id,
+        options=dict(plan.options),
+        convention=plan.convention,
+        values=values,
+        assumed=solved.assumed,
+    )
+
+
+def problems_result(problems: Iterable[Problem], words: Words) -> ProblemsResult:
+    """Put problems into words."""
+    return ProblemsResult(
+        tuple(
+            ProblemResult(
+                file=one.file,
+                key=one.key if isinstance(one.key, str) else words.say(one.key),
+                what=words.say(one.what),
+                remedy=words.say(one.remedy),
+                excerpt=one.excerpt,
+                parameter=one.parameter,
+                step=one.step,
+            )
+            for one in problems
+        )
+    )
+
+
+def variants_result(
+    variants: "Iterable[Variant]", tallies: "Iterable[Tally]" = ()
+) -> VariantsResult:
+    """Make the result of a table of variants."""
+    return VariantsResult(
+        tuple(
+            VariantResult(one.id, one.scheme, dict(one.options), dict(one.given))
+            for one in variants
+        ),
+        tuple(DrawingTallyResult(one.scheme, one.tried, one.sound) for one in tallies),
+    )
+
+
+def issue_result(issuing: "Issuing", words: Words) -> IssueResult:
+    """Put what was issued into words."""
+    return IssueResult(
+        handouts=tuple(
+            HandoutResult(one.student, tuple(map(str, one.files)), _said(one.faults, words))
+            for one in issuing.handouts
+        ),
+        notes=_said(issuing.notes, words),
+    )
+
+
+def check_result(checked: "CheckedWorkbook", words: Words) -> CheckResult:
+    """Put a self-check into words."""
+    answers = []
+    for one in checked.checks:
+        quantity = checked.plan.quantities[one.quantity]
+        answers.append(
+            CheckedAnswerResult(
+                quantity=one.quantity,
+                symbol=quantity.symbol.of(words.language),
+                title=quantity.title.of(words.language),
+                unit=unit_text(quantity.unit, words.language),
+                state=one.state,
+                value=finite(one.answer.value),
+                typed=one.answer.typed,
+                cell=one.answer.cell,
+                message=words.say(one.message),
+                remarks=_said(one.remarks, words),
+            )
+        )
+    return CheckResult("", tuple(answers), _said(checked.remarks, words))
+
+
+def refused_check(problems: Iterable[Problem], words: Words) -> CheckResult:
+    """Say why a file cannot be checked: that is its sender's to mend, and no exception."""
+    said = (f"{words.say(one.what)} {words.say(one.remedy)}" for one in problems)
+    return CheckResult(" ".join(said), (), ())
+
+
+def _source_result(quantity: Quantity, words: Words) -> SourceResult:
+    source = quantity.source
+    note = "" if source.note is None else source.note.of(words.language)
+    return SourceResult(source.work, source.equation, note)
+
+
+def _said(sentences: Sequence[Message], words: Words) -> tuple[str, ...]:
+    return tuple(words.say(one) for one in sentences)

@@ -1,0 +1,84 @@
+"""Marks of persons and traces of numbers, as a program asks for them."""
+
+from collections.abc import Iterable, Mapping
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.api.course import Course
+from gripcourse.api.sources import FileLike, readable
+
+if TYPE_CHECKING:
+    from gripcourse.gradebook.enter import Draft
+    from gripcourse.gradebook.waiting import Waiting
+    from gripcourse.usecases.mark import Marking
+    from gripcourse.usecases.trace import Traced
+
+# Every call imports what it needs itself, as in `api.course`.
+# ruff: noqa: PLC0415
+
+
+def what_waits(gradebook: str | Path) -> "tuple[Waiting, ...]":
+    """Return what waits for a person in a gradebook.
+
+    Raises:
+        GradebookError: there is none, or it cannot be used.
+    """
+    from gripcourse.usecases.mark import what_waits as ask
+
+    return ask(str(gradebook))
+
+
+def enter_mark(course: Course, draft: "Draft", gradebook: str | Path, marker: str) -> "Marking":
+    """Enter the mark of one item; see `gripcourse.gradebook.enter.Draft`.
+
+    Raises:
+        GripcourseError: with all that is wrong with it.
+    """
+    from gripcourse.usecases.mark import enter_mark as enter
+    from gripcourse.usecases.opening import grading_of
+
+    context = grading_of(course.definition, course.policy)
+    return enter(draft, context, str(gradebook), marker, datetime.now(UTC))
+
+
+def enter_marks(course: Course, table: FileLike, gradebook: str | Path, marker: str) -> "Marking":
+    """Enter a table of marks, whole or not at all.
+
+    Raises:
+        GripcourseError: with all that is wrong, by row and column.
+    """
+    from gripcourse.usecases.mark import enter_table
+    from gripcourse.usecases.opening import grading_of
+
+    context = grading_of(course.definition, course.policy)
+    source = readable(table, "marks")
+    return enter_table(source, context, str(gradebook), marker, datetime.now(UTC))
+
+
+def trace(
+    course: Course,
+    numbers: Iterable[str],
+    quantities: Mapping[str, str] | None = None,
+    table: FileLike | None = None,
+) -> "Traced":
+    """Rank whose variant numbers may come from, with the odds; no verdict.
+
+    Args:
+        course: whose register is searched.
+        numbers: as people type them, of unknown meaning.
+        quantities: numbers whose meaning is known, by id.
+        table: searched instead of the register; None for the register.
+
+    Raises:
+        GripcourseError: with every text that is no number or no quantity.
+    """
+    from gripcourse.usecases import trace as tracing
+
+    sought = (
+        tracing.in_register(course.root, course.definition)
+        if table is None
+        else tracing.in_table(course.table_source(table), course.definition)
+    )
+    named = list((quantities or {}).items())
+    return tracing.trace(list(numbers), named, course.definition, sought)

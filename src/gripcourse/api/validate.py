@@ -1,0 +1,26 @@
+"""Checking a course that need not be one that can be loaded."""
+
+from pathlib import Path
+
+from gripcourse.api.choices import chosen_language
+from gripcourse.api.make_results import problems_result
+from gripcourse.api.results import ProblemsResult
+from gripcourse.machine.resources import course_root
+from gripcourse.text.words import Words
+
+
+def validate(folder: str | Path | None = None, language: str = "en") -> ProblemsResult:
+    """List every problem of a course at once, also of one that cannot be loaded.
+
+    Args:
+        folder: of the course; None for the reference course.
+        language: of the sentences.
+
+    Raises:
+        UsageError: the folder is no course.
+    """
+    # The documents that are tried cost half a second to import.
+    from gripcourse.usecases.validate import all_problems  # noqa: PLC0415
+
+    root = course_root(None if folder is None else Path(folder))
+    return problems_result(all_problems(root), Words(chosen_language(language)))

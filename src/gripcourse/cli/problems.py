@@ -1,0 +1,43 @@
+"""Problems in the words of the command line: its options, and the command that mends them."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+from gripcourse.errors import NextStep, Problem
+from gripcourse.text.words import Words, message
+
+# Parameters of the library that are called otherwise here; all others are called alike.
+_OPTIONS: Final[Mapping[str, str]] = {
+    "given": "--set",
+    "lines": "--line",
+    "quantities": "--quantity",
+    "quantity": "ITEM",
+    "student": "STUDENT",
+}
+
+TYPED: Final[Mapping[NextStep, str]] = {
+    NextStep.CHECK_MACHINE: "gripcourse doctor",
+    NextStep.GRADE: "gripcourse grade",
+    NextStep.LEAVE_WITHDRAWAL: "--withdraw",
+    NextStep.MAKE_COURSE: "gripcourse init",
+    NextStep.NAME_COURSE: "--course",
+    NextStep.NAME_GRADEBOOK: "--gradebook",
+    NextStep.NAME_TABLE: "--table",
+    NextStep.OVERRULE: "--override --comment",
+    NextStep.SET_VALUES: "--set name=value",
+    NextStep.SIMULATE: "gripcourse simulate",
+}
+"""What is typed for each step that the library can only name."""
+
+
+def spoken(problem: Problem, words: Words) -> str:
+    """Put a problem into words for somebody who sits at the command line."""
+    option = _OPTIONS.get(problem.parameter, f"--{problem.parameter.replace('_', '-')}")
+    remedy = problem.remedy
+    if problem.step is not None:
+        remedy = message(
+            "{remedy} On the command line: {typed}.", remedy=remedy, typed=TYPED[problem.step]
+        )
+    named = replace(problem, parameter=option if problem.parameter else "", remedy=remedy)
+    return named.say(words)

@@ -1,0 +1,66 @@
+"""What stands for the column of a catalogue where a printed formula reads a value of it.
+
+A value that is all there is to a quantity has the quantity's symbol: `b(D)`. Inside a formula it
+has the symbol of the quantity that is read from that column, where there is one, else the column's
+own name, so that nobody takes it for the result.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import TypeGuard
+
+from gripcourse.course.model import Quantity
+from gripcourse.formula.boxes import Box, Script, Text, reading
+from gripcourse.formula.functions import FUNCTIONS
+from gripcourse.formula.tree import Call, Node, walk
+from gripcourse.formula.typeset import symbol_box
+
+
+def reads_value(node: Node) -> TypeGuard[Call]:
+    """Tell whether a node does nothing but read a value of a table, at a row or between two."""
+    return isinstance(node, Call) and FUNCTIONS[node.function].form is reading
+
+
+def column_symbols(
+    node: Node, own: Quantity | None, quantities: Mapping[str, Quantity], language: str
+) -> dict[str, Box]:
+    """Return what stands for each column that an expression reads values of.
+
+    Args:
+        node: the expression.
+        own: the quantity that it computes; None for a part of a formula.
+        quantities: declarations of the composition, by id.
+        language: of the symbols.
+    """
+    found: dict[str, Box] = {}
+    for call in _readings(node):
+        reader = own if call is node else _reader(call.column, quantities)
+        found[call.column or ""] = (
+            _name_box(call.column or "")
+            if reader is None
+            else symbol_box(reader.symbol.of(language))
+        )
+    return found
+
+
+def _readings(node: Node) -> Iterator[Call]:
+    return (one for one in walk(node) if reads_value(one))
+
+
+def _reader(column: str | None, quantities: Mapping[str, Quantity]) -> Quantity | None:
+    """Return the only quantity whose formula is a reading of a column."""
+    readers = [
+        one
+        for one in quantities.values()
+        if one.formula is not None
+        and one.choice is None
+        and reads_value(one.formula.tree)
+        and one.formula.tree.column == column
+    ]
+    return readers[0] if len(readers) == 1 else None
+
+
+def _name_box(column: str) -> Box:
+    """Print the name of a column; what follows its first underscore is a subscript."""
+    base, _, sub = column.rpartition(".")[2].partition("_")
+    body = Text("upright", base)
+    return Script(body, Text("upright", sub.replace("_", " ")), None) if sub else body

@@ -1,0 +1,122 @@
+"""From a TOML table to the formulas of a quantity: right ones, wrong ones, rules of a choice."""
+
+import math
+from collections.abc import Mapping
+
+from gripcourse.course.model import AsPrinted, Choice, Rounding, Slip
+from gripcourse.course.toml_table import Table
+from gripcourse.course.unit_words import unit_remedy
+from gripcourse.course.written_formula import read_formula
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula, names
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import known as known_unit
+from gripcourse.text.words import Texts, message
+
+_TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'rod.size'.")
+
+
+def optional_formula(table: Table, name: str) -> Formula | None:
+    """Read a formula that may be left out."""
+    return read_formula(table, name, {}) if table.has(name) else None
+
+
+def read_evaluated_in(table: Table) -> dict[str, str]:
+    """Read the units in which the names of an empirical formula enter."""
+    written = table.table("evaluated_in")
+    if written is None:
+        return {}
+    units = {name: written.text(name) for name in written.values}
+    for name, unit in units.items():
+        if not known_unit(unit):
+            written.add(
+                name,
+                message("The unit '{unit}' is not known.", unit=unit),
+                unit_remedy(unit),
+            )
+            units[name] = ""
+    return units
+
+
+def read_choice(table: Table) -> Choice:
+    """Read the rule of a design decision."""
+    steps = table.number("at_most_steps") if table.has("at_most_steps") else None
+    if steps is not None and math.isnan(steps):
+        steps = None  # reported as no number
+    if steps is not None and (steps < 0 or steps != int(steps)):
+        table.add(
+            "at_most_steps",
+            message("The number of steps is {steps}.", steps=steps),
+            message("Write a whole number from 0 on."),
+        )
+    if not table.has("series"):
+        table.add("series", message("This key is missing."), _TAKE_SERIES)
+    return Choice(
+        column=table.text("series") if table.has("series") else "",
+        also=table.strings("also"),
+        rounding=_rounding(table),
+        condition=optional_formula(table, "condition"),
+        steps=None if steps is None else int(steps),
+    )
+
+
+def _rounding(table: Table) -> Rounding:
+    written = table.text("rounding", Rounding.UP)
+    if written in list(Rounding):
+        return Rounding(written)
+    table.add(
+        "rounding",
+        message("There is no rounding '{rounding}'.", rounding=written),
+        did_you_mean(written, list(Rounding)),
+    )
+    return Rounding.UP
+
+
+def _wrong_formula(table: Table, units: Mapping[str, str]) -> Formula | None:
+    """Read a wrong version of a formula; of an empirical one it need not use every name."""
+    formula = read_formula(table, "formula", {})
+    if formula is None:
+        return None
+    used = {name: unit for name, unit in units.items() if name in names(formula.tree)}
+    return Formula(formula.text, formula.tree, used)
+
+
+def read_slips(table: Table, units: Mapping[str, str]) -> tuple[Slip, ...]:
+    """Read the anticipated wrong methods of a quantity."""
+    return tuple(_slip(slip, units) for slip in table.tables("slip"))
+
+
+def read_versions(table: Table, units: Mapping[str, str]) -> tuple[AsPrinted, ...]:
+    """Read the versions of a quantity that sources print."""
+    return tuple(_as_printed(printed, units) for printed in table.tables("as_printed"))
+
+
+def _slip(table: Table, units: Mapping[str, str]) -> Slip:
+    table.known_keys()
+    credit = table.number("credit")
+    if credit < 0 or credit > 1:
+        table.add(
+            "credit",
+            message("The credit is {credit}.", credit=credit),
+            message("Write a share of the points from 0 to 1."),
+        )
+    fallback = Formula("0", parse("0"), {})
+    formula = _wrong_formula(table, units) or fallback
+    return Slip(table.text("id"), formula, credit, table.texts("hint"))
+
+
+def _as_printed(table: Table, units: Mapping[str, str]) -> AsPrinted:
+    table.known_keys()
+    if table.has("formula") == table.has("rounding"):
+        table.add(
+            "",
+            message("A printed version differs in its formula or in its rounding."),
+            message("Write exactly one of 'formula' and 'rounding'."),
+        )
+    note: Texts = table.texts("note")
+    return AsPrinted(
+        erratum=table.text("erratum"),
+        formula=_wrong_formula(table, units) if table.has("formula") else None,
+        rounding=_rounding(table) if table.has("rounding") else None,
+        note=note,
+    )

@@ -1,0 +1,109 @@
+"""The keys of `drawing.toml`: those of each shape follow from the list of shapes."""
+
+from collections.abc import Mapping
+from typing import Final
+
+from gripcourse.course.shape import (
+    Key,
+    Shape,
+    by_name,
+    flag,
+    other,
+    strings,
+    tables,
+    text,
+    texts,
+)
+from gripcourse.course.view import HATCHES, LINES, SHAPES, Face, Need, Side
+
+_FORMULA: Final = {"anyOf": [{"type": "string"}, {"const": 0}]}
+_TWO: Final = {"type": "array", "items": _FORMULA, "minItems": 2, "maxItems": 2}
+_NEEDS: Final[Mapping[Need, Key]] = {
+    Need.POINT: other("A point: two formulas or zeros.", _TWO, required=True),
+    Need.POINTS: other(
+        "Two points or more.", {"type": "array", "items": _TWO, "minItems": 2}, required=True
+    ),
+    Need.RANGE: other("From and to: two formulas or zeros.", _TWO, required=True),
+    Need.LENGTH: other("Formula of a length.", _FORMULA, required=True),
+    Need.ANGLES: other("From and to, degrees, counter-clockwise.", _TWO, required=True),
+}
+_POINT: Final = _NEEDS[Need.POINT]
+_FACE: Final = text("The side that shows it.", *Face)
+_MEASURE: Final = other(
+    "A formula; of several, the first whose names are known.",
+    {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
+)
+_REPEAT: Final = Shape(
+    {
+        "count": text("Formula: how often.", required=True),
+        "step": other("From one to the next: two formulas or zeros.", _TWO),
+        "about": other("The centre of a ring, instead of `step`.", _TWO),
+    }
+)
+SHAPE: Final = Shape(
+    {
+        "kind": text("Which figure it is.", *SHAPES, required=True),
+        "line": text("How its edge is drawn.", *LINES),
+        "hatch": text("Which way a cut face is hatched.", *HATCHES),
+        "hidden_edges": flag("Whether what other parts cover is shown by dashed lines."),
+        "face": _FACE,
+        "repeat": tables("Again and again, in a row or round a point.", _REPEAT),
+    },
+    by="kind",
+    kinds={
+        kind: {name: _NEEDS[need] for name, need in needs.items()} for kind, needs in SHAPES.items()
+    },
+)
+_PART: Final = Shape(
+    {
+        "id": text("Its name in the declarations.", required=True),
+        "title": texts("In the parts list."),
+        "nameless": flag("Whether it has no position in the parts list, and no title."),
+        "mirror": flag("Whether it stands on both sides of the axis."),
+        "count": text("Formula: how many there are."),
+        "sizes": strings("Quantities that the parts list shows."),
+        "mark": other("Where the leader of its position ends.", _TWO),
+        "moves": flag("Whether the other position of the view shows it too."),
+        "shape": tables("Its figures, the later over the earlier.", SHAPE),
+    }
+)
+_DIMENSION: Final = Shape(
+    {
+        "quantity": text("What it shows.", required=True),
+        "from": _POINT,
+        "to": _POINT,
+        "side": text("The side of the view that it stands on.", *Side, required=True),
+        "face": _FACE,
+        "sign": text("Before the number, for example ⌀."),
+        "at_other": flag("Whether it is measured in the other position."),
+    }
+)
+_LABEL: Final = Shape(
+    {
+        "text": texts("Words on a leader line, with places in braces.", required=True),
+        "values": by_name("Quantity or measure in each place.", text("A name.", required=True)),
+        "at": _POINT,
+        "face": _FACE,
+    }
+)
+SHARED_VIEW: Final = Shape(
+    {
+        "length": by_name("Lengths of the drawing, by name.", _MEASURE),
+        "angle": by_name("Angles of the drawing, by name.", _MEASURE),
+        "count": by_name("Numbers of the drawing, by name.", _MEASURE),
+        "part": tables("Parts, the later over the earlier.", _PART),
+        "dimension": tables("Dimensions.", _DIMENSION),
+        "label": tables("Words on leader lines.", _LABEL),
+    }
+)
+VIEW: Final = Shape(
+    {
+        "behind": strings("Files in `variants/drawing` that lie behind this one."),
+        "before": strings("Files in `variants/drawing` that lie before this one."),
+        "position": text("Of the kinematics, in which it is drawn."),
+        "upright": flag("Whether the axis stands upright."),
+        "other": text("Position that moving parts are shown in by thin lines too."),
+        "characteristics": strings("Quantities that stand beside the drawing."),
+        **SHARED_VIEW.keys,
+    }
+)

@@ -1,0 +1,111 @@
+"""The page of all keys of a course's files, as Markdown, from the shapes that their readers use."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from gripcourse.course.shape import Key, Shape, Sort
+
+_HEAD: Final = (
+    "| key | holds | must be written | meaning |",
+    "|---|---|---|---|",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class FileKind:
+    """A kind of TOML file of a course.
+
+    Attributes:
+        name: short name, of its schema too.
+        places: patterns of the files from the folder of the course.
+        title: what it is, in a few words.
+        shape: what may stand in it.
+    """
+
+    name: str
+    places: tuple[str, ...]
+    title: str
+    shape: Shape
+
+
+def key_page(kinds: Iterable[FileKind]) -> str:
+    """Return the page: for each kind of file its tables, for each table its keys."""
+    lines = [
+        "# Keys of the files of a course",
+        "",
+        "`gripcourse schema` makes this page from the readers. `*`: a name of the author's.",
+    ]
+    seen: list[Shape] = []
+    for kind in kinds:
+        places = ", ".join(f"`{place}`" for place in kind.places)
+        lines += ["", f"## {kind.title}", "", places]
+        for heading, keys in _tables("", kind.shape, seen):
+            lines += ["", *([f"### `{heading}`", ""] if heading else []), *_HEAD]
+            lines += [_row(name, key) for name, key in keys.items()]
+    return "\n".join((*lines, ""))
+
+
+def _tables(
+    heading: str, shape: Shape, seen: list[Shape]
+) -> Iterator[tuple[str, Mapping[str, Key]]]:
+    """Yield the tables of a shape, outer ones first, each with the keys that stand in it.
+
+    Args:
+        heading: where the shape stands, its names joined by points.
+        shape: its keys.
+        seen: shapes that stand on the page already, as the declaration of a quantity does for parts
+            and for schemes: they are not repeated.
+    """
+    if any(one is shape for one in seen):
+        return
+    seen.append(shape)
+    shared = _shared(shape)
+    own = shared if shape.each is None else shared | {"*": shape.each}
+    leaves = {name: key for name, key in own.items() if not _is_only_names(key)}
+    if leaves:
+        yield heading, leaves
+    below = own
+    for kind, keys in shape.kinds.items():
+        further = {name: key for name, key in keys.items() if name not in shared}
+        if further:
+            yield f'{heading} with {shape.by} = "{kind}"', further
+        below = below | further
+    for name, key in below.items():
+        if key.inside is not None:
+            place = f"{heading}.{name}" if heading else name
+            inner = f"{place}[]" if key.sort is Sort.TABLES else place
+            yield from _tables(inner, key.inside, seen)
+
+
+def _shared(shape: Shape) -> dict[str, Key]:
+    """Return the keys of a shape that every kind of it has."""
+    first, *others = shape.kinds.values() or ({},)
+    common = {n: k for n, k in first.items() if all(one.get(n) == k for one in others)}
+    return {**shape.keys, **common}
+
+
+def _is_only_names(key: Key) -> bool:
+    """Tell whether a key holds nothing but tables by name: they have headings of their own."""
+    inside = key.inside
+    return (
+        inside is not None
+        and not inside.keys
+        and inside.each is not None
+        and (inside.each.sort is Sort.TABLE)
+    )
+
+
+def _row(name: str, key: Key) -> str:
+    required = "yes" if key.required else ""
+    return f"| `{name}` | {_holds(key)} | {required} | {key.meaning.replace('|', '¦')} |"
+
+
+def _holds(key: Key) -> str:
+    if key.words:
+        words = ", ".join(f"`{word}`" if word else "nothing" for word in key.words)
+        return f"{'list of' if key.sort is Sort.STRINGS else 'one of'} {words}"
+    if key.sort is Sort.NUMBER and not math.isinf(key.low):
+        return f"number from {key.low:g}" + ("" if math.isinf(key.high) else f" to {key.high:g}")
+    return str(key.sort)

@@ -1,0 +1,257 @@
+"""Reports for other programs: everything that was found, in sentences of one language."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any, ClassVar
+
+from gripcourse.exports.plain import from_plain, to_plain
+from gripcourse.grading.model import Against, Decision, Finding, Outcome, Report
+from gripcourse.text.words import Message, Words
+
+
+@dataclass(frozen=True, slots=True)
+class DecisionResult:
+    """What a person decided about an item.
+
+    Attributes:
+        automatic: what the program had found by itself.
+        credit: share of the item's points, 0 to 1.
+        lines: share that each line of the rubric earned; empty without a rubric.
+        marker: who decided.
+        decided_at: when.
+        comment: for the student; empty for none.
+        outdated: whether the file or the automatic results are others than the person saw.
+    """
+
+    automatic: Outcome
+    credit: float
+    lines: Mapping[str, float]
+    marker: str
+    decided_at: datetime
+    comment: str
+    outdated: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FindingResult:
+    """The judgement of one quantity; values are in its declared unit, null where there is none.
+
+    Attributes:
+        quantity, section: ids.
+        outcome: what was found.
+        against: what the answer was judged against.
+        given: the student's value.
+        typed: what the cell shows.
+        cell: where it stands.
+        reference: the reference value.
+        expected: the value at the student's own inputs.
+        band: how far the answer may be from the expected value.
+        points, max_points: earned and possible.
+        slip: id of the recognised slip, empty for none.
+        tied: ids of other slips that explain the answer as well.
+        roots: ids of the quantities whose wrong answers explain this one.
+        message: the verdict in a sentence.
+        remarks: hints and notes that go with it.
+        decision: of a person; null for none.
+    """
+
+    quantity: str
+    section: str
+    outcome: Outcome
+    against: Against
+    given: float | None
+    typed: str
+    cell: str
+    reference: float | None
+    expected: float | None
+    band: float | None
+    points: float
+    max_points: float
+    slip: str
+    tied: tuple[str, ...]
+    roots: tuple[str, ...]
+    message: str
+    remarks: tuple[str, ...]
+    decision: DecisionResult | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CauseResult:
+    """What explains several answers.
+
+    Attributes:
+        quantity: id of the quantity at the root.
+        explains: ids of the answers that follow from it, in order of calculation.
+        message: for the student.
+    """
+
+    quantity: str
+    explains: tuple[str, ...]
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class FlagResult:
+    """Something a person should look at before the marks are published.
+
+    Attributes:
+        code: the same in every language.
+        message: a sentence.
+    """
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class ReportResult:
+    """The judgement of one submission.
+
+    Attributes:
+        file: its name as it was given.
+        student: id; empty where nobody could be told.
+        name: as the roster writes it.
+        variant, scheme: ids.
+        options: what the variant chooses.
+        judged: false where the file could not be judged at all; the flags say why.
+        score, max_score: in points, without what waits for a person; null where not judged.
+        open_points: points of what waits for a person.
+        flags: for the instructor.
+        remarks: about the workbook as a whole, for the student.
+        causes: what explains several answers, those that explain most first.
+        findings: one for each answered or manual quantity, in the order of the assignment.
+        digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/report/1"
+
+    file: str
+    student: str
+    name: str
+    variant: str
+    scheme: str
+    options: Mapping[str, str]
+    judged: bool
+    score: float | None
+    max_score: float | None
+    open_points: float
+    flags: tuple[FlagResult, ...]
+    remarks: tuple[str, ...]
+    causes: tuple[CauseResult, ...]
+    findings: tuple[FindingResult, ...]
+    digest: str = ""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the plain form, for JSON."""
+        return dict(to_plain(self))
+
+    @classmethod
+    def from_dict(cls, plain: Mapping[str, Any]) -> "ReportResult":
+        """Read the plain form; see `exports.plain.from_plain`."""
+        return from_plain(cls, plain)
+
+
+@dataclass(frozen=True, slots=True)
+class GradesResult:
+    """What a batch came to.
+
+    Attributes:
+        reports: one per file, in order.
+        needs_person: whether something waits for a person: a flag of any report.
+        incidents: what failed on our side, each with its trace.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/grades/1"
+
+    reports: tuple[ReportResult, ...]
+    needs_person: bool
+    incidents: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the plain form, for JSON."""
+        return dict(to_plain(self))
+
+    @classmethod
+    def from_dict(cls, plain: Mapping[str, Any]) -> "GradesResult":
+        """Read the plain form; see `exports.plain.from_plain`."""
+        return from_plain(cls, plain)
+
+
+def grades_result(
+    reports: Sequence[Report], words: Words, incidents: Sequence[str] = ()
+) -> GradesResult:
+    """Put the reports of a batch into words for another program."""
+    flagged = any(report.flags for report in reports)
+    made = tuple(report_result(report, words) for report in reports)
+    return GradesResult(made, flagged, tuple(incidents))
+
+
+def report_result(report: Report, words: Words) -> ReportResult:
+    """Put a report into words for another program."""
+    return ReportResult(
+        file=report.file,
+        student=report.student,
+        name=report.name,
+        variant=report.variant,
+        scheme=report.scheme,
+        options=dict(report.options),
+        judged=report.judged,
+        score=report.score if report.judged else None,
+        max_score=report.max_score if report.judged else None,
+        open_points=report.open_points,
+        flags=tuple(FlagResult(one.code, words.say(one.message)) for one in report.flags),
+        remarks=_said(report.remarks, words),
+        causes=tuple(
+            CauseResult(one.quantity, one.explains, words.say(one.message)) for one in report.causes
+        ),
+        findings=tuple(_finding_result(one, words) for one in report.findings),
+        digest=report.digest,
+    )
+
+
+def finite(value: float | None) -> float | None:
+    """Return a number that JSON can hold, None for none."""
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _finding_result(finding: Finding, words: Words) -> FindingResult:
+    return FindingResult(
+        quantity=finding.quantity,
+        section=finding.section,
+        outcome=finding.outcome,
+        against=finding.against,
+        given=finite(finding.given),
+        typed=finding.typed,
+        cell=finding.cell,
+        reference=finite(finding.reference),
+        expected=finite(finding.expected),
+        band=finite(finding.band),
+        points=finding.points,
+        max_points=finding.max_points,
+        slip="" if finding.slip is None else str(finding.slip),
+        tied=tuple(map(str, finding.tied)),
+        roots=finding.roots,
+        message=words.say(finding.message),
+        remarks=_said(finding.remarks, words),
+        decision=_decision_result(finding.decision),
+    )
+
+
+def _decision_result(decision: Decision | None) -> DecisionResult | None:
+    if decision is None:
+        return None
+    return DecisionResult(
+        automatic=decision.automatic,
+        credit=decision.credit,
+        lines=dict(decision.lines),
+        marker=decision.marker,
+        decided_at=decision.decided_at,
+        comment=decision.comment,
+        outdated=decision.outdated,
+    )
+
+
+def _said(sentences: Sequence[Message], words: Words) -> tuple[str, ...]:
+    return tuple(words.say(one) for one in sentences)

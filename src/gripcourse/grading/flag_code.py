@@ -1,0 +1,24 @@
+"""What a person should look at before marks are published, by the codes that files hold."""
+
+from enum import StrEnum
+
+
+class FlagCode(StrEnum):
+    """Why a submission is flagged; the value stands in JSON, in tables and in the policy."""
+
+    GIVENS_CHANGED = "givens_changed"
+    GIVENS_MISSING = "givens_missing"
+    IDENTITY_MISSING = "identity_missing"
+    INCIDENT = "incident"  # grading failed on our side
+    ISSUED_TO_OTHER = "issued_to_other"
+    MARK_OUTDATED = "mark_outdated"
+    NOT_JUDGED = "not_judged"
+    OTHER_VARIANT = "other_variant"
+    REJECTED = "rejected"
+    REPORT_INCIDENT = "report_incident"  # the report of a judged submission failed on our side
+    SAME_ANSWERS = "same_answers"
+    SAME_BYTES = "same_bytes"
+    SAME_CREATOR = "same_creator"
+    SEVERAL_FILES = "several_files"
+    SIGNATURE = "signature"
+    UNKNOWN_STUDENT = "unknown_student"

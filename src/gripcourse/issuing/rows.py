@@ -1,0 +1,148 @@
+"""The register as rows of its tables, and back again."""
+
+import json
+from collections.abc import Iterable
+from datetime import date
+from typing import Any, TypeAlias
+
+from sqlalchemy import Connection, RowMapping, func, insert, select
+
+from gripcourse.errors import Problem, RegisterError
+from gripcourse.issuing import schema
+from gripcourse.issuing.register import Register
+from gripcourse.text.words import message
+from gripcourse.variants.model import Issued, Student, Variant
+
+_Row: TypeAlias = dict[str, object]
+
+
+def read_rows(connection: Connection, course_id: str, place: str) -> Register:
+    """Return what was issued in a course: of each student the last version, in order of the first.
+
+    Args:
+        connection: to the database.
+        course_id: of the course.
+        place: where the database is, for a person.
+
+    Raises:
+        RegisterError: a row cannot be read.
+    """
+    versions = _last(connection, schema.issued, course_id, schema.issued.c.id)
+    # After them: whoever is issued to in between is a person more, never one too few.
+    persons = _last(connection, schema.persons, course_id, schema.persons.c.number)
+    entries = []
+    for student, row in versions.items():
+        try:
+            entries.append(_entry(row, persons[student]))
+        except (KeyError, TypeError, ValueError) as fault:
+            key = message("student {student}", student=student)
+            what = message("The entry is damaged: {fault}.", fault=repr(fault))
+            remedy = message("Restore the register from a backup; do not mend it by hand.")
+            raise RegisterError([Problem(place, key, what, remedy)]) from fault
+    return Register(course_id, tuple(entries))
+
+
+def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
+    """Return the ids of other courses that something was issued in."""
+    course = schema.issued.c.course
+    question = select(course).where(course != course_id).distinct().order_by(course)
+    return tuple(connection.execute(question).scalars())
+
+
+def add_rows(connection: Connection, before: Register, after: Register) -> None:
+    """Add what a register has more than before: entries, and persons with other data."""
+    known, course = before.by_student(), after.course_id
+    fresh = [one for one in after.entries if one.student.id not in known]
+    last = select(func.max(schema.issued.c.id)).where(schema.issued.c.course == course)
+    first = (connection.execute(last).scalar() or 0) + 1
+    issued = [_issued_row(course, number, one) for number, one in enumerate(fresh, start=first)]
+    numbers = _person_numbers(connection, course)
+    persons = [
+        _person_row(course, numbers.get(one.student.id, 0) + 1, one.student)
+        for one in after.entries
+        if one.student.id not in known or known[one.student.id].student != one.student
+    ]
+    for table, rows in ((schema.issued, issued), (schema.persons, persons)):
+        if rows:
+            connection.execute(insert(table), rows)
+
+
+def _last(connection: Connection, table: Any, course_id: str, order: Any) -> dict[str, RowMapping]:  # noqa: ANN401 (columns have no common name)
+    """Return the last row of each student, in the order of their first ones."""
+    question = select(table).where(table.c.course == course_id).order_by(order)
+    return {row["student"]: row for row in connection.execute(question).mappings()}
+
+
+def _person_numbers(connection: Connection, course_id: str) -> dict[str, int]:
+    one = schema.persons.c
+    question = (
+        select(one.student, func.max(one.number).label("number"))
+        .where(one.course == course_id)
+        .group_by(one.student)
+    )
+    return {row.student: row.number for row in connection.execute(question)}
+
+
+def _issued_row(course: str, number: int, entry: Issued) -> _Row:
+    variant = entry.variant
+    return {
+        "course": course,
+        "id": number,
+        "student": entry.student.id,
+        "version": 1,
+        "variant": variant.id,
+        "scheme": variant.scheme,
+        "options": json.dumps(dict(variant.options), ensure_ascii=False),
+        "given": json.dumps(dict(variant.given), allow_nan=False),
+        "signature": entry.signature,
+        "issued_on": entry.issued_on.isoformat(),
+        "deadline": entry.deadline.isoformat() if entry.deadline else None,
+    }
+
+
+def _person_row(course: str, number: int, student: Student) -> _Row:
+    return {
+        "course": course,
+        "student": student.id,
+        "number": number,
+        "name": student.name,
+        "study_group": student.group,
+        "email": student.email,
+        "language": student.language,
+        "fixed_variant": student.variant,
+    }
+
+
+def _entry(row: RowMapping, person: RowMapping) -> Issued:
+    """Put an entry together.
+
+    Raises:
+        TypeError, ValueError: a row is not as it was written.
+    """
+    deadline = row["deadline"]
+    return Issued(
+        student=Student(
+            id=row["student"],
+            name=person["name"],
+            group=person["study_group"],
+            email=person["email"],
+            language=person["language"],
+            variant=person["fixed_variant"],
+        ),
+        variant=Variant(
+            id=row["variant"],
+            scheme=row["scheme"],
+            options={name: str(one) for name, one in _pairs(row["options"])},
+            given={name: float(one) for name, one in _pairs(row["given"])},
+        ),
+        issued_on=date.fromisoformat(row["issued_on"]),
+        deadline=None if deadline is None else date.fromisoformat(deadline),
+        signature=row["signature"],
+    )
+
+
+def _pairs(written: str) -> Iterable[tuple[str, Any]]:
+    found = json.loads(written)
+    if not isinstance(found, dict):
+        raise TypeError(f"{written!r} is not a table")
+    return found.items()

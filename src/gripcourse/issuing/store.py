@@ -1,0 +1,174 @@
+"""The register in its database: read with every signature, extended by one program at a time.
+
+Who issues reads and adds in one transaction, begun with the right to write. A program that issues
+at the same time waits, or is refused by the primary key and tries again with what is there then. So
+no entry is lost and no variant given twice.
+"""
+
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+from sqlalchemy import Connection, Engine
+from sqlalchemy.exc import IntegrityError
+
+from gripcourse.database.home import exists, gradebook_path, home_of
+from gripcourse.database.opening import open_engine, refusals_named, without_password, writing
+from gripcourse.errors import GradebookError, Problem, RegisterError
+from gripcourse.issuing.allotment import Extended
+from gripcourse.issuing.register import Register, verified
+from gripcourse.issuing.register_file import old_register_path, read_register_file
+from gripcourse.issuing.rows import add_rows, other_courses, read_rows
+from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.text.words import message
+
+# Each refusal means that somebody else got through, so a few tries per rival are enough.
+_TRIES = 50
+
+
+def read_register(root: Path, course_id: str) -> Register:
+    """Read the register of a course; where nothing was issued yet, an empty one.
+
+    The register of an earlier program is taken over first; its file stays as a copy.
+
+    Args:
+        root: folder of the course, with its key.
+        course_id: of the course.
+
+    Raises:
+        RegisterError: an entry was changed or is damaged, the key is missing, or the register is
+            of another course.
+        GradebookError: the database cannot be used.
+    """
+    place = home_of(root)
+    if old_register_path(root).is_file():
+        _take_over(root, course_id)
+    if not exists(place):
+        return Register(course_id, ())
+    engine = open_engine(place)
+    with refusals_named(place), engine.connect() as connection:
+        return _read(connection, engine, root, course_id)
+
+
+def extend_register(root: Path, course_id: str, change: Callable[[Register], Extended]) -> Extended:
+    """Add to the register of a course what a function of it adds; whole, or not at all.
+
+    Args:
+        root: folder of the course, with its key.
+        course_id: of the course.
+        change: makes a longer register of the one there is; it may be called several times.
+
+    Raises:
+        RegisterError: as for `read_register`.
+        GradebookError: the database cannot be used; nothing was added.
+        Exception: what `change` raises; nothing was added.
+    """
+    before = read_register(root, course_id)
+    if not exists(home_of(root)):
+        # What is refused makes no database.
+        change(before)
+    engine = open_engine(home_of(root))
+    for _ in range(_TRIES):
+        try:
+            return _extend(engine, root, course_id, change)
+        except GradebookError as fault:
+            if not isinstance(fault.__cause__, IntegrityError):
+                raise
+    raise RegisterError(
+        [
+            Problem(
+                without_password(engine.url),
+                "",
+                message("Others issue from this course all the time."),
+                message("Nothing was written; try again in a minute."),
+            )
+        ]
+    )
+
+
+def _extend(
+    engine: Engine, root: Path, course_id: str, change: Callable[[Register], Extended]
+) -> Extended:
+    place = without_password(engine.url)
+    with refusals_named(place), writing(engine) as connection:
+        before = _read(connection, engine, root, course_id)
+        extended = change(before)
+        add_rows(connection, before, extended.register)
+    return extended
+
+
+def _read(connection: Connection, engine: Engine, root: Path, course_id: str) -> Register:
+    place = without_password(engine.url)
+    register = read_rows(connection, course_id, place)
+    if register.entries:
+        return verified(register, read_key(key_path(root)), place)
+    _refuse_other(connection, engine, root, course_id)
+    return register
+
+
+def _refuse_other(connection: Connection, engine: Engine, root: Path, course_id: str) -> None:
+    """Refuse a database without this course where that can only be a mistake.
+
+    A course's own file holds one course; and a course that has such a file already would be issued
+    a second time in a database that does not know it.
+    """
+    place, file = without_password(engine.url), gradebook_path(root)
+    if place == str(file):
+        others = other_courses(connection, course_id)
+        if others:
+            what = message(
+                "The register is of the course '{found}', not of '{course}'.",
+                found=", ".join(others),
+                course=course_id,
+            )
+            remedy = message("Name the right course, or take its id back.")
+            raise RegisterError([Problem(place, "", what, remedy)])
+    elif file.is_file():
+        what = message("Nothing was issued here from this course, which has a file of its own.")
+        remedy = message(
+            "Remove the line of {address} to use {file}, or move that file away to begin anew.",
+            address="private/database",
+            file=str(file),
+        )
+        raise RegisterError([Problem(place, "", what, remedy)])
+
+
+def _take_over(root: Path, course_id: str) -> None:
+    """Take over the register that an earlier program kept as a file, which stays as a copy."""
+    path = old_register_path(root)
+    old = verified(read_register_file(path, course_id), read_key(key_path(root)), str(path))
+    engine = open_engine(home_of(root))
+    with refusals_named(without_password(engine.url)), writing(engine) as connection:
+        before = read_rows(connection, course_id, without_password(engine.url))
+        add_rows(connection, before, _joined(before, old, path))
+    # Another program may have put it aside at the same time.
+    with suppress(FileNotFoundError):
+        path.rename(_free(path))
+
+
+def _joined(before: Register, old: Register, path: Path) -> Register:
+    """Return all entries of both; an entry of both must be the same."""
+    known = before.by_student()
+    differing = [
+        entry.student.id
+        for entry in old.entries
+        if entry.student.id in known and known[entry.student.id].variant != entry.variant
+    ]
+    if differing:
+        what = message(
+            "The gradebook says of {students} that other numbers were issued than this file.",
+            students=", ".join(differing),
+        )
+        remedy = message("Move the one that is wrong away; do not mend either by hand.")
+        raise RegisterError([Problem(str(path), "", what, remedy)])
+    fresh = (entry for entry in old.entries if entry.student.id not in known)
+    return Register(before.course_id, (*before.entries, *fresh))
+
+
+def _free(path: Path) -> Path:
+    """Return a name for the copy that nothing has yet."""
+    copy, number = path.with_name(f"{path.name}.imported"), 1
+    while copy.exists():
+        number += 1
+        copy = path.with_name(f"{path.name}.imported-{number}")
+    return copy

@@ -1,0 +1,153 @@
+"""What a worker process may take: memory, time, and no longer a life than who started it.
+
+Memory is bounded where the system can (Linux, other Unix systems by their own limits); where it
+cannot, `memory_notice` says so. Time is bounded everywhere: an alarm that Python hears, and behind
+it a watchdog outside of Python that ends the process.
+"""
+
+import faulthandler
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from multiprocessing.process import BaseProcess
+from types import FrameType
+
+from gripcourse.text.words import Message, message
+
+_MEBIBYTE = 1024**2
+_SET_PARENT_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of Linux
+_ABANDONED = 1  # exit code of a worker whose parent is gone
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What one worker may take.
+
+    Attributes:
+        memory: bytes of address space; what we do with a file or a page takes a tenth of it.
+        grace: seconds after the time of a job until its process is ended. An alarm is heard between
+            two steps of Python; who is deep inside a library does not hear it.
+    """
+
+    memory: int = 3 * 1024**3
+    grace: float = 5.0
+
+
+class TookTooLongError(BaseException):
+    """A job was not done within its time.
+
+    Not an `Exception`: reading a workbook takes every one of these for a fault of the file.
+    """
+
+
+def bind_worker(limits: Limits) -> None:
+    """Bound the memory of this worker process, and its life by that of its parent."""
+    _die_with_parent()
+    if sys.platform != "win32":
+        import resource  # noqa: PLC0415 (exists on Unix only)
+
+        _, hard = resource.getrlimit(resource.RLIMIT_AS)
+        wanted = min(limits.memory, system_memory_limit() or limits.memory)
+        try:
+            resource.setrlimit(resource.RLIMIT_AS, (wanted, hard))
+        except (OSError, ValueError):
+            # macOS knows the limit and does not keep it; `memory_notice` has said so.
+            return
+
+
+def system_memory_limit() -> int | None:
+    """Return how many bytes of address space the system gives a process; None for no limit."""
+    if sys.platform == "win32":
+        return None
+    import resource  # noqa: PLC0415 (exists on Unix only)
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    set_ones = [one for one in (soft, hard) if one != resource.RLIM_INFINITY]
+    return min(set_ones, default=None)
+
+
+def memory_notice(limits: Limits, platform: str = sys.platform) -> Message | None:
+    """Say what a person should know of the memory of workers; None where all is as it should be.
+
+    Args:
+        limits: that workers get.
+        platform: as `sys.platform` names it.
+    """
+    if platform != "linux":
+        return message(
+            "This system does not bound the memory of a worker: a file that takes too much of it"
+            " can slow down the whole machine."
+        )
+    found = system_memory_limit()
+    if found is None or found >= limits.memory:
+        return None
+    return message(
+        "The system gives a process {found} MB of memory, fewer than the {wanted} MB of a worker:"
+        " its limit counts, and large files may fail.",
+        found=found // _MEBIBYTE,
+        wanted=limits.memory // _MEBIBYTE,
+    )
+
+
+@contextmanager
+def time_limit(seconds: float, grace: float) -> Iterator[None]:
+    """Bound what happens inside, in the main thread of a worker process.
+
+    Where the system has an alarm, it raises when the time is over and the worker goes on with other
+    jobs; a worker that does not hear it, or a system without one, ends with the process.
+
+    Raises:
+        TookTooLongError: the time is over.
+    """
+    with open(os.devnull, "w", encoding="ascii") as nowhere:  # noqa: PTH123 (no Path in os.devnull)
+        # A thread that needs nothing of Python, on every system.
+        faulthandler.dump_traceback_later(seconds + grace, exit=True, file=nowhere)
+        try:
+            with _alarm(seconds):
+                yield
+        finally:
+            faulthandler.cancel_dump_traceback_later()
+
+
+@contextmanager
+def _alarm(seconds: float) -> Iterator[None]:
+    if sys.platform == "win32":
+        yield
+        return
+
+    def ring(_signal: int, _frame: FrameType | None) -> None:
+        raise TookTooLongError(seconds)
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def _die_with_parent() -> None:
+    """End this process as soon as the one that started it is gone, however that ended.
+
+    A thread waits for the parent's end of a pipe to close, on every system. It cannot run while a
+    library holds Python's lock, so that on Linux the kernel is asked as well.
+    """
+    parent = multiprocessing.parent_process()
+    if parent is None:
+        return
+    threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+    if sys.platform == "linux":
+        import ctypes  # noqa: PLC0415 (for this alone)
+
+        ctypes.CDLL(None).prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGKILL)
+
+
+def _end_after(parent: BaseProcess) -> None:
+    parent.join()
+    os._exit(_ABANDONED)

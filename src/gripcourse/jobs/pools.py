@@ -1,0 +1,61 @@
+"""Kinds of workers that jobs can be given to: the port between our jobs and who does them.
+
+A pool is opened as the executors of `concurrent.futures` are: so many workers, and what each of
+them does first. Another kind of workers, on other machines for example, is another `Pool`; nobody
+who has jobs to do has to know.
+"""
+
+import sys
+from collections.abc import Callable
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from typing import Any, Final, TypeAlias
+
+from gripcourse.jobs.limits import Limits
+
+Initializer: TypeAlias = Callable[..., None]
+OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executor]
+"""Opens an executor: number of workers, what each does first, the arguments of that."""
+
+_MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
+
+
+@dataclass(frozen=True, slots=True)
+class Pool:
+    """A kind of workers.
+
+    Attributes:
+        open: opens an executor.
+        apart: whether workers have a memory of their own, so that what jobs need must be sent.
+        limits: of each worker; None where a worker cannot be bounded, as a thread.
+    """
+
+    open: OpenExecutor
+    apart: bool
+    limits: Limits | None
+
+
+def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
+    most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
+    # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
+    return ProcessPoolExecutor(min(workers, most), get_context("spawn"), first, arguments)
+
+
+def _threads(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
+    return ThreadPoolExecutor(workers, "job", first, arguments)
+
+
+PROCESSES: Final = Pool(_processes, apart=True, limits=Limits())
+"""A process for each worker: a job can take down only its own."""
+
+THREADS: Final = Pool(_threads, apart=False, limits=None)
+"""Threads of this process: nothing is bounded; for work that is trusted, and for tests."""
+
+INLINE: Final = None
+"""No workers: one job after the other, here; nothing is bounded and a debugger sees all."""
+
+
+def pool_for(workers: int) -> Pool | None:
+    """Return where to do trusted work: one worker needs no process of its own."""
+    return INLINE if workers == 1 else PROCESSES

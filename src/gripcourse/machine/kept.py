@@ -1,0 +1,91 @@
+"""What was computed once and is kept on disk for the next process, under the digest of its sources.
+
+A kept value cannot lie: its name is a digest of everything that it was computed from, the program
+included. What cannot be read, was damaged or belongs to somebody else counts as not kept.
+"""
+
+import hashlib
+import os
+import pickle
+import stat
+import sys
+from collections.abc import Iterable
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Final
+
+from gripcourse.machine.files import write_bytes
+
+_MOST: Final = 16  # kept values; the ones unused for longest go
+_PROGRAM: Final = Path(__file__).parents[1]
+
+
+def digest_of(root: Path, files: Iterable[Path]) -> str:
+    """Return the digest of files, of their names below a folder, and of this program.
+
+    Raises:
+        OSError: a file cannot be read.
+    """
+    found = hashlib.sha256(_program_digest())
+    for path in sorted(files):
+        content = path.read_bytes()
+        found.update(f"{path.relative_to(root).as_posix()}\0{len(content)}\0".encode())
+        found.update(content)
+    return found.hexdigest()
+
+
+def read_kept(digest: str) -> Any:  # noqa: ANN401 (whatever was kept)
+    """Return what was kept under a digest, None where nothing is."""
+    path = _path(digest)
+    try:
+        if path is None or not _is_mine(path):
+            return None
+        value = pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
+        os.utime(path)
+    except Exception:  # noqa: BLE001 (a damaged file fails in any way; the value is computed again)
+        return None
+    return value
+
+
+def keep(digest: str, value: object) -> None:
+    """Keep a value; where that is not possible, nothing happens."""
+    path = _path(digest)
+    with suppress(OSError):
+        if path is not None:
+            path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+            write_bytes(path, pickle.dumps(value), private=True)
+            kept = sorted(path.parent.glob("*.kept"), key=lambda one: one.stat().st_mtime)
+            for old in kept[:-_MOST]:
+                old.unlink(missing_ok=True)
+
+
+@lru_cache(maxsize=1)
+def _program_digest() -> bytes:
+    """Digest this program and the interpreter, for which a kept value was made."""
+    found = hashlib.sha256(sys.version.encode())
+    for path in sorted([*_PROGRAM.rglob("*.py"), *_PROGRAM.rglob("*.csv")]):
+        found.update(path.read_bytes())
+    return found.digest()
+
+
+def _path(digest: str) -> Path | None:
+    """Return the place of a kept value, None where a machine has none that is private."""
+    if not hasattr(os, "getuid"):
+        return None
+    base = os.environ.get("XDG_CACHE_HOME") or ""
+    home = os.environ.get("HOME") or ""
+    if not Path(base).is_absolute():
+        base = str(Path(home) / ".cache") if Path(home).is_absolute() else ""
+    return Path(base) / "gripcourse" / f"{digest}.kept" if base else None
+
+
+def _is_mine(path: Path) -> bool:
+    """Tell whether nobody but this user can have written a file."""
+    own = os.getuid()
+    for one in (path, path.parent):
+        found = one.lstat()
+        others = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+        if found.st_uid != own or others or stat.S_ISLNK(found.st_mode):
+            return False
+    return True

@@ -1,0 +1,177 @@
+"""Calculations with printed results: worked examples and published cases, computed and compared."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gripcourse.course.model import Convention, Course
+from gripcourse.errors import Problem
+from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded
+from gripcourse.proofs.published_cases import PublishedCase
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import evaluate, solve_variant, to_si
+from gripcourse.text.number_text import format_number
+from gripcourse.text.units import factor, unit_text
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
+
+_SAME = 1e-12  # relative: what floating point leaves of an equal number
+_FIGURES = 10  # shown: the expected digits must be seen to differ
+
+
+@dataclass(frozen=True, slots=True)
+class PrintedCalculation:
+    """A calculation whose results are printed somewhere.
+
+    Attributes:
+        kind: worked example or published case.
+        name: for a line of output.
+        plan: what is computed, in one convention.
+        known: givens, constants and decisions, in declared units.
+        expected: value and tolerated difference by quantity, in declared units.
+        file, key: of the table `expected`, for messages.
+    """
+
+    kind: ProofKind
+    name: str
+    plan: Plan
+    known: Mapping[str, float]
+    expected: Mapping[str, tuple[float, float]]
+    file: str
+    key: str
+
+
+def calculations(
+    course: Course, cases: Sequence[PublishedCase], scheme: str | None = None
+) -> Iterator[PrintedCalculation]:
+    """Yield the worked examples in both conventions and the published cases.
+
+    Args:
+        course: a course without problems.
+        cases: its published cases.
+        scheme: only of this scheme; None for all.
+    """
+    for one in course.schemes.values():
+        example = one.example
+        if example is None or scheme not in {None, one.id}:
+            continue
+        for convention in Convention:
+            if not example.expected[convention]:
+                continue
+            plan = make_plan(course, one.id, example.options, convention)
+            yield PrintedCalculation(
+                ProofKind.EXAMPLE,
+                f"{one.id}, {convention}",
+                plan,
+                _in_plan(plan, {**example.given, **example.chosen[convention]}),
+                example.expected[convention],
+                f"{one.file.removesuffix('scheme.toml')}worked_example.toml",
+                f"{convention}.expected",
+            )
+    for case in cases:
+        if scheme in {None, case.scheme}:
+            plan = make_plan(course, case.scheme, case.options, Convention.CORRECTED)
+            yield PrintedCalculation(
+                ProofKind.PUBLISHED_CASE,
+                case.id,
+                plan,
+                {**case.given, **case.chosen},
+                case.expected,
+                case.file,
+                f"{case.key}.expected",
+            )
+
+
+def prove_calculation(one: PrintedCalculation) -> ProofResult:
+    """Compute a calculation and compare it with what is printed."""
+    proof = Proof(one.kind, one.name, one.file, one.key)
+    return concluded(proof, len(one.expected), tuple(differences(one)))
+
+
+def differences(one: PrintedCalculation) -> Iterator[Problem]:
+    """Yield every printed number that does not come out."""
+    values = solve_variant(one.plan, one.known)
+    for name, (printed, difference) in one.expected.items():
+        value = values[name]
+        if not is_met(value, printed, difference):
+            yield Problem(
+                one.file,
+                f"{one.key}.{name}",
+                _what(one.plan, name, value, printed, difference),
+                message(
+                    "Compare the formula of {name} and of what it uses with the source; if they"
+                    " are right, mend the printed number or what is given.",
+                    name=name,
+                ),
+            )
+
+
+def is_met(value: float, printed: float, difference: float) -> bool:
+    """Tell whether a computed value is the printed one, as far as its digits say."""
+    return bool(np.isclose(value, printed, rtol=_SAME, atol=difference))
+
+
+def broken_by(
+    one: PrintedCalculation, changed: Mapping[str, Sequence[float]]
+) -> Mapping[str, tuple[bool, ...]]:
+    """Tell which changed values of single quantities break a calculation.
+
+    Args:
+        one: the calculation.
+        changed: for each quantity the values, in SI, that it might have instead, one at a time;
+            NaN where it would have none.
+
+    Returns:
+        For each value whether some printed number does not come out with it.
+    """
+    tried = [(name, place) for name, values in changed.items() for place in range(len(values))]
+    known = {name: np.full(len(tried), value) for name, value in to_si(one.plan, one.known).items()}
+    for name, values in changed.items():
+        if name in one.known:
+            continue  # decided by the calculation itself: its formula is not used
+        # Infinite is "supplied, but no number": what uses it has no value either.
+        wrong = [math.inf if math.isnan(value) else value for value in values]
+        known[name] = np.array(
+            [wrong[place] if name == other else math.nan for other, place in tried]
+        )
+    values_of = evaluate(one.plan, known).values
+    broken = np.zeros(len(tried), dtype=np.bool_)
+    for name, (printed, difference) in one.expected.items():
+        declared = values_of[name] / factor(one.plan.quantities[name].unit)
+        broken |= ~np.isclose(declared, printed, rtol=_SAME, atol=difference)
+    flags = iter(broken.tolist())
+    return {name: tuple(next(flags) for _ in values) for name, values in changed.items()}
+
+
+def _in_plan(plan: Plan, known: Mapping[str, float]) -> dict[str, float]:
+    return {name: value for name, value in known.items() if name in plan.quantities}
+
+
+def _what(plan: Plan, name: str, value: float, printed: float, difference: float) -> Message:
+    unit = plan.quantities[name].unit
+    if not math.isfinite(value):
+        return message(
+            "{title} has no value here; {printed} is printed.",
+            title=plan.quantities[name].title,
+            printed=_number(printed, unit),
+        )
+    return message(
+        "{title} comes out as {value}; {printed} is printed, ±{difference}.",
+        title=plan.quantities[name].title,
+        value=_number(value, unit),
+        printed=_number(printed, unit),
+        difference=_number(difference, unit),
+    )
+
+
+def _number(value: float, unit: str) -> Texts:
+    """Write a number with its unit in every language."""
+    return Texts(
+        {
+            language: " ".join(
+                filter(None, (format_number(value, language, _FIGURES), unit_text(unit, language)))
+            )
+            for language in LANGUAGES
+        }
+    )

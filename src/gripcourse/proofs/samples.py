@@ -1,0 +1,229 @@
+"""Numbers to try a course with: its worked examples, and variants drawn for few combinations.
+
+One scheme may have thousands of combinations of options. Tried are as few as hold every choice of
+every option; the check of the course composes all of them.
+"""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gripcourse.course.compose import part_ids
+from gripcourse.course.composition import Composition
+from gripcourse.course.model import Convention, Course, Kind, Scheme
+from gripcourse.errors import TableError
+from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import Values, evaluate
+from gripcourse.text.units import factor
+from gripcourse.variants.cases import Cases
+from gripcourse.variants.draw import draw
+from gripcourse.variants.model import Variant
+from gripcourse.variants.space import Space
+
+EXAMPLE = "worked example"
+_MOST_CASES = 2  # combinations of options that a declared proof is tried with, in one scheme
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What numbers are drawn from.
+
+    Attributes:
+        course: a course without problems.
+        spaces: ranges of its schemes.
+        count: variants of each combination of options.
+        seed: the same seed draws the same variants.
+        drawn: variants of combinations that were drawn already, None where there are none.
+        names: ids of quantities by parts that were asked for already.
+    """
+
+    course: Course
+    spaces: tuple[Space, ...]
+    count: int
+    seed: int
+    drawn: dict[Composition, "Trial | None"] = field(default_factory=dict, compare=False)
+    names: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict, compare=False)
+
+    def mixed(self, scheme: str) -> list["Mixed"]:
+        """Return the combinations of options that variants of a scheme are drawn with."""
+        own = (space for space in self.spaces if space.scheme == scheme)
+        return [
+            Mixed(space, place, options)
+            for space in own
+            for place, options in enumerate(space.cases.combinations)
+        ]
+
+
+@dataclass(frozen=True, slots=True)
+class Mixed:
+    """A combination of options that a space mixes, and its place there."""
+
+    space: Space
+    place: int
+    options: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A scheme with options, and sets of numbers to try it with: at least one.
+
+    Attributes:
+        plan: of the corrected convention.
+        variants: in the order of the numbers; the worked example comes first where there is one.
+        known: givens, constants and decisions of all variants in SI, arrays of shape (n,).
+        values: of every quantity in SI, arrays of shape (n,).
+    """
+
+    plan: Plan
+    variants: tuple[Variant, ...]
+    known: Mapping[str, Array]
+    values: Values
+
+
+def make_trial(plan: Plan, variants: tuple[Variant, ...]) -> Trial:
+    """Solve variants of one composition."""
+    names = {name: None for one in variants for name in one.given}
+    known = {
+        name: np.array([one.given.get(name, np.nan) for one in variants])
+        * factor(plan.quantities[name].unit)
+        for name in names
+    }
+    found = evaluate(plan, known).values
+    return Trial(
+        plan,
+        variants,
+        known,
+        {name: np.broadcast_to(one, len(variants)) for name, one in found.items()},
+    )
+
+
+def trials_of(source: Source, scheme: Scheme) -> Iterator[Trial]:
+    """Yield few compositions of a scheme that hold every choice of every option, with numbers.
+
+    The worked example's options come first. A scheme without an example and without a space has
+    none.
+    """
+    example = _example_of(source.course, scheme)
+    mixed = source.mixed(scheme.id)
+    used = () if example is None else (example.options,)
+    if example is not None:
+        same = next((one for one in mixed if one.options == example.options), None)
+        drawn = None if same is None else _drawn(source, same)
+        variants = (example, *(() if drawn is None else drawn.variants))
+        yield make_trial(_plan(source.course, example), variants)
+    for one in _covering(mixed, scheme, used):
+        drawn = _drawn(source, one)
+        if drawn is not None:
+            yield drawn
+
+
+def trials_with(
+    source: Source, scheme: Scheme, options: Mapping[str, str], names: frozenset[str]
+) -> Iterator[Trial]:
+    """Yield few compositions that choose these options and hold all these quantities."""
+    example = _example_of(source.course, scheme)
+    if example is not None and _suits(source, scheme, example.options, options, names):
+        yield make_trial(_plan(source.course, example), (example,))
+    suited = [
+        one
+        for one in source.mixed(scheme.id)
+        if _suits(source, scheme, one.options, options, names)
+    ]
+    # Neighbours in the list differ in the last option only: some from all over it.
+    step = max(1, len(suited) // _MOST_CASES)
+    for one in suited[::step][:_MOST_CASES]:
+        drawn = _drawn(source, one)
+        if drawn is not None:
+            yield drawn
+
+
+def redrawn(source: Source, trial: Trial, count: int) -> Trial | None:
+    """Draw more variants of the composition of a trial; None where there is no range for it."""
+    for one in source.mixed(trial.plan.scheme.id):
+        if one.options == trial.plan.options:
+            return _drawn(replace(source, count=count, drawn={}), one)
+    return None
+
+
+def _suits(
+    source: Source,
+    scheme: Scheme,
+    chosen: Mapping[str, str],
+    options: Mapping[str, str],
+    names: frozenset[str],
+) -> bool:
+    return options.items() <= chosen.items() and names <= _known_names(source, scheme, chosen)
+
+
+def _known_names(source: Source, scheme: Scheme, options: Mapping[str, str]) -> frozenset[str]:
+    """Return the ids of all quantities of a composition and of all constants."""
+    parts = part_ids(scheme, options)
+    key = (scheme.id, *parts)
+    if key not in source.names:
+        known = {*source.course.constants, *scheme.quantities}
+        known.update(name for part in parts for name in source.course.parts[part].quantities)
+        source.names[key] = frozenset(known)
+    return source.names[key]
+
+
+def _example_of(course: Course, scheme: Scheme) -> Variant | None:
+    example = scheme.example
+    if example is None:
+        return None
+    chosen = example.chosen[Convention.CORRECTED]
+    plan = make_plan(course, scheme.id, example.options, Convention.CORRECTED)
+    given = {
+        name: value
+        for name, value in {**example.given, **chosen}.items()
+        if name in plan.quantities and plan.quantities[name].kind is not Kind.MANUAL
+    }
+    return Variant(EXAMPLE, scheme.id, example.options, given)
+
+
+def _plan(course: Course, variant: Variant) -> Plan:
+    return make_plan(course, variant.scheme, variant.options, Convention.CORRECTED)
+
+
+def _covering(
+    mixed: Sequence[Mixed], scheme: Scheme, used: Sequence[Mapping[str, str]]
+) -> Iterator[Mixed]:
+    """Choose combinations until every choice that a space draws was tried.
+
+    Always the one with the most choices still missing, and of those the one whose other choices
+    were tried least, so that they come in new company.
+    """
+    tried = Counter({pair: 0 for one in mixed for pair in one.options.items()})
+    tried.update(pair for options in used for pair in options.items() if pair in tried)
+    if not scheme.options and not used:
+        yield from mixed[:1]
+    while min(tried.values(), default=1) == 0:
+        best = max(
+            mixed,
+            key=lambda one: (
+                sum(tried[pair] == 0 for pair in one.options.items()),
+                -sum(tried[pair] for pair in one.options.items()),
+            ),
+        )
+        yield best
+        tried.update(best.options.items())
+
+
+def _drawn(source: Source, mixed: Mixed) -> Trial | None:
+    """Draw variants of one combination; None where the ranges leave no solution."""
+    space = mixed.space
+    composition = Composition.of(space.scheme, mixed.options)
+    if composition not in source.drawn:
+        only = replace(space, weight=1.0, cases=Cases.of([space.cases[mixed.place]]))
+        try:
+            variants = draw(source.course, [only], source.count, source.seed).variants
+        except TableError:
+            variants = ()  # whoever draws variants is told; here there is nothing to try
+        source.drawn[composition] = (
+            make_trial(_plan(source.course, variants[0]), variants) if variants else None
+        )
+    return source.drawn[composition]

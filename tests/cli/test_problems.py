@@ -1,0 +1,55 @@
+"""The library says what is wrong; the command line adds what is typed to mend it."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from gripcourse.cli import main as cli
+from gripcourse.cli.problems import TYPED, spoken
+from gripcourse.errors import NextStep, Problem
+from gripcourse.text.words import LANGUAGES, Words, message
+
+SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
+COMMANDS = "|".join(one.name or one.callback.__name__ for one in cli.app.registered_commands)
+TYPED_WORD = re.compile(rf"(?<![\w-])--[a-z]|gripcourse ({COMMANDS})\b")
+
+
+def sentences(source: str) -> Iterator[str]:
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "message" and node.args:
+            yield ast.literal_eval(node.args[0])
+
+
+def test_the_library_never_speaks_of_options_and_commands() -> None:
+    found = [
+        f"{path.relative_to(SOURCES)}: {text}"
+        for path in sorted(SOURCES.rglob("*.py"))
+        if path.parent.name != "cli"
+        for text in sentences(path.read_text(encoding="utf-8"))
+        if TYPED_WORD.search(text)
+    ]
+    assert found == []
+
+
+def test_an_option_in_a_sentence_is_noticed() -> None:
+    (text,) = sentences('message("Set it with --set, or " "leave it.", name=1)')
+    assert TYPED_WORD.search(text)
+    assert TYPED_WORD.search("Grade it first: gripcourse grade.")
+    assert not TYPED_WORD.search("Install gripcourse again -- or not.")
+
+
+@pytest.mark.parametrize("step", NextStep)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_step_has_what_is_typed(step: NextStep, language: str) -> None:
+    problem = Problem("book", "", message("Wrong."), message("Mend it."), step=step)
+    assert TYPED[step] in spoken(problem, Words(language))
+    assert TYPED[step] not in problem.say(Words(language))
+
+
+def test_a_parameter_is_called_what_its_option_is_called() -> None:
+    problem = Problem("", "mass", message("Wrong."), message("Mend it."), parameter="given")
+    assert problem.say(Words("en")) == "given: mass: Wrong. Mend it."
+    assert spoken(problem, Words("en")) == "--set: mass: Wrong. Mend it."

@@ -1,0 +1,10 @@
+"""A program of its own that opens a gradebook and says which revision it found then."""
+
+import sys
+
+from gripcourse.database.migrate import revision_of
+from gripcourse.database.opening import open_engine
+
+if __name__ == "__main__":
+    with open_engine(sys.argv[1]).connect() as opened:
+        sys.stdout.write(str(revision_of(opened)))

@@ -1,0 +1,118 @@
+"""A gradebook is a private file by default; what is none is refused with place and remedy."""
+
+import stat
+import sys
+from pathlib import Path
+
+import pytest
+from sqlalchemy import create_engine, inspect, text
+from sqlalchemy.engine import make_url
+
+from gripcourse.database.home import address_path, exists, gradebook_path, home_of
+from gripcourse.database.migrate import NEWEST
+from gripcourse.database.opening import open_engine, without_password
+from gripcourse.errors import GradebookError
+
+
+class TestHome:
+    def test_it_is_a_file_in_the_private_folder(self, tmp_path: Path) -> None:
+        assert gradebook_path(tmp_path) == tmp_path / "private" / "gradebook.sqlite"
+        assert home_of(tmp_path) == str(gradebook_path(tmp_path))
+
+    def test_a_line_in_the_private_folder_names_another(self, tmp_path: Path) -> None:
+        address_path(tmp_path).parent.mkdir()
+        address_path(tmp_path).write_text("postgresql://teacher@host/course\n", encoding="utf-8")
+        assert home_of(tmp_path) == "postgresql://teacher@host/course"
+
+    def test_a_file_is_looked_for_and_a_database_is_believed(self, tmp_path: Path) -> None:
+        assert not exists(str(tmp_path / "gradebook.sqlite"))
+        assert exists("postgresql://teacher@localhost/course")
+
+
+class TestMaking:
+    @pytest.mark.skipif(sys.platform == "win32", reason="the mode bits are of POSIX systems")
+    def test_only_the_owner_reads_it(self, tmp_path: Path) -> None:
+        place = tmp_path / "private" / "gradebook.sqlite"
+        open_engine(str(place))
+        assert stat.S_IMODE(place.stat().st_mode) == 0o600
+
+    def test_nothing_else_is_left_beside_it(self, tmp_path: Path) -> None:
+        open_engine(str(tmp_path / "gradebook.sqlite"))
+        assert [one.name for one in tmp_path.iterdir()] == ["gradebook.sqlite"]
+
+    def test_where_its_making_fails_there_is_none(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        def crash(*_: object) -> None:
+            raise KeyboardInterrupt
+
+        with monkeypatch.context() as patch:
+            patch.setattr("gripcourse.database.opening.bring_up", crash)
+            with pytest.raises(KeyboardInterrupt):
+                open_engine(str(tmp_path / "gradebook.sqlite"))
+        assert list(tmp_path.iterdir()) == []
+
+    def test_a_file_and_its_url_are_the_same_place(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        open_engine(str(place))
+        assert without_password(open_engine(f"sqlite:///{place}").url) == str(place)
+
+    def test_the_tables_of_others_in_the_same_database_are_left_alone(self, tmp_path: Path) -> None:
+        place = tmp_path / "shared.sqlite"
+        with create_engine(f"sqlite:///{place}").begin() as connection:
+            connection.exec_driver_sql("CREATE TABLE attempt (id INTEGER)")
+        names = set(inspect(open_engine(str(place))).get_table_names()) - {"attempt"}
+        assert all(one.startswith(("gradebook_", "register_", "gripcourse_")) for one in names)
+
+
+class TestRefusals:
+    def test_a_later_revision_is_refused_and_left_alone(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        with open_engine(str(place)).begin() as connection:
+            connection.execute(text("UPDATE gripcourse_revision SET version_num = '77'"))
+        before = place.read_bytes()
+        with pytest.raises(GradebookError) as caught:
+            open_engine(str(place))
+        (problem,) = caught.value.problems
+        assert problem.file == str(place)
+        assert f"the format 77, this program knows {NEWEST}" in str(problem.what)
+        assert "or a later one" in str(problem.remedy)
+        assert place.read_bytes() == before
+        assert len(list(tmp_path.iterdir())) == 1
+
+    def test_a_file_of_no_bytes_is_not_made_anew(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        place.touch()
+        with pytest.raises(GradebookError, match="0 bytes"):
+            open_engine(str(place))
+        assert place.stat().st_size == 0
+
+    @pytest.mark.parametrize(
+        ("place", "said"),
+        [
+            ("mysql+nothing://localhost/course", "driver"),
+            ("://", "no URL"),
+            ("sqlite:////nowhere/at/all/gradebook.sqlite", "cannot be used"),
+        ],
+    )
+    def test_a_place_that_is_none_is_one_problem_with_its_remedy(
+        self, place: str, said: str
+    ) -> None:
+        with pytest.raises(GradebookError) as caught:
+            open_engine(place)
+        (problem,) = caught.value.problems
+        assert said in str(problem.what)
+        assert str(problem.remedy)
+
+    def test_a_file_that_is_no_database_is_refused_and_left_alone(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        place.write_text("student,points\n" * 100, encoding="utf-8")
+        with pytest.raises(GradebookError, match="not a database"):
+            open_engine(str(place))
+        assert place.read_text(encoding="utf-8").startswith("student,points")
+
+
+def test_a_password_is_never_shown() -> None:
+    url = make_url("postgresql+psycopg://teacher:secret@localhost/course")
+    assert "secret" not in without_password(url)
+    assert "teacher" in without_password(url)

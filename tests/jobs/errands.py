@@ -1,0 +1,72 @@
+"""Jobs for tests; other processes find them by their names."""
+
+import ctypes
+import os
+import resource
+import signal
+import sys
+import time
+from pathlib import Path
+
+from gripcourse.jobs.workers import in_order, run_each
+
+
+class Luggage:
+    """What jobs share; each unpacking leaves a line in a file."""
+
+    def __init__(self, diary: Path) -> None:
+        self.diary = diary
+
+    def __setstate__(self, state: tuple[None, dict[str, Path]] | dict[str, Path]) -> None:
+        self.diary = state["diary"] if isinstance(state, dict) else state[1]["diary"]
+        with self.diary.open("a", encoding="ascii") as diary:
+            diary.write(f"{os.getpid()}\n")
+
+
+class Unwrappable:
+    """What cannot be unpacked where it arrives."""
+
+    def __reduce__(self) -> tuple[object, tuple[str]]:
+        return (_refuse, ("lost on the way",))
+
+
+def _refuse(said: str) -> None:
+    raise RuntimeError(said)
+
+
+def double(item: int, add: int) -> int:
+    time.sleep(0.02 if item == 0 else 0)
+    return 2 * item + add
+
+
+def stop_at_odd(item: int, _: object) -> int:
+    if item % 2:
+        raise ValueError(f"{item} is odd")
+    return item
+
+
+def carry(item: int, luggage: Luggage) -> int:
+    del luggage
+    return item
+
+
+def deaf(item: str, _: object) -> str:
+    """Sleep without giving Python's lock away, as a library that hangs; no alarm is heard."""
+    if item == "deaf":
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGALRM})
+        ctypes.PyDLL(None).sleep(60)
+    return item
+
+
+def memory(_: object, __: object) -> tuple[int, int]:
+    return resource.getrlimit(resource.RLIMIT_AS)
+
+
+def report_and_sleep(folder: Path, _: object) -> None:
+    (folder / str(os.getpid())).touch()
+    time.sleep(60)
+
+
+if __name__ == "__main__":
+    place = Path(sys.argv[1])
+    in_order(run_each(report_and_sleep, [place, place], None, workers=2, seconds=60))

@@ -1,0 +1,64 @@
+"""What is changed for the whole process for a moment is put back, whatever happens meanwhile."""
+
+import gc
+import threading
+import warnings
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+
+import pytest
+
+from gripcourse.machine.process_wide import few_collections, without_warnings
+
+Change = Callable[[], AbstractContextManager[None]]
+BOTH = (few_collections, without_warnings)
+
+
+def settings() -> tuple[object, ...]:
+    return gc.get_threshold(), tuple(warnings.filters)
+
+
+def fail_inside(changed: Change) -> None:
+    with changed():
+        raise ArithmeticError
+
+
+@pytest.mark.parametrize("changed", BOTH)
+def test_it_is_put_back_after_a_failure(changed: Change) -> None:
+    before = settings()
+    with pytest.raises(ArithmeticError):
+        fail_inside(changed)
+    assert settings() == before
+
+
+@pytest.mark.parametrize("changed", BOTH)
+def test_two_threads_do_not_put_back_each_others_changes(
+    changed: Change,
+) -> None:
+    before, inside, leave = settings(), threading.Event(), threading.Event()
+
+    def first() -> None:
+        with changed():
+            inside.set()
+            leave.wait(10)
+
+    def second() -> None:
+        inside.wait(10)
+        with changed():
+            pass
+
+    threads = [threading.Thread(target=one) for one in (first, second)]
+    for one in threads:
+        one.start()
+    inside.wait(10)
+    threads[1].join(0.05)
+    assert threads[1].is_alive()  # it waits for the first
+    leave.set()
+    for one in threads:
+        one.join(10)
+    assert settings() == before
+
+
+def test_a_warning_inside_is_not_heard() -> None:
+    with without_warnings():
+        warnings.warn("never heard", stacklevel=1)
