@@ -1,4 +1,4 @@
-"""Course assignments for robot gripper design: issue variants, check answers, grade and report.
+"""Course assignments: issue variants, check answers, grade and report.
 
 `import gripcourse as gc` costs nothing until something of `gripcourse.api` is asked for.
 """

@@ -45,7 +45,7 @@ class Problem:
 
     Attributes:
         file: the file it is in, as the user would type it.
-        key: where in the file: a key as it is written there, `quantity.bore.formula`, or a place
+        key: where in the file: a key as it is written there, `quantity.mass.formula`, or a place
             that has no name there, `row 7, column mass`, as a message; or empty.
         what: what is wrong.
         remedy: how to mend it.

@@ -23,8 +23,18 @@ SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
 # Names of formats, ids and values that are typed as they stand, whatever the language.
 TYPED = frozenset(
     (
-        *("csv", "xlsx", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "guide"),
-        *("drive", "force", "hydraulic", "lever", "arms", "private", "gradebook", "sqlite"),
+        *("csv", "xlsx", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
+        *(
+            "printed",
+            "drive",
+            "electric",
+            "mass",
+            "lever",
+            "arms",
+            "private",
+            "gradebook",
+            "sqlite",
+        ),
     )
 )
 

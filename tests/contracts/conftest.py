@@ -288,7 +288,7 @@ def printed_composition(
     composition_key: tuple[str, tuple[tuple[str, str], ...]], composed: Callable[..., Composition]
 ) -> Composition:
     """The same as the source prints it, errata included."""
-    return composed(composition_key, Convention.GUIDE)
+    return composed(composition_key, Convention.AS_PRINTED)
 
 
 def _composition(

@@ -8,8 +8,8 @@ import pytest
 
 from gripcourse.course.diagram import Element
 from gripcourse.course.model import Convention, Course
+from gripcourse.drawing.diagram.contacts import contact
 from gripcourse.drawing.diagram.drives import cylinder, floating_cylinder
-from gripcourse.drawing.diagram.jaws import jaw
 from gripcourse.drawing.diagram.marks import Path
 from gripcourse.drawing.diagram.places import PlacedElement, Stop, shape_of, stops_of
 from gripcourse.solver.plan import Plan, make_plan
@@ -133,13 +133,13 @@ def test_the_force_of_the_drive_points_where_the_rod_goes(cases: tuple[Case, ...
 def test_every_jaw_touches_the_object_and_never_cuts_it(cases: tuple[Case, ...]) -> None:
     faults = []
     for one in cases:
-        jaws = list(one.shapes({"jaw", "prism"}))
+        jaws = list(one.shapes({"contact", "vee"}))
         if len(jaws) != 1:
             faults.append(f"{one.name}: {len(jaws)} kinds of jaws")
-        for shape in (found for pair in jaws for found in pair if found.element.kind == "jaw"):
+        for shape in (found for pair in jaws for found in pair if found.element.kind == "contact"):
             centre = shape.points["holds"][0]
             radius = math.dist(shape.at, centre)
-            outlines = [mark for mark in jaw(shape) if isinstance(mark, Path) and mark.closed]
+            outlines = [mark for mark in contact(shape) if isinstance(mark, Path) and mark.closed]
             for outline in outlines:
                 gap = distance(outline, centre) - radius
                 if abs(gap) > SEEN:

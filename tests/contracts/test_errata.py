@@ -53,8 +53,8 @@ def test_the_guides_convention_takes_the_printed_version(course: Course) -> None
     faults = [
         f"{one.id}: {printed.erratum}"
         for one, printed in declared(course)
-        if printed.formula not in (None, reference_formula(one, Convention.GUIDE))
-        or printed.rounding not in (None, reference_rounding(one, Convention.GUIDE))
+        if printed.formula not in (None, reference_formula(one, Convention.AS_PRINTED))
+        or printed.rounding not in (None, reference_rounding(one, Convention.AS_PRINTED))
     ]
     assert faults == []
 
@@ -72,12 +72,12 @@ def test_the_corrected_convention_takes_none(course: Course) -> None:
 def test_what_is_printed_differs_from_what_is_right(composition: "Composition") -> None:
     """In the plan of the guide's convention; that the numbers differ is tested with the slips."""
     plan = composition.plan
-    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.GUIDE)
+    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
     changed = {
         name
         for name, one in plan.quantities.items()
         if guide.reference_formula(name) != plan.reference_formula(name)
-        or reference_rounding(one, Convention.GUIDE)
+        or reference_rounding(one, Convention.AS_PRINTED)
         is not reference_rounding(one, Convention.CORRECTED)
     }
     assert changed == {name for name, one in plan.quantities.items() if one.as_printed}

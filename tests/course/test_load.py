@@ -162,9 +162,9 @@ def test_a_part_may_say_how_the_links_move(draft: "Draft") -> None:
     moving = draft.load().schemes["rack_parallelogram"].kinematics
     assert moving is not None
     assert moving.file == DRAWINGS
-    draft.edit(DRAWINGS, 'jaw = "jaw_pin_y"', 'jaw = "jaw_pin_z"')
+    draft.edit(DRAWINGS, 'output = "jaw_pin_y"', 'output = "jaw_pin_z"')
     assert draft.problem().file == DRAWINGS
-    draft.edit(DRAWINGS, 'jaw = "jaw_pin_z"', 'jaw = "jaw_pin_y"').append(SCHEME, mark + motion)
+    draft.edit(DRAWINGS, '"jaw_pin_z"', '"jaw_pin_y"').append(SCHEME, mark + motion)
     problem = draft.problem()
     assert (problem.file, problem.key) == (SCHEME, "kinematics")
     assert str(problem.what) == "'kinematics' is declared more than once."
@@ -234,7 +234,7 @@ def test_only_a_symmetric_diagram_has_its_parts_on_both_sides(draft: "Draft") ->
     def sides() -> set[str]:
         (scheme,) = draft.load().schemes.values()
         assert scheme.diagram is not None
-        return {one.mirror for one in scheme.diagram.elements if one.kind == "jaw"}
+        return {one.mirror for one in scheme.diagram.elements if one.kind == "contact"}
 
     assert sides() == {"both"}
     draft.edit(DIAGRAM, "symmetric = true", "symmetric = false")

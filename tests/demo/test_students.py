@@ -1,11 +1,13 @@
 """Scripted students do what their names say."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
 from gripcourse.course.model import Kind
+from gripcourse.demo.chosen import early_mistake, measured, smaller_sizes
 from gripcourse.demo.students import (
     STORIES,
     blank,
@@ -30,7 +32,9 @@ if TYPE_CHECKING:
 
 
 def typed_by(issued: "Classroom", behaviour: "Behaviour") -> "Typed":
-    return behaviour(issued.plan("s01"), issued.register["s01"])
+    typed = behaviour(issued.plan("s01"), issued.register["s01"])
+    assert typed is not None
+    return typed
 
 
 def reference(issued: "Classroom") -> dict[str, float]:
@@ -65,17 +69,38 @@ def test_three_figures_are_three_figures_of_numbers_computed_on(issued: "Classro
             assert typed[one.id] == float(f"{typed[one.id]:.3g}")
 
 
-def test_the_early_slip_is_one_jaw_only(issued: "Classroom") -> None:
+def test_the_early_slip_is_the_first_that_the_course_declares(issued: "Classroom") -> None:
+    plan, given = issued.plan("s01"), issued.register["s01"].variant.given
+    mistake = early_mistake(plan, given)
+    assert mistake is not None
+    name, value = mistake
+    asked = [one.id for one in plan.answered]
+    before = [one for one in plan.answered[: asked.index(name)] if one.kind is Kind.FORMULA]
+    assert plan.quantities[name].slips
     right, typed = reference(issued), typed_by(issued, early_slip)
-    assert typed["lifting_load"] == right["lifting_load"]
-    assert typed["grip_force"] == pytest.approx(2 * right["grip_force"])
-    assert typed["pin_force"] == pytest.approx(2 * right["pin_force"])
+    assert typed[name] == pytest.approx(value)
+    assert value != pytest.approx(right[name], rel=0.05)
+    assert all(typed[one.id] == right[one.id] for one in before if name not in one.uses)
+
+
+def test_where_nothing_is_anticipated_the_first_result_is_doubled(issued: "Classroom") -> None:
+    plan, given = issued.plan("s01"), issued.register["s01"].variant.given
+    plain = {name: replace(one, slips=()) for name, one in plan.quantities.items()}
+    bare = replace(plan, quantities=plain, answered=tuple(plain[o.id] for o in plan.answered))
+    mistake = early_mistake(bare, given)
+    assert mistake is not None
+    name, value = mistake
+    assert value == pytest.approx(2 * reference(issued)[name])
 
 
 def test_rounding_down_takes_the_next_smaller_sizes(issued: "Classroom") -> None:
     right, typed = reference(issued), typed_by(issued, rounded_down)
-    for name in ("bore", "pin_diameter"):
-        assert typed[name] < right[f"{name}_required"] <= right[name]
+    plan, given = issued.plan("s01"), issued.register["s01"].variant.given
+    sizes = smaller_sizes(plan, given, 2)
+    assert len(sizes) == 2
+    for name in sizes:
+        assert plan.quantities[name].choice is not None
+        assert typed[name] < right[name]
 
 
 def test_who_computes_as_printed_differs_where_the_source_errs(issued: "Classroom") -> None:
@@ -90,7 +115,7 @@ def test_who_types_text_types_units_too_and_twice_no_number(
     file = issued.hand_in("s01", text_and_units, tmp_path / "a.xlsx")
     answers = read(issued, file).answers
     unreadable = {name for name, one in answers.items() if one.reading is Reading.UNREADABLE}
-    assert unreadable == {"lifting_load", "stroke_required"}
+    assert unreadable == {one.id for one in measured(issued.plan("s01"))[:2]}
     force = answers["drive_force"]
     assert force.unit == "kN"
     assert force.value == pytest.approx(reference(issued)["drive_force"], rel=1e-4)

@@ -124,12 +124,12 @@ def test_it_says_whether_misprints_of_the_guide_are_accepted(text: Callable[...,
     assert "only the corrected formulas count" in text(printed_credit=None)
 
 
-def test_it_says_when_the_guide_counts_as_it_is_printed(
+def test_it_says_when_the_sources_count_as_they_print(
     issued: Issued, plan: Plan, policy: Policy, course: Course
 ) -> None:
-    printed = replace(plan, convention=Convention.GUIDE)
+    printed = replace(plan, convention=Convention.AS_PRINTED)
     written = read(issued, printed, policy, course, ENGLISH)
-    assert "follows the formulas of the guide as they are printed" in written
+    assert "follows the formulas as the sources print them" in written
 
 
 def test_without_a_deadline_there_is_no_line_for_it(

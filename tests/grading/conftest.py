@@ -71,7 +71,7 @@ class Case:
     def printed(self) -> dict[str, float]:
         """The answers of a student who computes as the source prints it."""
         guide = make_plan(
-            self.plan.course, self.plan.scheme.id, self.plan.options, Convention.GUIDE
+            self.plan.course, self.plan.scheme.id, self.plan.options, Convention.AS_PRINTED
         )
         values = solve_variant(guide, self.given)
         return {one.id: values[one.id] for one in self.plan.answered}

@@ -50,13 +50,13 @@ def test_every_quantity_is_asked_given_marked_or_constant(plan: Plan) -> None:
 
 
 def test_constants_of_a_plan_are_those_of_its_convention(course: Course, plan: Plan) -> None:
-    guide = make_plan(course, SCHEME, plan.options, Convention.GUIDE)
+    guide = make_plan(course, SCHEME, plan.options, Convention.AS_PRINTED)
     assert [one.id for one in plan.constants] == ["gravity"]
     assert [one.id for one in guide.constants] == ["gravity_printed"]
 
 
 def test_a_convention_decides_the_formula_and_its_inputs(course: Course, plan: Plan) -> None:
-    guide = make_plan(course, SCHEME, plan.options, Convention.GUIDE)
+    guide = make_plan(course, SCHEME, plan.options, Convention.AS_PRINTED)
     assert plan.inputs["force_ratio"] == ("force_ratio_at_max", "force_ratio_at_min")
     assert guide.inputs["force_ratio"] == ("arm_length", "arm_angle_open", "pitch_radius")
     formula = guide.reference_formula("bearing_stress")

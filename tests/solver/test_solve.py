@@ -112,7 +112,7 @@ def test_every_quantity_but_the_manual_ones_has_a_value(plan: Plan, example: Wor
 def test_conventions_differ_where_the_guide_errs(
     course: Course, plan: Plan, example: WorkedExample
 ) -> None:
-    guide = make_plan(course, SCHEME, plan.options, Convention.GUIDE)
+    guide = make_plan(course, SCHEME, plan.options, Convention.AS_PRINTED)
     right, printed = solve_variant(plan, example.given), solve_variant(guide, example.given)
     differing = {
         name for name in ("jaw_width_required", "module_required", "force_ratio", "pin_diameter",
@@ -127,10 +127,10 @@ def test_a_source_may_round_a_choice_otherwise(
 ) -> None:
     pin = plan.quantities["pin_diameter"]
     assert reference_rounding(pin, Convention.CORRECTED) is Rounding.UP
-    assert reference_rounding(pin, Convention.GUIDE) is Rounding.NEAREST
+    assert reference_rounding(pin, Convention.AS_PRINTED) is Rounding.NEAREST
     bore = plan.quantities["bore"]
-    assert reference_rounding(bore, Convention.GUIDE) is Rounding.UP
-    guide = make_plan(course, SCHEME, plan.options, Convention.GUIDE)
+    assert reference_rounding(bore, Convention.AS_PRINTED) is Rounding.UP
+    guide = make_plan(course, SCHEME, plan.options, Convention.AS_PRINTED)
     assert solve_variant(plan, example.given)["pin_diameter"] == 12
     assert solve_variant(guide, example.given)["pin_diameter"] == 10
 

@@ -65,6 +65,7 @@ class Classroom:
     def hand_in(self, student: str, behaviour: Behaviour, target: Path) -> Path:
         """Let a student fill in the workbook in some way."""
         typed = behaviour(self.plan(student), self.register[student])
+        assert typed is not None
         fill(self.workbook(student), typed, target)
         return target
 

@@ -1,14 +1,21 @@
+import re
 import stat
 from pathlib import Path
 
 import pytest
 
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Convention
 from gripcourse.errors import UsageError
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.resources import COURSE_FOLDERS, course_root
-from gripcourse.text.words import Words
+from gripcourse.policy.load import read_policy
+from gripcourse.solver.plan import make_plan
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases import init
-from gripcourse.usecases.init import init_course
+from gripcourse.usecases.init import empty_course, init_course
+from gripcourse.variants.space import load_spaces
 
 SECRET = bytes(range(32))
 WORDS = Words("en")
@@ -33,7 +40,49 @@ def test_every_file_of_the_reference_course_is_copied_unchanged(tmp_path: Path) 
 def test_the_copy_is_a_course_itself(tmp_path: Path) -> None:
     init_course(tmp_path / "first", SECRET, WORDS)
     init_course(tmp_path / "second", SECRET, WORDS, source=course_root(tmp_path / "first"))
-    assert files_below(tmp_path / "first") == files_below(tmp_path / "second")
+    second = files_below(tmp_path / "second")
+    roster = {"variants/roster.csv"}
+    assert files_below(tmp_path / "first").keys() - second.keys() == roster
+
+
+def test_nobody_elses_students_are_taken_over(tmp_path: Path) -> None:
+    source = tmp_path / "theirs"
+    empty_course(source, bytes(32), WORDS)
+    (source / "variants" / "students 2026.xlsx").write_bytes(b"Anna")
+    for name in ("register.json", "gradebook.sqlite"):
+        (source / "private" / name).write_text("Anna", encoding="utf-8")
+    init_course(tmp_path / "mine", SECRET, WORDS, source=source)
+    mine, theirs = files_below(tmp_path / "mine"), files_below(source)
+    assert [name for name, content in mine.items() if b"Anna" in content] == []
+    assert read_key(key_path(tmp_path / "mine")) == SECRET
+    assert {name for name in theirs if name.endswith(".toml")} < mine.keys()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_an_empty_course_is_valid_and_explains_itself_in_one_language(
+    tmp_path: Path, language: str
+) -> None:
+    empty_course(tmp_path / "mine", SECRET, Words(language))
+    course = load_course(tmp_path / "mine")
+    assert course.language == language
+    assert (len(course.schemes), len(course.sections)) == (1, 2)
+    assert read_policy(course)[1] == []
+    assert len(load_spaces(course)) == 1
+    cyrillic = re.compile("^#.*[а-яёіїєґ]", re.MULTILINE | re.IGNORECASE)
+    commented = (tmp_path / "mine" / "variants" / "course.toml").read_text(encoding="utf-8")
+    assert bool(cyrillic.search(commented)) == (language != "en")
+    assert not re.search(r"^#(en|ru|uk) ", commented, re.MULTILINE)
+
+
+def test_the_example_of_the_empty_course_comes_out(tmp_path: Path) -> None:
+    empty_course(tmp_path / "mine", SECRET, WORDS)
+    course = load_course(tmp_path / "mine")
+    example = course.schemes["rod"].example
+    assert example is not None
+    plan = make_plan(course, "rod", example.options)
+    values = solve_variant(plan, example.given)
+    for name, (expected, difference) in example.expected[Convention.CORRECTED].items():
+        assert values[name] == pytest.approx(expected, abs=difference + 1e-9)
 
 
 def test_only_the_owner_reads_the_key(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """Issuing: a folder per student, once and for good."""
 
+import stat
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -134,9 +135,27 @@ class TestRefusals:
         roster.write_text(text.replace(",007", ",777"), encoding="utf-8")
         refused(classroom, TableError, "s02", "777")
 
-    def test_nothing_is_written_without_the_key(self, classroom: "Classroom") -> None:
-        key_path(classroom.course.root).unlink()
-        refused(classroom, RegisterError, "key")
+    def test_nothing_more_is_issued_when_the_key_was_lost(
+        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        classroom.issue()
+        key = key_path(classroom.course.root)
+        key.unlink()
+        with pytest.raises(RegisterError, match="key"):
+            classroom.issue()
+        assert not key.exists()
+
+    def test_the_first_issue_makes_a_key_that_only_its_owner_reads(
+        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        key = key_path(classroom.course.root)
+        key.unlink()
+        (made, *_) = classroom.issue().notes
+        assert str(key) in str(made)
+        assert stat.S_IMODE(key.stat().st_mode) == 0o600
+        assert [note for note in classroom.issue().notes if str(key) in str(note)] == []
 
     def test_a_damaged_register_is_never_overwritten(self, classroom: "Classroom") -> None:
         path = old_register_path(classroom.course.root)

@@ -58,10 +58,10 @@ def test_a_value_can_be_assumed_instead_of_computed(course: Course) -> None:
 
 def test_options_and_conventions_can_be_chosen(course: Course) -> None:
     given = {"mass": 8, "supply_pressure": 0.5}
-    solved = solve_scheme(course, SCHEME, given, {"drive": "pneumatic"}, Convention.GUIDE)
+    solved = solve_scheme(course, SCHEME, given, {"drive": "pneumatic"}, Convention.AS_PRINTED)
     assert solved.plan.options["drive"] == "pneumatic"
     assert solved.plan.options["jaw_shape"] == "flat"  # as in the worked example
-    assert solved.plan.convention is Convention.GUIDE
+    assert solved.plan.convention is Convention.AS_PRINTED
     assert (solved.values["bore"], solved.values["rod"]) == (125, 32)  # ISO 15552 pairs them
 
 

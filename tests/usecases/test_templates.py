@@ -97,7 +97,7 @@ def test_all_faults_of_all_templates_come_at_once(spoiled: Spoil) -> None:
 def test_a_template_that_is_not_utf8_is_named(tmp_path: Path) -> None:
     (tmp_path / "student.html.j2").write_bytes("Отчёт".encode("cp1251"))
     read, (problem,) = read_templates(tmp_path)
-    assert read == {}
+    assert "student.html.j2" not in read
     assert problem.file == "templates/student.html.j2"
     assert "UTF-8" in str(problem.what)
 
@@ -111,13 +111,25 @@ def test_a_font_that_this_machine_lacks_is_named_where_it_is_asked_for(tmp_path:
     shutil.copytree(REPOSITORY / "templates", templates)
     sheet = templates / "style" / "student.css"
     sheet.write_text('p { color: red }\n\nh1 { font: bold 9pt/1.2 "No Such Family", serif }\n')
-    (templates / "style" / "atlas.css").unlink()
     found = {problem.file: problem for problem in style_problems(templates)}
-    assert set(found) == {"templates/style/student.css", "templates/style/atlas.css"}
+    assert set(found) == {"templates/style/student.css"}
     font = found["templates/style/student.css"]
     assert font.key == "line 3"
     assert re.search(r"No Such Family is missing, .+ is used\.", str(font.what))
     assert str(font.remedy) == "Install this font, or name one that is installed."
+
+
+def test_what_a_course_lacks_is_taken_from_the_engines_look(tmp_path: Path) -> None:
+    own = tmp_path / "templates"
+    assert read_templates(own)[0].keys() == read_templates(REPOSITORY / "templates")[0].keys()
+    assert style_problems(own) == []
+    (own / "style").mkdir(parents=True)
+    (own / "style" / "page.css").write_text('p { font-family: "No Such Family" }\n')
+    (own / "student.html.j2").write_text("{{ studnet }}")
+    read, problems = read_templates(own)
+    assert problems == []
+    assert set(read["student.html.j2"].asked) == {"studnet"}
+    assert [problem.file for problem in style_problems(own)] == ["templates/style/page.css"]
 
 
 @pytest.mark.parametrize(

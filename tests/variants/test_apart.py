@@ -50,6 +50,13 @@ def all_pairs(items: list[AnswerItem], size: int) -> NDArray[np.float64]:
     return shared
 
 
+def test_answers_without_points_are_nothing_that_is_shared() -> None:
+    alike = replace(item("q", [1.0, 1.0, 2.0], 0.01), points=np.zeros(3))
+    found = measure([alike], np.zeros((3, SECTIONS)), LIMITS)
+    assert found.whole.share.tolist() == [0.0, 0.0, 0.0]
+    assert found.beyond == ()
+
+
 @st.composite
 def tables(draw_: st.DrawFn) -> tuple[list[AnswerItem], int]:
     size = draw_(st.integers(2, 25))

@@ -1,6 +1,7 @@
 """A table of variants goes out and comes back; every wrong cell is named."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import openpyxl
@@ -10,7 +11,9 @@ from hypothesis import strategies as st
 
 from gripcourse.course.model import Course
 from gripcourse.errors import TableError
+from gripcourse.text.words import LANGUAGES, Texts
 from gripcourse.variants.draw import draw
+from gripcourse.variants.headings import table_vocabulary
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
@@ -258,3 +261,12 @@ def test_the_issued_table_of_the_reference_course_is_sound(reference_course: Cou
     assert len(variants) == 64
     assert {one.scheme for one in variants} == reference_course.schemes.keys()
     assert {variant.scheme for variant in variants} == set(reference_course.schemes)
+
+
+def test_every_schemes_title_of_a_given_finds_its_column(small_course: Course) -> None:
+    press = small_course.schemes["press"]
+    load = replace(press.quantities["mass"], title=Texts(dict.fromkeys(LANGUAGES, "load")))
+    other = replace(press, id="other", quantities={**press.quantities, "mass": load})
+    course = replace(small_course, schemes={"press": press, "other": other})
+    vocabulary = table_vocabulary(course)
+    assert vocabulary.find("load") == vocabulary.find("mass of the object") == {"mass"}

@@ -73,7 +73,7 @@ def test_every_quantity_has_its_formula_source_and_tolerance_in_words(
 
 
 def test_the_convention_of_the_plan_decides_the_formulas(course: Course, variant: Variant) -> None:
-    plan = make_plan(course, variant.scheme, variant.options, Convention.GUIDE)
+    plan = make_plan(course, variant.scheme, variant.options, Convention.AS_PRINTED)
     book = load_workbook(io.BytesIO(key_workbook(plan, variant, ENGLISH)), data_only=True)
     values = solve_variant(plan, variant.given)
     for quantity in plan.answered:

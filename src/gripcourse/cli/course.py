@@ -92,15 +92,29 @@ def _prove(root: Path, count: int, scheme: str | None, words: Words) -> None:
 def init(
     folder: Annotated[Path, typer.Argument(metavar="folder", help="New folder of the course.")],
     *,
+    source: Annotated[
+        Path | None,
+        typer.Option(
+            "--from", help="Course to copy, without its students; default: the one shipped."
+        ),
+    ] = None,
+    empty: Annotated[
+        bool, typer.Option("--empty", help="A small course to begin with, of any subject.")
+    ] = False,
     language: LanguageOption = None,
 ) -> None:
-    """Make a course of your own: a copy of the reference course with a key of its own."""
+    """Make a course of your own, with a key of its own: a copy of another, or a small one."""
     import secrets
 
-    from gripcourse.usecases.init import init_course
+    from gripcourse.usecases.init import empty_course, init_course
 
     words = words_for(language)
-    init_course(folder, secrets.token_bytes(32), words)
+    if empty and source is not None:
+        raise cli_text.misuse(message("--from and --empty exclude each other."))
+    if empty:
+        empty_course(folder, secrets.token_bytes(32), words)
+    else:
+        init_course(folder, secrets.token_bytes(32), words, source)
     confirm(words.say(message("The course is in {folder}.", folder=str(folder))))
 
 

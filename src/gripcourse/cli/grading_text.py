@@ -137,7 +137,7 @@ def demo_text(demo: "Demo", words: Words) -> str:
         rows.append((student, told, score, _flags(report, words)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
-    for item in demo.marking.items:
+    for item in demo.marking.items if demo.marking is not None else ():
         said = message(
             "A person marked {item} of {student} from its rubric.",
             item=item.mark.quantity,

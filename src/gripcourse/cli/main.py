@@ -57,7 +57,7 @@ from gripcourse.text.words import Words, message
 _log = logging.getLogger(__name__)
 
 app = command_group(
-    "Course assignments for robot gripper design: issue variants, check, grade, report.",
+    "Course assignments: issue variants, check, grade, report.",
     is_program=True,
 )
 for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
@@ -80,13 +80,13 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     options: Annotated[
         list[str] | None,
         typer.Option(
-            "--option", metavar="name=choice", help="What is chosen, for example drive=hydraulic."
+            "--option", metavar="name=choice", help="What is chosen, for example drive=electric."
         ),
     ] = None,
     convention: Annotated[
         str | None,
         typer.Option(
-            metavar="corrected|guide", help="Errata corrected, or as the guide prints it."
+            metavar="corrected|as_printed", help="Errata corrected, or as the sources print it."
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the values as JSON.")] = False,

@@ -40,11 +40,12 @@ def misuse(what: Message, remedy: Message | None = None) -> UsageError:
 def chosen_convention(name: str | None) -> "Convention | None":
     """Read the convention that a user chose; None for the course's."""
     from gripcourse.course.model import Convention
+    from gripcourse.text.suggestion import did_you_mean
 
     if name is None or name in list(Convention):
         return None if name is None else Convention(name)
     raise misuse(
-        message("There is no convention '{name}': corrected or guide.", name=name),
+        message("There is no convention '{name}'.", name=name), did_you_mean(name, list(Convention))
     )
 
 

@@ -47,7 +47,7 @@ def trace(
         typer.Option(
             "--quantity",
             metavar="name=value",
-            help="A number whose meaning is known: drive_force=1843.",
+            help="A number whose meaning is known: mass=60.",
         ),
     ] = None,
     table: TableOption = None,
@@ -67,7 +67,7 @@ def trace(
 
     if table is not None and issued is not None:
         raise cli_text.misuse(message("--table and --issued exclude each other."))
-    shape = message("Write it as in drive_force=1843 or grip_force=2,26 kN.")
+    shape = message("Write it as in mass=60 or force=2,26 kN.")
     named = read_pairs("--quantity", quantities or (), shape)
     words = words_for(language)
     loaded = load_course(course_folder(course))

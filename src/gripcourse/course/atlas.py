@@ -1,15 +1,17 @@
 """An atlas: published figures and tables that a course reproduces from its own formulas."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.keys import ATLAS
 from gripcourse.course.toml_table import Table, read_toml
+from gripcourse.course.unit_words import unit_remedy
 from gripcourse.course.written_formula import written_formula
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
 
@@ -35,30 +37,44 @@ class AtlasFigure:
 
 
 @dataclass(frozen=True, slots=True)
+class AtlasSize:
+    """A size of the table of cases that is no quantity of the course."""
+
+    id: str
+    symbol: str
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
 class AtlasRow:
-    """A row of a table of cases: formulas of the inclination and the diameter, and an example.
+    """A row of a table of cases: formulas of the atlas's sizes, and an example.
 
     Attributes:
-        inclination, diameter: as the source gives them; the diameter may use `inclination`, both
-            may use `tilt`, each a size without a sign.
-        example: values for them, in declared units; angles of `tilt` in degrees.
+        sizes: as the source gives them, by id; each may use those before it and the inputs.
+        example: values of quantities and inputs, in declared units.
     """
 
     number: int
     title: Texts
-    inclination: Formula
-    diameter: Formula
+    sizes: Mapping[str, Formula]
     example: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
 class Atlas:
-    """Figures and rows of one source, about one scheme."""
+    """Figures and rows of one source, about one scheme.
+
+    Attributes:
+        sizes: what every row computes, in order.
+        inputs: what the examples of rows know besides quantities.
+    """
 
     id: str
     scheme: str
     work: str
     title: Texts
+    sizes: Mapping[str, AtlasSize]
+    inputs: Mapping[str, AtlasSize]
     figures: tuple[AtlasFigure, ...]
     rows: tuple[AtlasRow, ...]
 
@@ -84,13 +100,16 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
     if table is None:
         raise CourseError(problems)
     table.known_keys()
+    sizes = _sizes(table, "size")
     atlas = Atlas(
         identifier,
         table.text("scheme"),
         table.text("work"),
         table.texts("title"),
+        sizes,
+        _sizes(table, "input"),
         tuple(_figure(one) for one in table.tables("figure")),
-        tuple(_row(one) for one in table.tables("row")),
+        tuple(_row(one, sizes) for one in table.tables("row")),
     )
     if problems:
         raise CourseError(problems)
@@ -112,12 +131,25 @@ def _figure(table: Table) -> AtlasFigure:
     )
 
 
-def _row(table: Table) -> AtlasRow:
+def _sizes(table: Table, name: str) -> dict[str, AtlasSize]:
+    found: dict[str, AtlasSize] = {}
+    for key, one in table.named_tables(name).items():
+        one.known_keys()
+        unit = one.text("unit")
+        if not known_unit(unit):
+            what = message("The unit '{unit}' is not known.", unit=unit)
+            one.add("unit", what, unit_remedy(unit))
+        found[key] = AtlasSize(key, one.text("symbol"), unit)
+    return found
+
+
+def _row(table: Table, sizes: Collection[str]) -> AtlasRow:
     table.known_keys()
+    written = table.required_table("size")
+    written.known_keys(sizes)
     return AtlasRow(
         int(table.number("number")),
         table.texts("title"),
-        written_formula(table, "inclination"),
-        written_formula(table, "diameter"),
+        {name: written_formula(written, name) for name in sizes},
         table.numbers("example"),
     )

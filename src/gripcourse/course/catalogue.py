@@ -1,7 +1,7 @@
 """Catalogues: CSV files of standard sizes, with their source and mark on top.
 
 Two lines `# source: …` and `# mark: …`, in other languages too if somebody translated them
-(`# source.ru: …`), a heading such as `bore [mm],rod [mm]`, then the rows.
+(`# source.ru: …`), a heading such as `size [mm],mass [kg]`, then the rows.
 """
 
 import csv
@@ -106,7 +106,7 @@ def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[s
                     file,
                     message("column {column}", column=cell),
                     message("The heading of the column cannot be used."),
-                    message("Write a new name and a known unit: 'bore [mm]'."),
+                    message("Write a new name and a known unit: 'size [mm]'."),
                 )
             )
         units[name] = unit

@@ -4,7 +4,7 @@ Every scheme is composed with every combination of its options, and each composi
 fault of a shared part shows in many compositions and is reported once.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.catalogue import columns_of
@@ -13,6 +13,7 @@ from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
+from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_view import check_view
 from gripcourse.course.compose import (
@@ -50,6 +51,8 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
             # else all that uses the missing part would be reported too
             found += _check_scheme(course, scheme, tables, seen, thorough=thorough)
     found += _check_used_parts(course)
+    found += _check_columns(course)
+    found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
 
@@ -92,7 +95,7 @@ def _check_scheme(
             yield from check_graph(scheme, quantities)
         yield from check_series(new, tables.columns, tables.dimensions)
         yield from _check_symbols(scheme, quantities, seen)
-        yield from _check_pictures(scheme, quantities, options, seen)
+        yield from _check_pictures(scheme, quantities, course.positions, options, seen)
     yield from check_diagram_use(scheme)
     if _units_known(every.values()):
         yield from check_view(scheme, every, tables.dimensions)
@@ -102,6 +105,7 @@ def _check_scheme(
 def _check_pictures(
     scheme: Scheme,
     quantities: Mapping[str, Quantity],
+    positions: Collection[str],
     options: Mapping[str, str],
     seen: set[object],
 ) -> Iterator[Problem]:
@@ -110,7 +114,7 @@ def _check_pictures(
     if all(known_unit(unit) for unit in units if unit is not None) and _is_new(
         ("motion", scheme.id, *units), seen
     ):
-        yield from check_kinematics(scheme, quantities)
+        yield from check_kinematics(scheme, quantities, positions)
     if _units_known(quantities.values()):
         yield from check_diagram(scheme, quantities, options, seen)
 
@@ -180,6 +184,33 @@ def _check_used_parts(course: Course) -> Iterator[Problem]:
                 "",
                 message("No scheme uses this part."),
                 message("Name it in the parts of a scheme, or remove the file."),
+            )
+
+
+def _check_columns(course: Course) -> Iterator[Problem]:
+    """Yield the givens that two schemes declare in different units: tables have one column."""
+    first: dict[str, Quantity] = {}
+    scopes = (
+        *(part.quantities for part in course.parts.values()),
+        *(scheme.quantities for scheme in course.schemes.values()),
+        *(own for scheme in course.schemes.values() for own in scheme.overrides.values()),
+    )
+    for one in (quantity for scope in scopes for quantity in scope.values()):
+        if one.kind is not Kind.GIVEN or not known_unit(one.unit):
+            continue
+        other = first.setdefault(one.id, one)
+        if other.unit != one.unit:
+            yield Problem(
+                one.file,
+                f"quantity.{one.id}.unit",
+                message(
+                    "The given '{name}' is in '{unit}' here and in '{other}' in {file}.",
+                    name=one.id,
+                    unit=one.unit,
+                    other=other.unit,
+                    file=other.file,
+                ),
+                message("Write one unit: a table of variants has one column for it."),
             )
 
 

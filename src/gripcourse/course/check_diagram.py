@@ -44,6 +44,7 @@ def check_diagram(
     for element in drawn:
         is_shared = element.file != diagram.file
         yield from _unknown_points(element, joints, scheme.id, is_shared=is_shared)
+        yield from _unknown_positions(element, scheme)
         yield from _size_faults(scheme.id, element, known, is_shared=is_shared)
         if element.quantity and element.quantity not in quantities:
             name = element.quantity
@@ -141,6 +142,16 @@ class _FormulaPlace:
     file: str
     key: str
     is_shared: bool
+
+
+def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
+    known = scheme.kinematics.at if scheme.kinematics is not None else {}
+    for one in element.positions:
+        if one not in known:
+            what = message("There is no position '{position}'.", position=one)
+            is_shared = scheme.diagram is not None and element.file != scheme.diagram.file
+            said = unknown_name(what, one, known, scheme.id, is_shared=is_shared)
+            yield Problem(element.file, f"{element.key}.positions", *said)
 
 
 def _formula_faults(

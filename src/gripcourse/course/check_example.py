@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.compose import compose
-from gripcourse.course.model import Course, Kind, Quantity, Scheme, WorkedExample
+from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme, WorkedExample
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
@@ -22,6 +22,7 @@ def check_example(course: Course, scheme: Scheme) -> Iterator[Problem]:
             message("The course cites no work '{work}'.", work=example.source.work),
             did_you_mean(example.source.work, course.works),
         )
+    yield from _convention_faults(course, example, file)
     faults = list(_option_faults(scheme, example, file))
     yield from faults
     if not faults:
@@ -77,6 +78,19 @@ def _given_faults(
                 f"given.{name}",
                 message("The scheme has no given '{name}'.", name=name),
                 did_you_mean(name, inputs),
+            )
+
+
+def _convention_faults(course: Course, example: WorkedExample, file: str) -> Iterator[Problem]:
+    """Yield what an example gives by a convention that the course does not have."""
+    for convention in Convention:
+        given = example.chosen[convention] or example.expected[convention]
+        if given and convention not in course.conventions:
+            yield Problem(
+                file,
+                convention,
+                message("The course lists no errata: nothing is printed otherwise."),
+                message("Remove the table, or list the errata in variants/errata.toml."),
             )
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping
 
-from gripcourse.course.kinematics import POSITIONS, Kinematics
+from gripcourse.course.kinematics import Kinematics
 from gripcourse.course.model import Quantity, Scheme
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
@@ -14,13 +14,15 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
 
 
-def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
-    """Yield the problems of a scheme's kinematics."""
+def check_kinematics(
+    scheme: Scheme, quantities: Mapping[str, Quantity], positions: Collection[str]
+) -> Iterator[Problem]:
+    """Yield the problems of a scheme's kinematics; `positions` are those of the course."""
     motion = scheme.kinematics
     if motion is None:
         return
     known = {name: dimension(one.unit) for name, one in quantities.items() if known_unit(one.unit)}
-    yield from _formula_faults(motion.file, "jaws", motion.jaws, "", known)
+    yield from _formula_faults(motion.file, "outputs", motion.outputs, "", known)
     for position, formula in motion.at.items():
         yield from _formula_faults(motion.file, f"at.{position}", formula, motion.unit, known)
     known[motion.drive] = dimension(motion.unit)
@@ -28,7 +30,7 @@ def check_kinematics(scheme: Scheme, quantities: Mapping[str, Quantity]) -> Iter
         key = f"coordinate.{one.id}"
         yield from _formula_faults(motion.file, key, one.formula, one.unit, known)
         known[one.id] = dimension(one.unit)
-    yield from _reference_faults(motion, quantities)
+    yield from _reference_faults(motion, quantities, positions)
 
 
 def moving_units(scheme: Scheme, quantities: Mapping[str, Quantity]) -> tuple[str | None, ...]:
@@ -49,7 +51,7 @@ def moving_units(scheme: Scheme, quantities: Mapping[str, Quantity]) -> tuple[st
 
 
 def _motion_formulas(motion: Kinematics) -> Iterator[Formula]:
-    yield motion.jaws
+    yield motion.outputs
     yield from motion.at.values()
     yield from (one.formula for one in motion.coordinates)
 
@@ -75,7 +77,18 @@ def _formula_faults(
         )
 
 
-def _reference_faults(motion: Kinematics, quantities: Mapping[str, Quantity]) -> Iterator[Problem]:
+def _reference_faults(
+    motion: Kinematics, quantities: Mapping[str, Quantity], positions: Collection[str]
+) -> Iterator[Problem]:
+    for name in motion.at:
+        if name not in positions:
+            what = message("The course has no position '{position}'.", position=name)
+            remedy = (
+                did_you_mean(name, positions)
+                if positions
+                else message("Declare it in variants/course.toml: [position.{name}].", name=name)
+            )
+            yield Problem(motion.file, f"kinematics.at.{name}", what, remedy)
     coordinates = {one.id for one in motion.coordinates}
     for key, name, allowed in _references(motion, quantities, coordinates):
         if name not in allowed:
@@ -87,12 +100,13 @@ def _references(
     motion: Kinematics, quantities: Collection[str], coordinates: Collection[str]
 ) -> Iterator[tuple[str, str, Collection[str]]]:
     """Yield each name that refers to something, with its key and what it may refer to."""
-    yield "jaw", motion.jaw, coordinates
+    if motion.output:
+        yield "output", motion.output, coordinates
     for position, quantity in motion.ratio.items():
-        yield "ratio", position, POSITIONS
+        yield "ratio", position, motion.at
         yield f"ratio.{position}", quantity, quantities
     for position, state in motion.state.items():
-        yield "state", position, POSITIONS
+        yield "state", position, motion.at
         for quantity, coordinate in state.items():
             yield f"state.{position}", quantity, quantities
             yield f"state.{position}.{quantity}", coordinate, coordinates

@@ -1,6 +1,6 @@
 """Checking the general view of a scheme: names, dimensions, and what they refer to."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.model import Quantity, Scheme
@@ -10,6 +10,7 @@ from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.tree import Formula
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.words import message
 
@@ -39,6 +40,7 @@ def check_view(
         known[scheme.kinematics.drive] = dimension(scheme.kinematics.unit)
         for one in scheme.kinematics.coordinates:
             known[one.id] = dimension(one.unit)
+        yield from _unknown_positions(view, scheme.kinematics.at)
     elif view.position or view.other:
         what = message("The scheme has no positions: it declares no kinematics.")
         yield Problem(view.file, "position", what, message("Remove the key."))
@@ -51,6 +53,13 @@ def check_view(
         unknown = _unknown_names(scheme.id, view, (file, key, formula, unit), known)
         yield from unknown or _formula_faults((file, key, formula, unit), known, columns)
     yield from _circle(view)
+
+
+def _unknown_positions(view: View, positions: Collection[str]) -> Iterator[Problem]:
+    for key, name in (("position", view.position), ("other", view.other)):
+        if name and name not in positions:
+            what = message("The name '{name}' is not known.", name=name)
+            yield Problem(view.file, key, what, did_you_mean(name, positions))
 
 
 def _reference_faults(

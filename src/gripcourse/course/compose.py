@@ -17,7 +17,7 @@ _Pair: TypeAlias = tuple[tuple[int, int], tuple[int, int]]
 def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
     """Return the parts that a scheme uses with these options, in order.
 
-    A part that two choices bring, as the angle of a prism, is there once.
+    A part that two choices bring, as the size of a key, is there once.
     """
     chosen = (
         choice.parts
@@ -135,7 +135,7 @@ def used_names(quantities: Iterable[Quantity]) -> set[str]:
 
 def reference_formula(quantity: Quantity, convention: Convention) -> Formula | None:
     """Return the formula that gives the reference in a convention."""
-    if convention is Convention.GUIDE:
+    if convention is Convention.AS_PRINTED:
         printed = (one.formula for one in quantity.as_printed if one.formula is not None)
         return next(printed, quantity.formula)
     return quantity.formula

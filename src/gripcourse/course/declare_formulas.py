@@ -13,7 +13,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
-_TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'bore.bore'.")
+_TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'rod.size'.")
 
 
 def optional_formula(table: Table, name: str) -> Formula | None:

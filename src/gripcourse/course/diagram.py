@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.diagram_keys import DIAGRAM
-from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort, Word
-from gripcourse.course.kinematics import POSITIONS
+from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
@@ -35,7 +34,8 @@ class Element:
         sizes: formulas by role; a length in SI, an angle, or a plain number.
         words: choices by role.
         quantity: id of the quantity whose symbol is written beside it, empty for none.
-        positions: of the drive, at which it is drawn.
+        positions: of the drive, at which it is drawn; empty for those that the course shows.
+        moves: see `Word.moves`.
         mirror: `none`, `both` (on both sides of the axis) or `only` (on the other side); where the
             author does not say, `both` for the paired elements of a symmetric diagram, else `none`.
         options: it is drawn only where a variant's options are among these.
@@ -48,6 +48,7 @@ class Element:
     words: Mapping[str, str]
     quantity: str
     positions: tuple[str, ...]
+    moves: bool
     mirror: str
     options: Mapping[str, tuple[str, ...]]
     file: str
@@ -63,7 +64,7 @@ class Diagram:
     """The picture of a scheme.
 
     Attributes:
-        axis: the coordinate that runs along the gripper's axis, `x` or `y`.
+        axis: the coordinate that runs along the axis, `x` or `y`.
         points: points that the kinematics does not have: along the axis, across it.
         elements: in the order in which they are drawn.
         file: for messages.
@@ -152,7 +153,8 @@ def _element(table: Table) -> Element | None:
         sizes={name: _size(table, name, role) for name, role in written.items()},
         words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},
         quantity=next(iter(quantities), ""),
-        positions=_positions(table, word),
+        positions=table.strings("positions"),
+        moves=word.moves,
         mirror=_one_of(table, "mirror", (_UNSAID, *MIRRORS)),
         options=_options(table),
         file=table.file,
@@ -189,7 +191,7 @@ def _pair(points: Table, name: str) -> tuple[Formula, Formula]:
     points.add(
         name,
         message("The value has the wrong type."),
-        message("Write two formulas, along the axis and across it: ['jaw_x', 'jaw_y/2']."),
+        message("Write two formulas, along the axis and across it: ['pin_x', 'pin_y/2']."),
     )
     return _NOTHING, _NOTHING
 
@@ -212,16 +214,6 @@ def _one_of(table: Table, name: str, words: tuple[str, ...]) -> str:
         table.add(name, what, did_you_mean(written, words))
         return words[0]
     return written
-
-
-def _positions(table: Table, word: Word) -> tuple[str, ...]:
-    if not table.has("positions"):
-        return word.positions
-    for one in (written := table.strings("positions")):
-        if one not in POSITIONS:
-            what = message("There is no position '{position}'.", position=one)
-            table.add("positions", what, did_you_mean(one, POSITIONS))
-    return tuple(one for one in written if one in POSITIONS)
 
 
 def _options(table: Table) -> dict[str, tuple[str, ...]]:

@@ -34,7 +34,9 @@ def _key(role: Role) -> Key:
 
 _COMMON: Final = {
     "kind": text("Which symbol it is.", *VOCABULARY, required=True),
-    "positions": strings("Of the drive, at which it is drawn."),
+    "positions": strings(
+        "Of the drive, at which it is drawn; not written: those that the course shows."
+    ),
     "mirror": text("On one side of the axis, on both, or on the other only.", *MIRRORS),
     "options": by_name(
         "It is drawn only with these choices, by option.", strings("Ids of choices.")

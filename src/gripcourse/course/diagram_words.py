@@ -1,7 +1,7 @@
 """The vocabulary of diagrams: what an element is called and what it must say (GOST 2.770).
 
-Angles are measured in the picture, counter-clockwise from the gripper's axis, which runs to the
-right. Numbers are millimetres of paper, unless the role is a count.
+Angles are measured in the picture, counter-clockwise from the axis of the picture, which
+runs to the right. Numbers are millimetres of paper, unless the role is a count.
 """
 
 from collections.abc import Mapping
@@ -45,25 +45,22 @@ class Word:
     Attributes:
         roles: by key.
         paired: whether it is on both sides of a mechanism that its diagram calls symmetric.
-        positions: see `Element.positions`.
+        moves: whether it is drawn at every position that the course shows, or at the first only.
     """
 
     roles: Mapping[str, Role]
     paired: bool
-    positions: tuple[str, ...]
+    moves: bool
 
 
 MIRRORS: Final = ("none", "both", "only")
-
-_BOTH_ENDS: Final = ("at_min", "at_max")
-_HELD: Final = ("at_min",)
 
 _POINT: Final = Role(Sort.POINT)
 _POINTS: Final = Role(Sort.POINTS)
 _LENGTH: Final = Role(Sort.LENGTH)
 _ANGLE: Final = Role(Sort.ANGLE)
 _SYMBOL: Final = Role(Sort.QUANTITY)
-# Which side of the piston is under pressure while the jaws close.
+# Which side of the piston is under pressure while the drive works.
 _PRESSED: Final = Role(Sort.WORD, words=("pushes", "pulls"))
 _SURFACES: Final = Role(Sort.WORD, words=("flat", "convex", "concave", "crossed"))
 _LINES: Final = Role(Sort.WORD, words=("outline", "thin", "centre", "hidden"))
@@ -92,17 +89,17 @@ def _turn(default: str) -> Role:
 
 def _moving(**roles: Role) -> Word:
     """Make a word for a part of the mechanism: wherever the drive stands."""
-    return Word(roles | _ROW, paired=True, positions=_BOTH_ENDS)
+    return Word(roles | _ROW, paired=True, moves=True)
 
 
 def _fixed(**roles: Role) -> Word:
     """Make a word for what does not move."""
-    return Word(roles | _ROW, paired=True, positions=_HELD)
+    return Word(roles | _ROW, paired=True, moves=False)
 
 
 def _single(**roles: Role) -> Word:
     """Make a word for what is there once, in a symmetric mechanism too."""
-    return Word(roles | _ROW, paired=False, positions=_HELD)
+    return Word(roles | _ROW, paired=False, moves=False)
 
 
 VOCABULARY: Final[Mapping[str, Word]] = {
@@ -127,12 +124,12 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     # Bodies.
     "plate": _moving(through=_POINTS, line=_LINES, hatch=Role(Sort.WORD, words=("none", "hatch"))),
     "roller": _moving(at=_POINT, diameter=_LENGTH),
-    "jaw": _moving(at=_POINT, holds=_POINT, surface=_SURFACES, radius=_if_any(Sort.LENGTH),
+    "contact": _moving(at=_POINT, holds=_POINT, surface=_SURFACES, radius=_if_any(Sort.LENGTH),
                    angle=_if_any(Sort.ANGLE), mouth=_if_any(Sort.LENGTH), smallest=_LENGTH,
                    largest=_LENGTH, long=_number(14), thick=_number(2.5)),
-    "prism": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH,
+    "vee": _moving(at=_POINT, turn=_turn("-pi/2"), angle=_ANGLE, length=_LENGTH,
                      diameter=_LENGTH, radius=_if_any(Sort.LENGTH)),
-    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, paired=False, positions=_BOTH_ENDS),
+    "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, paired=False, moves=True),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),
     "coil": _fixed(through=_POINTS),
     "spring": _fixed(through=_POINTS),
@@ -141,7 +138,7 @@ VOCABULARY: Final[Mapping[str, Word]] = {
                         rod=_PRESSED, quantity=Role(Sort.QUANTITY, "")),
     "floating_cylinder": Word({"through": _POINTS, "rod": _PRESSED,
                                "quantity": Role(Sort.QUANTITY, "")} | _ROW,
-                              paired=False, positions=_HELD),
+                              paired=False, moves=False),
     "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
     # Forces, sizes and letters.
     "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),

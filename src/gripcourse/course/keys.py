@@ -3,8 +3,9 @@
 from typing import Final
 
 from gripcourse.course.diagram_keys import DIAGRAM, SHARED_DIAGRAM
-from gripcourse.course.kinematics import KINEMATICS
+from gripcourse.course.kinematics import KINEMATICS, POSITION
 from gripcourse.course.model import Convention
+from gripcourse.course.note import NOTE
 from gripcourse.course.quantity_keys import CONSTANT, OVERRIDES, QUANTITIES, SOURCE
 from gripcourse.course.shape import (
     Shape,
@@ -65,6 +66,10 @@ COURSE: Final = Shape(
             table("A work.", {"title": texts("As it is cited.", required=True)}),
         ),
         "constant": by_name("Numbers of the course, by id.", table("A constant.", CONSTANT)),
+        "position": by_name(
+            "Where the drive may stand, by id, in order.", table("A position.", POSITION)
+        ),
+        "note": tables("Sentences of the course's own that its documents print.", NOTE),
     }
 )  # fmt: skip
 PART: Final = Shape(
@@ -134,11 +139,20 @@ PUBLISHED_CASES: Final = Shape(
     }
 )
 _NUMBER: Final = number("As the source numbers it.", required=True)
+_ATLAS_SIZE: Final = {
+    "symbol": text("In the heading of its column.", required=True),
+    "unit": text("Its unit.", required=True),
+}
 ATLAS: Final = Shape(
     {
         "scheme": text("The scheme whose formulas are used.", required=True),
         "work": text("Id of the work.", required=True),
         "title": texts("Of the atlas.", required=True),
+        "size": by_name("What every row computes, by id, in order.", table("A size.", _ATLAS_SIZE)),
+        "input": by_name(
+            "What the examples of rows know besides quantities, by id.",
+            table("An input.", _ATLAS_SIZE),
+        ),
         "figure": tables(
             "Figures of curves.",
             {
@@ -163,8 +177,8 @@ ATLAS: Final = Shape(
             {
                 "number": _NUMBER,
                 "title": texts("What is measured.", required=True),
-                "inclination": text("Formula of the inclination.", required=True),
-                "diameter": text("Formula of the diameter.", required=True),
+                "size": by_name("Formula of each size, by id.", text("A formula.", required=True),
+                                required=True),
                 "example": by_name("Values by name.", number("A value.", required=True),
                                    required=True),
             },

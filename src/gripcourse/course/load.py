@@ -10,9 +10,9 @@ from gripcourse.course.check import check_course
 from gripcourse.course.compose import inherited
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
-from gripcourse.course.errata import read_errata
+from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
-from gripcourse.course.kinematics import read_kinematics
+from gripcourse.course.kinematics import read_kinematics, read_positions
 from gripcourse.course.model import (
     Catalogue,
     Convention,
@@ -23,6 +23,7 @@ from gripcourse.course.model import (
     Section,
     Work,
 )
+from gripcourse.course.note import read_notes
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
 from gripcourse.course.scheme import Shared, read_scheme
@@ -111,7 +112,9 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
             parts=parts,
             schemes=_schemes(folder, root, raw, problems),
             catalogues=_catalogues(folder / "catalogues", root, problems),
-            convention=_convention(table),
+            convention=_convention(table, errata),
+            positions=read_positions(table),
+            notes=read_notes(table),
             root=root,
         )
     )
@@ -251,9 +254,16 @@ def _language(table: Table) -> str:
     return LANGUAGES[0]
 
 
-def _convention(table: Table) -> Convention:
+def _convention(table: Table, errata: Mapping[str, Erratum] | None) -> Convention:
     written = table.text("convention", Convention.CORRECTED)
     if written in list(Convention):
+        if written == Convention.AS_PRINTED and errata == {}:
+            table.add(
+                "convention",
+                message("The course lists no errata: nothing is printed otherwise."),
+                message("Write '{corrected}', or list the errata in variants/errata.toml.",
+                        corrected=Convention.CORRECTED),
+            )  # fmt: skip
         return Convention(written)
     table.add(
         "convention",

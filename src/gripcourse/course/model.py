@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from gripcourse.course.diagram import Diagram
 from gripcourse.course.errata import Erratum
-from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.kinematics import JointPosition, Kinematics
+from gripcourse.course.note import CourseNote
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import View
 from gripcourse.formula.functions import is_entry
@@ -42,7 +43,7 @@ class Convention(StrEnum):
     """Whose version of a formula is the reference."""
 
     CORRECTED = "corrected"
-    GUIDE = "guide"  # as printed in the source, errata included
+    AS_PRINTED = "as_printed"  # as the sources print it, errata included
 
 
 class Rounding(StrEnum):
@@ -349,6 +350,8 @@ class Course:
         constants: quantities every scheme knows, for example gravity.
         parts, schemes, catalogues: by id.
         convention: whose version of a formula is the reference.
+        positions: of the drive, that schemes may have, by id in order.
+        notes: sentences that its documents print.
         root: the folder with `variants`, `templates` and `grader`.
     """
 
@@ -363,4 +366,11 @@ class Course:
     schemes: Mapping[str, Scheme]
     catalogues: Mapping[str, Catalogue]
     convention: Convention
+    positions: Mapping[str, JointPosition]
+    notes: tuple[CourseNote, ...]
     root: Path
+
+    @property
+    def conventions(self) -> tuple[Convention, ...]:
+        """Those that differ in this course: without errata nothing is printed otherwise."""
+        return tuple(Convention) if self.errata else (Convention.CORRECTED,)

@@ -132,7 +132,7 @@ def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample |
 
 
 def _convention_table(table: Table, convention: Convention) -> Table:
-    """Return the table of a convention; an example may leave the guide's out."""
+    """Return the table of a convention; an example may leave one out."""
     found = table.table(convention)
     return found or Table({}, table.file, convention, table.problems)
 

@@ -2,7 +2,7 @@
 
 A view is parts made of plain shapes, dimensions, labels and a list of characteristics. All places
 and sizes are formulas of quantities, of the coordinates of the kinematics and of lengths that the
-view declares itself. x points along the gripper's axis towards the object, y across it; a part or a
+view declares itself. x points along the axis, y across it; a part or a
 dimension that needs a quantity which the options of a variant do not bring is not drawn.
 """
 
@@ -18,7 +18,7 @@ class Face(StrEnum):
     """The side that something is looked at from."""
 
     MAIN = "main"
-    END = "end"  # from the flange; x is across the plane of the main view
+    END = "end"  # along the axis; x is across the plane of the main view
     PLAN = "plan"  # from above; x along, y across
 
 
@@ -103,7 +103,7 @@ class ViewShape:
 
 @dataclass(frozen=True, slots=True)
 class ViewPart:
-    """A part of the gripper.
+    """A part of what is drawn.
 
     Attributes:
         id: its name in the declarations.
@@ -173,9 +173,8 @@ class View:
     """The general view of a scheme.
 
     Attributes:
-        position: of the kinematics, in which the gripper is drawn.
-        upright: whether the gripper's axis stands upright in the main face, the object below it;
-            else it lies, the object on the right.
+        position: of the kinematics, in which it is drawn.
+        upright: whether the axis stands upright in the main face; else it lies.
         other: position that moving parts are shown in by thin lines too; empty for none.
         measures: by name.
         parts, dimensions, labels: in order.

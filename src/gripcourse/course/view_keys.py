@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import Final
 
-from gripcourse.course.kinematics import POSITIONS
 from gripcourse.course.shape import (
     Key,
     Shape,
@@ -101,9 +100,9 @@ VIEW: Final = Shape(
     {
         "behind": strings("Files in `variants/drawing` that lie behind this one."),
         "before": strings("Files in `variants/drawing` that lie before this one."),
-        "position": text("Of the kinematics, in which it is drawn.", "", *POSITIONS),
+        "position": text("Of the kinematics, in which it is drawn."),
         "upright": flag("Whether the axis stands upright."),
-        "other": text("Position that moving parts are shown in by thin lines too.", "", *POSITIONS),
+        "other": text("Position that moving parts are shown in by thin lines too."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,
     }

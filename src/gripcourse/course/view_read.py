@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping
 
-from gripcourse.course.kinematics import POSITIONS
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import (
     HATCHES,
@@ -36,9 +35,9 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
     named = [*_named(table, "behind", shared), _read(table), *_named(table, "before", shared)]
     views = [one for one in named if one is not None]
     view = View(
-        position=_one_of(table, "position", ("", *POSITIONS), ""),
+        position=table.text("position", ""),
         upright=table.flag("upright"),
-        other=_one_of(table, "other", ("", *POSITIONS), ""),
+        other=table.text("other", ""),
         measures={name: one for view in views for name, one in view.measures.items()},
         parts=tuple(one for view in views for one in view.parts),
         dimensions=tuple(one for view in views for one in view.dimensions),
@@ -195,7 +194,7 @@ _REMEDIES: Mapping[Need, Message] = {
     Need.POINT: message("Write two formulas or zeros: ['pin_x', 0]."),
     Need.POINTS: message("Write two points or more: [['pin_x', 0], ['pin_x', 'pin_y']]."),
     Need.RANGE: message("Write two formulas or zeros: ['pin_x', 0]."),
-    Need.LENGTH: message("Write a formula: 'pin_diameter'."),
+    Need.LENGTH: message("Write a formula: '2*radius'."),
     Need.ANGLES: message("Write two formulas or zeros: ['pin_x', 0]."),
 }
 _TWO = 2

@@ -13,7 +13,8 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.database.home import home_of
-from gripcourse.demo.students import fill_workbooks
+from gripcourse.demo.classroom import sample_roster, sample_table
+from gripcourse.demo.students import COPIED, fill_workbooks
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.issuing.roster import read_roster
@@ -36,9 +37,10 @@ ISSUED_ON = date(2026, 9, 7)
 DEADLINE = date(2026, 12, 1)
 GRADED_ON = date(2026, 12, 2)
 MARKED_AT = datetime(2026, 12, 2, 9, tzinfo=UTC)
-# Whose drawing the teacher marks, and how: the lines of its rubric in turn.
+# Whose drawing the teacher marks where there is one, and how: the lines of its rubric in turn.
 MARKED_STORY = "early_slip"
 _CREDITS = (1.0, 0.5)
+_WITHOUT_DRAWING = ("blank", COPIED)
 # Tells a folder of the demo, which may be made again, from a folder of somebody's own.
 _MARK = ".gripcourse-demo"
 
@@ -53,7 +55,7 @@ class Demo:
     graded: Path
     students: Mapping[str, str]
     issuing: Issuing
-    marking: Marking
+    marking: Marking | None
     outcome: GradingOutcome
 
 
@@ -83,10 +85,10 @@ def run_demo(
     init_course(folders["course"], secrets.token_bytes(32), words, source)
     course = load_course(folders["course"])
     policy = load_policy(course)
-    variants = course.root / "variants"
+    table = sample_table(course)
     order = Order(
-        roster=variants / "roster.csv",
-        table=variants / "tables" / "main.csv",
+        roster=sample_roster(source, course, table, words),
+        table=table,
         out=folders["assignments"],
         today=ISSUED_ON,
         deadline=DEADLINE,
@@ -103,8 +105,8 @@ def run_demo(
     graded = grade(files, context, workers, lambda _: tick())
     place = home_of(course.root)
     keep(graded, context, place, MARKED_AT)
-    marked = next(student for student, story in stories.items() if story == MARKED_STORY)
-    marking = mark_drawing(marked, context, place)
+    marked = marked_student(stories, context)
+    marking = None if marked is None else mark_drawing(marked, context, place)
     graded = keep(graded, context, place, MARKED_AT)
     tick = step(words.say(message("Writing reports")), len(files))
     outcome = write_results(
@@ -128,6 +130,17 @@ def _clear(out: Path, folders: Iterable[Path]) -> None:
 def workbooks(assignments: Path, register: Mapping[str, Issued]) -> dict[str, Path]:
     """Return the issued workbook of every student."""
     return {student: workbook_path(assignments, student) for student in register}
+
+
+def marked_student(stories: Mapping[str, str], context: GradingContext) -> str | None:
+    """Return whose drawing is marked: who slips early, else who has one; None where nobody has."""
+    ordered = sorted(stories, key=lambda student: stories[student] != MARKED_STORY)
+    for student in ordered:
+        variant = context.register[student].variant
+        handed_in = stories[student] not in _WITHOUT_DRAWING
+        if handed_in and plan_of(context.course, variant.composition).manual:
+            return student
+    return None
 
 
 def mark_drawing(student: str, context: GradingContext, place: str) -> Marking:

@@ -7,17 +7,23 @@ thing: the reading, the judging, the reports.
 import shutil
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import Final, TypeAlias
 
 from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.demo.chosen import early_mistake, larger_unit, measured, smaller_sizes
 from gripcourse.simulation.write import Typed, fill
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import factor, unit_text
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
 
-Behaviour = Callable[[Plan, Issued], Typed]
+Behaviour: TypeAlias = Callable[[Plan, Issued], Typed | None]
+"""Fills a workbook; None where the assignment gives no occasion for it."""
+
+_FIGURES: Final = 5
+_SIZES: Final = 2  # that are taken too small
 
 
 def correct(plan: Plan, issued: Issued) -> Typed:
@@ -30,13 +36,13 @@ def three_figures(plan: Plan, issued: Issued) -> Typed:
     return _typed(plan, _step_by_step(plan, issued, lambda value: float(f"{value:.3g}")))
 
 
-def early_slip(plan: Plan, issued: Issued) -> Typed:
-    """Forget that friction acts at both jaws, and compute on faultlessly."""
-    right = solve_variant(plan, issued.variant.given)
-    # Not every scheme has jaws: where there is no grip force, the load is doubled.
-    name = "grip_force" if "grip_force" in right else "lifting_load"
-    wrong = {name: 2 * right[name]}
-    return _typed(plan, solve_variant(plan, {**issued.variant.given, **wrong}))
+def early_slip(plan: Plan, issued: Issued) -> Typed | None:
+    """Make the first mistake that the course anticipates, and compute on faultlessly."""
+    mistake = early_mistake(plan, issued.variant.given)
+    if mistake is None:
+        return None
+    name, value = mistake
+    return _typed(plan, solve_variant(plan, {**issued.variant.given, name: value}))
 
 
 def blank(_plan: Plan, _issued: Issued) -> Typed:
@@ -45,33 +51,41 @@ def blank(_plan: Plan, _issued: Issued) -> Typed:
 
 
 def text_and_units(plan: Plan, issued: Issued) -> Typed:
-    """Type numbers as text, with comma, group spaces and units, some of them in other units."""
+    """Type numbers as text, with comma, group spaces and units, some of them in other units.
+
+    The first number is about right and the second is a range: neither is a number.
+    """
+    words = Words(issued.student.language or plan.course.language)
     values = solve_variant(plan, issued.variant.given)
     typed = _typed(plan, values)
-    for quantity in plan.answered:
-        if quantity.kind is Kind.FORMULA and quantity.unit:
-            unit = unit_text(quantity.unit, "ru")
-            typed[quantity.id] = f"{format_number(values[quantity.id], 'ru', 5)} {unit}"
-    texts = {"lifting_load": "около 900", "stroke_required": "30-35 мм"}
-    if "drive_force" in values:
-        kilonewtons = values["drive_force"] * factor("N") / factor("kN")
-        texts["drive_force"] = f"{format_number(kilonewtons, 'ru', 5)} кН"
-    return typed | {name: text for name, text in texts.items() if name in typed}
+    for place, quantity in enumerate(measured(plan)):
+        value, other = values[quantity.id], larger_unit(quantity.unit)
+        match place:
+            case 0:
+                typed[quantity.id] = words.say(message("about {number}", number=f"{value:.1g}"))
+            case 1:
+                typed[quantity.id] = f"30-35 {unit_text(quantity.unit, words.language)}"
+            case _ if other is not None:
+                value *= factor(quantity.unit) / factor(other)
+                typed[quantity.id] = _with_unit(value, other, words)
+            case _:
+                typed[quantity.id] = _with_unit(value, quantity.unit, words)
+    return typed
 
 
-def rounded_down(plan: Plan, issued: Issued) -> Typed:
-    """Take the next smaller bore and pin, and compute on with them."""
+def rounded_down(plan: Plan, issued: Issued) -> Typed | None:
+    """Take the next smaller of the first sizes of series, and compute on with them."""
     given = issued.variant.given
-    values = solve_variant(plan, given)
-    sizes: list[str] = [name for name in ("bore", "pin_diameter") if name in values]
-    smaller = {name: _next_smaller(plan, name, values[name]) for name in sizes}
-    return _typed(plan, solve_variant(plan, {**given, **smaller}))
+    smaller = smaller_sizes(plan, given, _SIZES)
+    return _typed(plan, solve_variant(plan, {**given, **smaller})) if smaller else None
 
 
-def printed(plan: Plan, issued: Issued) -> Typed:
+def printed(plan: Plan, issued: Issued) -> Typed | None:
     """Compute as the source prints it, errata included."""
-    guide = plan_of(plan.course, plan.composition, Convention.GUIDE)
-    return _typed(plan, solve_variant(guide, issued.variant.given))
+    if not any(one.as_printed for one in plan.quantities.values()):
+        return None
+    as_printed = plan_of(plan.course, plan.composition, Convention.AS_PRINTED)
+    return _typed(plan, solve_variant(as_printed, issued.variant.given))
 
 
 STORIES: Mapping[str, Behaviour] = {
@@ -91,7 +105,7 @@ TOLD: Mapping[str, Message] = {
     "early_slip": message("slips early and computes on faultlessly"),
     "blank": message("hands in a blank workbook"),
     "text_and_units": message("types text and units into the cells"),
-    "rounded_down": message("rounds two sizes down"),
+    "rounded_down": message("rounds sizes down"),
     "as_printed": message("computes as the source prints it"),
     COPIED: message("hands in another student's workbook"),
 }
@@ -106,28 +120,47 @@ def fill_workbooks(
 ) -> dict[str, str]:
     """Let the first students of a register fill their workbooks, each in another way.
 
+    A story that a student's assignment gives no occasion for waits for the next student.
+
     Returns:
-        What each student did, by student id; the last one hands in the first one's workbook.
+        What each student did, by student id; the last one hands in the first one's workbook, where
+        there are more students than stories.
     """
     stories: dict[str, str] = {}
-    students = list(register)
-    for student, (story, behaviour) in zip(students, STORIES.items(), strict=False):
-        issued = register[student]
+    left = dict(STORIES)
+    for student, issued in register.items():
         plan = plan_of(course, issued.variant.composition)
-        fill(issued_workbooks[student], behaviour(plan, issued), out / f"{student}.xlsx")
-        stories[student] = story
-    copier = students[len(stories)]
-    shutil.copyfile(out / f"{students[0]}.xlsx", out / f"{copier}.xlsx")
-    stories[copier] = COPIED
+        for story, behaviour in left.items():
+            typed = behaviour(plan, issued)
+            if typed is not None:
+                fill(issued_workbooks[student], typed, out / f"{student}.xlsx")
+                stories[student] = story
+                del left[story]
+                break
+        else:
+            if stories:
+                first = next(iter(stories))
+                shutil.copyfile(out / f"{first}.xlsx", out / f"{student}.xlsx")
+                stories[student] = COPIED
+            break
     return stories
 
 
 def _typed(plan: Plan, values: Mapping[str, float]) -> dict[str, float | str]:
     """Write verdicts as words and everything else as numbers."""
     return {
-        one.id: ("да" if values[one.id] else "нет") if one.kind is Kind.VERDICT else values[one.id]
+        one.id: (_said(yes=bool(values[one.id]))) if one.kind is Kind.VERDICT else values[one.id]
         for one in plan.answered
     }
+
+
+def _said(*, yes: bool) -> str:
+    return "да" if yes else "нет"
+
+
+def _with_unit(value: float, unit: str, words: Words) -> str:
+    number = format_number(value, words.language, _FIGURES)
+    return f"{number} {unit_text(unit, words.language)}"
 
 
 def _step_by_step(plan: Plan, issued: Issued, write: Callable[[float], float]) -> dict[str, float]:
@@ -141,14 +174,3 @@ def _step_by_step(plan: Plan, issued: Issued, write: Callable[[float], float]) -
 
 def _steps(plan: Plan) -> Iterator[str]:
     return (name for name, one in plan.quantities.items() if one.kind is Kind.FORMULA)
-
-
-def _next_smaller(plan: Plan, name: str, value: float) -> float:
-    choice = plan.quantities[name].choice
-    if choice is None:
-        return value
-    scale = factor(plan.quantities[name].unit)
-    below = [
-        size / scale for size in plan.columns[choice.column].sizes if size / scale < value * 0.999
-    ]
-    return float(f"{below[-1]:.12g}") if below else value

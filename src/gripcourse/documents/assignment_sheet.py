@@ -4,8 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
+from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.documents.pdf import Document, picture, render_fitting
-from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
+from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
@@ -52,7 +53,7 @@ class SheetDiagram:
         text: what it shows, for a reader who does not see it.
         width, height: mm.
         beside: whether it is narrow enough for text beside it.
-        moves: whether it shows more than one position.
+        lines: what thick lines show and what thin ones do; None where one position is shown.
     """
 
     address: str
@@ -60,7 +61,7 @@ class SheetDiagram:
     width: float
     height: float
     beside: bool
-    moves: bool
+    lines: tuple[str, str] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +128,7 @@ def sheet_values(
         "density": _density(listed, diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
-        "rules": [words.say(sentence) for sentence in _rules(plan, policy, words)],
+        "rules": [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))],
     }
 
 
@@ -181,7 +182,7 @@ def drawn_diagram(
         width=round(diagram.width, 2),
         height=round(diagram.height, 2),
         beside=diagram.width <= _NARROW,
-        moves=plan.scheme.kinematics is not None,
+        lines=line_titles(plan, words),
     )
 
 
@@ -256,11 +257,15 @@ def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
         yield message("To be marked by a person from a rubric: {titles}.", titles=titles)
 
 
+def _notes(plan: Plan, words: Words) -> Iterator[str]:
+    """Yield what the course itself says about its quantities."""
+    for text in notes_of(
+        plan.course.notes, NotedDocument.ASSIGNMENT, plan.scheme.id, plan.quantities
+    ):
+        yield text.of(words.language)
+
+
 def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    yield message(
-        "Grip force is the force at ONE jaw, normal to the object; drive force is the force at the "
-        "output link of the drive, for all jaws together."
-    )
     yield message(
         "An answer is right when it differs from the expected value by no more than {band}, unless "
         "another band is printed beside the quantity.",
@@ -295,18 +300,20 @@ def _carried(policy: Policy, words: Words) -> Iterator[Message]:
 
 
 def _errata(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    if plan.convention is Convention.GUIDE:
-        yield message("The reference follows the formulas of the guide as they are printed.")
+    if not any(one.as_printed for one in plan.quantities.values()):
+        return
+    if plan.convention is Convention.AS_PRINTED:
+        yield message("The reference follows the formulas as the sources print them.")
     elif policy.printed_credit is None:
-        yield message("The guide has known misprints; only the corrected formulas count.")
+        yield message("The sources have known misprints; only the corrected formulas count.")
     elif policy.printed_credit >= 1:
         yield message(
-            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "The sources have known misprints. An answer computed exactly as they print a formula "
             "counts in full, with a remark on what is right."
         )
     else:
         yield message(
-            "The guide has known misprints. An answer computed exactly as it prints a formula "
+            "The sources have known misprints. An answer computed exactly as they print a formula "
             "earns {share} of its points, with a remark on what is right.",
             share=percent_text(policy.printed_credit, words),
         )

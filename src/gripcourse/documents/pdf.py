@@ -36,6 +36,7 @@ from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections
+from gripcourse.machine.resources import template_file, template_folders
 from gripcourse.text.amounts import day_text, percent_text, points_text
 from gripcourse.text.shown import shown
 from gripcourse.text.words import LANGUAGES, Words, message
@@ -139,7 +140,7 @@ def picture(svg: str) -> str:
 
 
 def _paths(templates: Path, styles: tuple[str, ...]) -> tuple[Path, ...]:
-    return tuple(templates / "style" / name for name in styles)
+    return tuple(template_file(templates, f"style/{name}") for name in styles)
 
 
 def _markup(box: Box) -> "Markup":
@@ -175,8 +176,9 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
     from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
 
     found = traceback.extract_tb(error.__traceback__)
-    inside = [step for step in found if Path(step.filename).is_relative_to(templates)]
-    place, line = (inside[-1].filename, inside[-1].lineno) if inside else (templates / name, None)
+    places = [(step, _template_name(step.filename, templates)) for step in found]
+    inside = [(one, step.lineno) for step, one in places if one]
+    place, line = inside[-1] if inside else (name, None)
     what = message("The template fails: {reason}.", reason=_reason(error))
     remedy = message("Correct what stands there; compare it with the reference course's template.")
     match error:
@@ -184,11 +186,20 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
             what = message("There is no template {name}.", name=str(error.name))
             remedy = message("Correct the name, or copy the file from the reference course.")
         case TemplateSyntaxError():
-            place, line = templates / (error.name or name), error.lineno
+            place, line = error.name or name, error.lineno
         case UndefinedError():
             remedy = message("Correct the name; it may be only the name of what stands before it.")
-    shown = f"{templates.name}/{Path(place).relative_to(templates).as_posix()}"
-    return Problem(shown, "" if line is None else f"line {line}", what, remedy)
+    return Problem(
+        f"{templates.name}/{place}", "" if line is None else f"line {line}", what, remedy
+    )
+
+
+def _template_name(file: str, templates: Path) -> str:
+    """Return the name of a template by its file; empty for what is none."""
+    for folder in template_folders(templates):
+        if Path(file).is_relative_to(folder):
+            return Path(file).relative_to(folder).as_posix()
+    return ""
 
 
 def _reason(error: Exception) -> str:
@@ -209,7 +220,7 @@ def template_environment(templates: Path, language: str) -> "Environment":
 
     words = Words(language)
     environment = Environment(
-        loader=FileSystemLoader(templates),
+        loader=FileSystemLoader(template_folders(templates)),
         autoescape=True,
         undefined=StrictUndefined,
         finalize=_seen,

@@ -213,7 +213,7 @@ def _column(function: Function, arguments: list[ast.expr], span: Span, line: str
         case [first, *_]:
             span = _span(first, line)
     what = message(
-        '{name}() needs a catalogue and its column first, as in {name}("bores.size", x).',
+        '{name}() needs a catalogue and its column first, as in {name}("bolts.size", x).',
         name=function.name,
     )
     raise FormulaFault(what, span)

@@ -53,7 +53,7 @@ _HINTS: Final[tuple[tuple[str, Message], ...]] = (
     ("√", message("A root is written sqrt(…) or cbrt(…).")),
     ("[]{}", message("Only round brackets group.")),
     (".", message("A point stands only in numbers.")),
-    ("\"'", message('Quotation marks only name a column of a catalogue: "bores.size".')),
+    ("\"'", message('Quotation marks only name a column of a catalogue: "bolts.size".')),
 )
 
 

@@ -165,8 +165,8 @@ def _bridge(
 ) -> tuple[Evaluation, dict[str, float]]:
     """Let the reference stand in for what the student's numbers leave without a value.
 
-    A bore that no catalogue holds has no rod; what follows must not be lost for that. `evaluation`
-    is that of the known values, where there is one already.
+    A size that no catalogue holds has nothing beside it in its row; what follows must not be lost
+    for that. `evaluation` is that of the known values, where there is one already.
     """
     stand_in: dict[str, float] = {}
     while True:

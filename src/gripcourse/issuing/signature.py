@@ -51,6 +51,20 @@ def make_key(path: Path, random_bytes: bytes) -> bytes:
     return random_bytes
 
 
+def key_of(path: Path, *, issued: bool) -> bytes | None:
+    """Return the key of a course; None where there is none and none is missed.
+
+    Args:
+        path: of the file.
+        issued: whether anything was issued: then there was a key, and another one would void every
+            signature that was made with it.
+
+    Raises:
+        RegisterError: the key is damaged or was lost.
+    """
+    return read_key(path) if issued or path.exists() else None
+
+
 def read_key(path: Path) -> bytes:
     """Read the key.
 

@@ -1,4 +1,6 @@
-"""Where the course is: the folder with `variants`, `templates` and `grader`.
+"""Where the course is: the folder with `variants` and `grader`, and `templates` if it has a look.
+
+What a course's `templates` lacks is taken from those that come with the engine, file by file.
 
 A wheel carries the reference course inside the package; in an editable installation it is the
 repository itself; `gripcourse init` makes a copy that an instructor owns.
@@ -9,7 +11,9 @@ from pathlib import Path
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.text.words import message
 
-COURSE_FOLDERS = ("variants", "templates", "grader")
+TEMPLATES = "templates"
+REQUIRED_FOLDERS = ("variants", "grader")
+COURSE_FOLDERS = ("variants", TEMPLATES, "grader")
 
 _PACKAGE = Path(__file__).parents[1]
 
@@ -43,6 +47,35 @@ def course_root(given: Path | None = None, package: Path = _PACKAGE) -> Path:
     raise UsageError([problem])
 
 
+def skeleton_root(package: Path = _PACKAGE) -> Path:
+    """Return the folder of the small course that new courses begin with."""
+    return package / "skeleton"
+
+
+def template_folders(templates: Path, package: Path = _PACKAGE) -> tuple[Path, ...]:
+    """Return the folders in which a template or a style sheet is looked for, in order.
+
+    Args:
+        templates: the folder of a course; it need not exist.
+        package: the folder of this package.
+
+    Returns:
+        That folder, if there is one, and the folder with the engine's own.
+    """
+    shipped = (package / "_course" / TEMPLATES, package.parent.parent / TEMPLATES)
+    found = (one for one in (templates, *shipped) if one.is_dir())
+    return tuple({one.resolve(): one for one in found}.values())
+
+
+def template_file(templates: Path, name: str) -> Path:
+    """Return the file of a template or a style sheet: the course's, else the engine's.
+
+    Where neither has it, the path at which the course should have it.
+    """
+    candidates = (folder / name for folder in template_folders(templates))
+    return next((path for path in candidates if path.is_file()), templates / name)
+
+
 def is_course(folder: Path) -> bool:
     """Tell whether a folder is a course that a command may work on without being told."""
     return not _missing(folder) and (folder / "variants" / "course.toml").is_file()
@@ -63,4 +96,4 @@ def _checked(folder: Path) -> Path:
 
 def _missing(folder: Path) -> str:
     """Name the folders of a course that `folder` lacks, separated by commas."""
-    return ", ".join(name for name in COURSE_FOLDERS if not (folder / name).is_dir())
+    return ", ".join(name for name in REQUIRED_FOLDERS if not (folder / name).is_dir())

@@ -116,7 +116,30 @@ def _section_points(points: Table, total: float, course: Course) -> Mapping[str,
                 message("The points are negative."),
                 message("Write 0 or a positive number."),
             )
+    if sections and not any(value > 0 for value in sections.values()):
+        points.add(
+            "section",
+            message("No section has points."),
+            message("Write a positive number for one at least."),
+        )
+    marked = _marked_sections(course)
+    for name in sorted(ids & set(sections) - marked):
+        if sections[name] > 0:
+            points.add(
+                f"section.{name}",
+                message("No scheme has anything to mark in the section '{name}'.", name=name),
+                message("Declare a quantity in it, or write 0."),
+            )
     return sections
+
+
+def _marked_sections(course: Course) -> set[str]:
+    """Return the sections in which some scheme has something to mark."""
+    scopes = (
+        *(part.quantities for part in course.parts.values()),
+        *(scheme.quantities for scheme in course.schemes.values()),
+    )
+    return {one.section for scope in scopes for one in scope.values() if one.kind in _MARKED}
 
 
 def _weights(weight: Table, name: str, known: set[str]) -> Mapping[str, float]:

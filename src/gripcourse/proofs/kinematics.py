@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.kinematics import Direction, Kinematics
 from gripcourse.course.model import Scheme
 from gripcourse.errors import Problem
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
@@ -170,9 +170,17 @@ def _order_faults(
     wrong = (np.diff(stops, axis=0) < 0).any(axis=0) | ~(stops[-1] > stops[0])
     yield "at", np.asarray(wrong), message("The drive goes back between its positions.")
     path = np.linspace(stops[0], stops[-1], 2 * _STEPS)
-    output = coordinates(motion, values, path)[motion.jaw]
-    wrong = np.asarray(~(np.diff(output, axis=0) < 0).all(axis=0))
-    yield "jaw", wrong, message("{coordinate} does not fall all the way.", coordinate=motion.jaw)
+    if not motion.output:
+        return
+    output = coordinates(motion, values, path)[motion.output]
+    falls = motion.direction is Direction.FALLS
+    wrong = np.asarray(~((np.diff(output, axis=0) < 0) == falls).all(axis=0))
+    what = (
+        message("{coordinate} does not fall all the way.", coordinate=motion.output)
+        if falls
+        else message("{coordinate} does not grow all the way.", coordinate=motion.output)
+    )
+    yield "output", wrong, what
 
 
 def _joint_faults(

@@ -37,7 +37,7 @@ class Proof:
 
     Attributes:
         kind: what the course is compared with.
-        name: short, for a line of output: `rack_parallelogram`, or an id that the author gave.
+        name: short, for a line of output: a scheme's id, or an id that the author gave.
         file, key: where it is declared, for messages.
     """
 

@@ -141,7 +141,7 @@ def with_formula(plan: Plan, flipped: FlippedFormula) -> Plan:
     """Return a plan in which a quantity has the flipped formula."""
     one = plan.quantities[flipped.quantity.id]
     printed = one.as_printed
-    if plan.convention is Convention.GUIDE:
+    if plan.convention is Convention.AS_PRINTED:
         printed = tuple(dataclasses.replace(p, formula=None) for p in printed)
     changed = dataclasses.replace(one, formula=flipped.wrong, as_printed=printed)
     return dataclasses.replace(plan, quantities={**plan.quantities, one.id: changed})

@@ -57,7 +57,7 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         rounding=_named(table, "rounding", DigitRounding),
         carrying=_named(table, "carrying", Carrying),
         style=_named(table, "style", Style),
-        pi=_numbered(table, "pi"),
+        pi=_numbered(table, "pi") if table.has("pi") else {math.pi: 1.0},
         language=_weights(table, "language", str, LANGUAGES),
         constants=_constants(table, course),
         blank=share.share("blank"),

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.kinematics import Kinematics
+from gripcourse.course.kinematics import Direction, Kinematics
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def drive_at(motion: Kinematics, values: Values, position: str) -> Array:
-    """Return the drive's coordinate at `open`, `at_max` or `at_min`."""
+    """Return the drive's coordinate at a position that the scheme has."""
     return evaluate_formula(motion.at[position], motion.unit, values, {})
 
 
@@ -40,7 +40,7 @@ def coordinates(motion: Kinematics, values: Values, drive: Array) -> dict[str, A
 def declared_ratio(
     plan: Plan, motion: Kinematics, known: Mapping[str, Array], position: str, drive: Array
 ) -> Array:
-    """Return the effort of the drive over the grip force of one jaw, by the scheme's closed form.
+    """Return the effort of the drive over that of one output, by the scheme's closed form.
 
     Args:
         plan: of the scheme.
@@ -65,7 +65,7 @@ def work_ratio(
     drive: Array,
     step: float,
 ) -> Array:
-    """Return the same ratio by virtual work: jaws times jaw displacement over drive displacement.
+    """Return the same ratio by virtual work: what all outputs move over what the drive moves.
 
     A central difference of fourth order; it knows nothing of the closed form. What describes the
     position is frozen where the drive stands: a force keeps its direction in a virtual motion.
@@ -74,11 +74,12 @@ def work_ratio(
     where = coordinates(motion, at_rest, drive)
     frozen = {name: where[one] for name, one in motion.state.get(position, {}).items()}
     values = {**at_rest, **frozen}
-    jaws = evaluate_formula(motion.jaws, "", values, {})
+    outputs = evaluate_formula(motion.outputs, "", values, {})
 
-    def jaw(place: Array) -> Array:
-        return coordinates(motion, values, place)[motion.jaw]
+    def output(place: Array) -> Array:
+        return coordinates(motion, values, place)[motion.output]
 
-    near = jaw(drive + step) - jaw(drive - step)
-    far = jaw(drive + 2 * step) - jaw(drive - 2 * step)
-    return -jaws * (8 * near - far) / (12 * step)
+    near = output(drive + step) - output(drive - step)
+    far = output(drive + 2 * step) - output(drive - 2 * step)
+    sense = 1 if motion.direction is Direction.GROWS else -1
+    return sense * outputs * (8 * near - far) / (12 * step)

@@ -82,13 +82,15 @@ def plan_of(course: Course, composition: Composition, convention: Convention | N
         convention: whose version of a formula is the reference; None for the course's.
 
     Raises:
-        UsageError: for an unknown scheme, or an option that is missing or unknown.
+        UsageError: for an unknown scheme, an option that is missing or unknown, or a convention
+            that the course does not have.
     """
     scheme = _scheme(course, composition.scheme)
     chosen = composition.options
     _check_options(scheme, chosen)
     options = {option.id: chosen[option.id] for option in scheme.options}
     convention = convention or course.convention
+    _check_convention(course, convention)
     declared = compose(course, scheme, options)
     inputs = {name: direct_inputs(one, convention) for name, one in declared.items()}
     order = _stable_order(inputs)
@@ -143,6 +145,12 @@ def _scheme(course: Course, scheme_id: str) -> Scheme:
         return course.schemes[scheme_id]
     what = message("The course has no scheme '{scheme}'.", scheme=scheme_id)
     raise UsageError([Problem("", "", what, did_you_mean(scheme_id, course.schemes))])
+
+
+def _check_convention(course: Course, convention: Convention) -> None:
+    if convention not in course.conventions:
+        what = message("The course lists no errata: nothing is printed otherwise.")
+        raise UsageError([Problem("", "", what, did_you_mean(convention, course.conventions))])
 
 
 def _check_options(scheme: Scheme, options: Mapping[str, str]) -> None:

@@ -118,7 +118,7 @@ def _compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float
 def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:
     """Return how a convention takes the entry of a choice from its series."""
     printed = [one.rounding for one in quantity.as_printed if one.rounding is not None]
-    if convention is Convention.GUIDE and printed:
+    if convention is Convention.AS_PRINTED and printed:
         return printed[0]
     return quantity.choice.rounding if quantity.choice is not None else Rounding.UP
 

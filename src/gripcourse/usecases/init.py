@@ -1,13 +1,17 @@
-"""A course of one's own: the reference course copied out for an instructor to own and change."""
+"""A course of one's own: a copy of another course, or a small one to begin with."""
 
+import re
 import shutil
 import tempfile
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Final, TypeAlias
 
+from gripcourse.course.load import VARIANTS
 from gripcourse.errors import Problem, UsageError, system_problem
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.machine.files import write_text
-from gripcourse.machine.resources import COURSE_FOLDERS, course_root
+from gripcourse.machine.resources import COURSE_FOLDERS, course_root, skeleton_root
 from gripcourse.text.words import Message, Words, message
 
 _PURPOSES = {
@@ -15,6 +19,12 @@ _PURPOSES = {
     "templates": message("the look of the printed documents"),
     "grader": message("points, tolerances, credits and the rubrics"),
 }
+LeftOut: TypeAlias = Callable[[str, list[str]], Iterable[str]]
+"""Says which names of a folder are not copied."""
+
+_TABLES: Final = (".csv", ".xlsx", ".ods", ".tsv")
+_COMMENT: Final = re.compile(r"\s*#(en|ru|uk) ")
+_LANGUAGE: Final = "{language}"
 _IGNORED = """\
 # the key that signs workbooks, the register and the gradebook never leave your machine
 private/
@@ -26,6 +36,9 @@ out/
 def init_course(target: Path, key: bytes, words: Words, source: Path | None = None) -> None:
     """Copy a course into a new folder, with a key of its own; whole or not at all.
 
+    Who the students are, what was issued to them and what they got stays where it is. Of the
+    reference course the sample of a roster is copied too.
+
     Args:
         target: the folder to make; it may exist if it is empty.
         key: the secret that signs the workbooks of this course; 32 random bytes.
@@ -36,13 +49,35 @@ def init_course(target: Path, key: bytes, words: Words, source: Path | None = No
         UsageError: the folder is in use or cannot be written; nothing was changed.
     """
     origin = course_root(source)
+    left_out = (lambda folder, names: _students(origin, folder, names)) if source else None
+    _make(target, key, words, lambda course: _copy(origin, course, left_out))
+
+
+def empty_course(target: Path, key: bytes, words: Words) -> None:
+    """Make a small valid course to begin with: one scheme, two sections, comments that explain.
+
+    Args:
+        target: the folder to make; it may exist if it is empty.
+        key: see `init_course`.
+        words: language of the comments, of the guide and of students' documents.
+
+    Raises:
+        UsageError: the folder is in use or cannot be written; nothing was changed.
+    """
+    _make(target, key, words, lambda course: _skeleton(course, words.language))
+
+
+def _make(target: Path, key: bytes, words: Words, fill: Callable[[Path], None]) -> None:
+    """Make a course in a place of its own and move it where it belongs; whole or not at all."""
     target = target.absolute()
     _refuse_used(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".gripcourse-", dir=target.parent) as workshop:
             course = Path(workshop) / "course"
-            _build(course, origin, key, words)
+            course.mkdir()
+            fill(course)
+            _finish(course, key, words)
             _put_in_place(course, target)
     except OSError as error:
         what = message("The folder cannot be written. {reason}", reason=system_problem(error).what)
@@ -66,11 +101,43 @@ def _refusal(target: Path, what: Message, remedy: Message) -> UsageError:
     return UsageError([Problem(file=str(target), key="", what=what, remedy=remedy)])
 
 
-def _build(course: Path, origin: Path, key: bytes, words: Words) -> None:
-    course.mkdir()
+def _copy(origin: Path, course: Path, left_out: LeftOut | None) -> None:
     for name in COURSE_FOLDERS:
-        # Contents only: files of an installation may be read-only, an instructor's are not.
-        shutil.copytree(origin / name, course / name, copy_function=shutil.copyfile)
+        if (origin / name).is_dir():
+            # Contents only: files of an installation may be read-only, an instructor's are not.
+            shutil.copytree(
+                origin / name, course / name, ignore=left_out, copy_function=shutil.copyfile
+            )
+
+
+def _students(origin: Path, folder: str, names: Iterable[str]) -> set[str]:
+    """Return the tables that lie beside `course.toml`: rosters. A course keeps its own deeper."""
+    if Path(folder) != origin / VARIANTS:
+        return set()
+    return {name for name in names if Path(name).suffix.lower() in _TABLES}
+
+
+def _skeleton(course: Path, language: str) -> None:
+    """Write the small course, with the comments of one language of those that it has."""
+    skeleton = skeleton_root()
+    for path in sorted(skeleton.rglob("*")):
+        if path.is_file():
+            text = "".join(_lines(path.read_text(encoding="utf-8"), language))
+            write_text(course / path.relative_to(skeleton), text)
+    slips = Path("grader") / "slips.toml"  # wrong methods that no subject has for itself
+    write_text(course / slips, (course_root() / slips).read_text(encoding="utf-8"))
+
+
+def _lines(text: str, language: str) -> Iterator[str]:
+    for line in text.splitlines(keepends=True):
+        comment = _COMMENT.match(line)
+        if comment is None:
+            yield line.replace(_LANGUAGE, language)
+        elif comment[1] == language:
+            yield f"# {line[comment.end() :]}"
+
+
+def _finish(course: Path, key: bytes, words: Words) -> None:
     make_key(key_path(course), key)
     write_text(course / ".gitignore", _IGNORED)
     write_text(course / "README.md", _guide(words))
@@ -101,6 +168,12 @@ def _guide(words: Words) -> str:
         f"# {title}",
         say(message("This folder is yours. Three parts of it change without programming:")),
         "\n".join(f"- `{folder}/`: {say(purpose)}" for folder, purpose in _PURPOSES.items()),
+        say(
+            message(
+                "What the folder `templates` lacks is taken from the program: put there only "
+                "what you change."
+            )
+        ),
         say(
             message(
                 "The folder `private` holds the key that signs the workbooks and the register of "

@@ -1,6 +1,7 @@
 """Issuing assignments: from a roster and a variant table to a folder per student."""
 
 import logging
+import secrets
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -11,8 +12,8 @@ from typing import TypeAlias
 from gripcourse.course.model import Course
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
-from gripcourse.issuing.signature import key_path, read_key
-from gripcourse.issuing.store import extend_register
+from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
+from gripcourse.issuing.store import extend_register, read_register
 from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import discard_unfinished
@@ -76,7 +77,8 @@ def issue_order(
     """Issue variants to everybody on the roster and write their documents.
 
     The register is written before any document: nothing is handed out that it does not know.
-    Documents that cannot be made are named in the handout of their student; the others are made.
+    A course that has issued nothing gets its key now. Documents that cannot be made are named in
+    the handout of their student; the others are made.
 
     Args:
         course: its folder holds the key and the register.
@@ -92,15 +94,30 @@ def issue_order(
     """
     students = read_roster(order.roster)
     variants = read_table(order.table, course)
-    key = read_key(key_path(course.root))
-    terms = Terms(key, order.today, order.deadline)
+    before = read_register(course.root, course.id)
+    place = key_path(course.root)
+    known = key_of(place, issued=bool(before.entries))
+    terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
+    if known is None:
+        extend(before, students, variants, terms)  # what is refused makes no key
+        make_key(place, terms.key)
     extended = extend_register(
         course.root, course.id, lambda register: extend(register, students, variants, terms)
     )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
-    return Issuing(_write(context, entries, workers, on_done, issue_one), extended.notes)
+    notes = (*(_key_notes(course) if known is None else ()), *extended.notes)
+    return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
+
+
+def _key_notes(course: Course) -> tuple[Message, ...]:
+    """Say that a key was made: who loses it can check no workbook any more."""
+    place = str(key_path(course.root))
+    said = message(
+        "A key that signs the workbooks was made: {place}. Keep a copy of it.", place=place
+    )
+    return (said,)
 
 
 def _write(

@@ -8,6 +8,7 @@ from typing import Final
 from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import Problem
 from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font
+from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 
 _GENERIC: Final = frozenset(
@@ -28,7 +29,7 @@ def style_problems(templates: Path) -> list[Problem]:
     """
     problems: list[Problem] = []
     for name in _printed():
-        path, shown = templates / "style" / name, f"{templates.name}/style/{name}"
+        path, shown = template_file(templates, f"style/{name}"), f"{templates.name}/style/{name}"
         if not path.is_file():
             what = message("The style sheet is missing.")
             problems.append(Problem(shown, "", what, message("Copy it from the reference course.")))

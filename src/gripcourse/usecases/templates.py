@@ -9,6 +9,7 @@ from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import Document, render_html, template_environment, template_problem
 from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import GripcourseError, Problem
+from gripcourse.machine.resources import template_folders
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Words, message
 
@@ -41,7 +42,9 @@ class Read:
 
 
 def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
-    """Read every template of a folder, whether a document uses it or not.
+    """Read every template of a course, whether a document uses it or not.
+
+    Those that the course's folder lacks are the engine's.
 
     Returns:
         The templates that could be read by their names, and what is wrong with the others.
@@ -51,10 +54,9 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
     environment = template_environment(templates, "en")
     read: dict[str, Read] = {}
     problems: list[Problem] = []
-    files = sorted(path for path in templates.rglob(f"*{SUFFIX}") if path.is_file())
-    known = {path.relative_to(templates).as_posix() for path in files}
-    for path in files:
-        name = path.relative_to(templates).as_posix()
+    files = _files(templates)
+    known = files.keys()
+    for name, path in files.items():
         try:
             tree = environment.parse(path.read_text(encoding="utf-8"), name, str(path))
         except TemplateSyntaxError as error:
@@ -68,6 +70,16 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
             if not unknown:
                 read[name] = _read(tree, name)
     return read, problems
+
+
+def _files(templates: Path) -> dict[str, Path]:
+    """Return the file of every template by its name: the course's, else the engine's."""
+    found: dict[str, Path] = {}
+    for folder in template_folders(templates):
+        for path in sorted(folder.rglob(f"*{SUFFIX}")):
+            if path.is_file():
+                found.setdefault(path.relative_to(folder).as_posix(), path)
+    return found
 
 
 def sample_documents(sample: SampleDocument) -> tuple[list[Document], list[Problem]]:

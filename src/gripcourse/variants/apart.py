@@ -226,8 +226,9 @@ class _Tally:
         """Count a chunk's shares; return the pairs above the limit: who, whose, and the share."""
         lengths = np.diff(points.indptr)
         who = np.repeat(own, lengths)
-        whole = totals[who]  # of a section without points there is nothing to share
-        share = np.divide(points.data, whole, out=np.zeros_like(points.data), where=whole > 0)
+        # A section without points shares none; an answer in it is worth nothing.
+        worth = totals[who]
+        share = np.divide(points.data, worth, out=np.zeros(len(who)), where=worth > 0)
         self.histogram += np.bincount((share * _BINS).astype(np.intp), minlength=_BINS + 1)[
             : _BINS + 1
         ]

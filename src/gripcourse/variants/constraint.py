@@ -55,7 +55,7 @@ def check_constraint(place: Table, constraint: Formula, plans: Sequence[Plan]) -
         place.add(
             "formula",
             message("This is a value, not a condition."),
-            message("Write a comparison, like 'diameter_max >= 1.5*diameter_min'."),
+            message("Write a comparison, like 'width >= 1.5*height'."),
         )
         return
     wanted = set(names(constraint.tree))

@@ -104,21 +104,28 @@ def table_vocabulary(course: Course) -> Vocabulary:
     titles = [
         (plain(one), f"option:{option.id}") for option in options for one in _all(option.title)
     ]
-    titles += [(plain(one), id_) for id_, given in givens.items() for one in _all(given.title)]
-    symbols = [(one, id_) for id_, given in givens.items() for one in _all(given.symbol)]
+    # Schemes may call one given by other names: each of them is its column's.
+    every = [(id_, one) for id_, declared in _declarations(course).items() for one in declared]
+    titles += [(plain(one), id_) for id_, given in every for one in _all(given.title)]
+    symbols = [(one, id_) for id_, given in every for one in _all(given.symbol)]
     symbols += [(symbol.replace("_", ""), id_) for symbol, id_ in symbols]
     return Vocabulary(_grouped(ids), _grouped(titles), _grouped(symbols), givens)
 
 
 def given_quantities(course: Course) -> dict[str, Quantity]:
     """Return the given quantities of all schemes by id; of one id the first declaration."""
-    found: dict[str, Quantity] = {}
+    return {id_: declared[0] for id_, declared in _declarations(course).items()}
+
+
+def _declarations(course: Course) -> dict[str, list[Quantity]]:
+    """Return every declaration of each given, by id, in the order of schemes."""
+    found: dict[str, dict[int, Quantity]] = {}
     for scheme in course.schemes.values():
         for options in pair_option_sets(scheme):
             for quantity in compose(course, scheme, options).values():
                 if quantity.kind is Kind.GIVEN:
-                    found.setdefault(quantity.id, quantity)
-    return found
+                    found.setdefault(quantity.id, {}).setdefault(id(quantity), quantity)
+    return {id_: list(declared.values()) for id_, declared in found.items()}
 
 
 def find_columns(

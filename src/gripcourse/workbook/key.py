@@ -160,9 +160,10 @@ def _about(plan: Plan, words: Words) -> str:
         for choice in option.choices
         if choice.id == plan.options.get(option.id)
     ]
-    guide = plan.convention is Convention.GUIDE
-    formulas = message("formulas as printed") if guide else message("corrected formulas")
-    return "; ".join((plan.scheme.title.of(language), *chosen, words.say(formulas)))
+    as_printed = plan.convention is Convention.AS_PRINTED
+    formulas = message("formulas as printed") if as_printed else message("corrected formulas")
+    whose = (words.say(formulas),) if plan.course.errata else ()
+    return "; ".join((plan.scheme.title.of(language), *chosen, *whose))
 
 
 def _headings(words: Words) -> tuple[str, ...]:

@@ -29,12 +29,12 @@ FIELDS: Final = (STUDENT, VARIANT, SCHEME, OPTIONS, SIGNATURE)
 
 
 def cell_name(role: str, identifier: str) -> str:
-    """Return the name of a cell, for example `answer.bore`."""
+    """Return the name of a cell, for example `answer.mass`."""
     return f"{role}.{identifier}"
 
 
 def options_text(options: Mapping[str, str]) -> str:
-    """Write what a variant chooses as one line of text: `drive=hydraulic; mounting=flange`."""
+    """Write what a variant chooses as one line of text: `drive=electric; mounting=wall`."""
     return "; ".join(f"{option}={choice}" for option, choice in sorted(options.items()))
 
 

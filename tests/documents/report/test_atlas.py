@@ -77,7 +77,8 @@ def test_a_case_is_the_general_formula_without_signs(
     atlas: Atlas, lever_plan: Plan, number: int
 ) -> None:
     row: AtlasRow = next(one for one in atlas.rows if one.number == number)
-    inclination, diameter = case_values(row, lever_plan)
+    found = case_values(row, atlas, lever_plan)
+    inclination, diameter = found["inclination"], found["diameter"]
     values = row.example
     prism, attached = (math.radians(values[n]) for n in ("prism_angle", "attachment_angle"))
     larger, smaller = number in {4, 5}, number in {6, 7}

@@ -17,6 +17,12 @@ from gripcourse.text.words import Words, message
 _GIVEN_FIGURES: Final = 12  # as it was given
 
 
+_CONVENTIONS: Final = {
+    Convention.CORRECTED: message("Corrected"),
+    Convention.AS_PRINTED: message("As printed"),
+}
+
+
 @dataclass(frozen=True, slots=True)
 class ExampleDatum:
     """A given value."""
@@ -37,12 +43,11 @@ class ExampleOutcome:
 
 @dataclass(frozen=True, slots=True)
 class ExampleLine:
-    """A computed quantity in both conventions; None where a convention does not compute it."""
+    """A computed quantity, with an outcome for each convention of the course."""
 
     link: Link
     unit: str
-    corrected: ExampleOutcome
-    guide: ExampleOutcome
+    outcomes: tuple[ExampleOutcome, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +57,7 @@ class Example:
     source: Citation
     options: tuple[BringingOption, ...]
     given: tuple[ExampleDatum, ...]
+    conventions: tuple[str, ...]
     lines: tuple[ExampleLine, ...]
 
 
@@ -61,19 +67,19 @@ def example_of(content: Content, words: Words) -> Example | None:
     if example is None:
         return None
     course, scheme = content.course, content.scheme
-    plans = {one: make_plan(course, scheme.id, example.options, one) for one in Convention}
+    plans = {one: make_plan(course, scheme.id, example.options, one) for one in course.conventions}
     values = {one: _values(plan, example) for one, plan in plans.items()}
     places = _places(content, plans[Convention.CORRECTED])
     return Example(
         citation(example.source, content.course, words.language),
         _options(content, example, words),
         _given(plans[Convention.CORRECTED], content, places, words),
+        tuple(words.say(_CONVENTIONS[one]) for one in plans),
         tuple(
             ExampleLine(
                 link_to(places[quantity.id], content, words.language),
                 unit_text(quantity.unit, words.language),
-                _outcome(quantity, Convention.CORRECTED, values, example, words),
-                _outcome(quantity, Convention.GUIDE, values, example, words),
+                tuple(_outcome(quantity, one, values, example, words) for one in plans),
             )
             for quantity in plans[Convention.CORRECTED].answered
         ),

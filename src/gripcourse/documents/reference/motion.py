@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.kinematics import POSITIONS, Kinematics
+from gripcourse.course.kinematics import Direction, Kinematics
 from gripcourse.documents.reference.entry import Link, link_to
 from gripcourse.documents.reference.notation import name_box, symbol_of
 from gripcourse.documents.reference.occurrence import Content
@@ -15,10 +15,9 @@ from gripcourse.text.amounts import amount_text
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 
-_POSITIONS: Final = {
-    "open": message("jaws open"),
-    "at_max": message("largest object held"),
-    "at_min": message("smallest object held"),
+_DIRECTIONS: Final = {
+    Direction.GROWS: message("This coordinate grows while the drive works:"),
+    Direction.FALLS: message("This coordinate falls while the drive works:"),
 }
 
 
@@ -32,7 +31,7 @@ class JointPlace:
 
 @dataclass(frozen=True, slots=True)
 class Ratio:
-    """The quantity that is the force ratio at a position, and what describes the position."""
+    """The quantity that is the ratio of efforts at a position, and what describes the position."""
 
     title: str
     link: Link
@@ -47,18 +46,21 @@ class Motion:
         drive, unit: the drive's coordinate and its unit.
         coordinates: each as an equation, with its unit.
         places: of the drive.
-        jaw, jaws: the coordinate that falls while a jaw closes, and how many jaws the drive moves.
-        ratios: the force ratios.
+        output, outputs: the coordinate that the drive moves against the load, None where no ratio
+            is declared, and how many of them it moves.
+        direction: what the output does while the drive works, in a sentence.
+        ratios: of efforts.
         lossless: what is set so that a ratio holds no friction.
-        points: joints with the coordinates along and across the gripper's axis.
+        points: joints with the coordinates along and across the axis.
     """
 
     drive: Box
     unit: str
     coordinates: tuple[tuple[Box, str], ...]
     places: tuple[JointPlace, ...]
-    jaw: Box
-    jaws: Box
+    output: Box | None
+    outputs: Box
+    direction: str
     ratios: tuple[Ratio, ...]
     lossless: tuple[tuple[Link, str], ...]
     points: tuple[tuple[str, Box, Box], ...]
@@ -83,13 +85,14 @@ def motion_of(content: Content, words: Words) -> Motion | None:
         ),
         places=tuple(
             JointPlace(
-                words.say(_POSITIONS[position]),
-                equation((drive, typeset(motion.at[position].tree, symbols, words.language))),
+                _title(position, content, words),
+                equation((drive, typeset(formula.tree, symbols, words.language))),
             )
-            for position in POSITIONS
+            for position, formula in motion.at.items()
         ),
-        jaw=name_box(motion.jaw),
-        jaws=typeset(motion.jaws.tree, symbols, words.language),
+        output=name_box(motion.output) if motion.output else None,
+        direction=words.say(_DIRECTIONS[motion.direction]),
+        outputs=typeset(motion.outputs.tree, symbols, words.language),
         ratios=tuple(_ratios(motion, content, words)),
         lossless=tuple(_lossless(motion, content, words)),
         points=tuple(
@@ -99,10 +102,14 @@ def motion_of(content: Content, words: Words) -> Motion | None:
     )
 
 
+def _title(position: str, content: Content, words: Words) -> str:
+    return content.course.positions[position].title.of(words.language)
+
+
 def _formulas(motion: Kinematics) -> Iterator[Formula]:
     yield from (one.formula for one in motion.coordinates)
     yield from motion.at.values()
-    yield motion.jaws
+    yield motion.outputs
 
 
 def _symbols(motion: Kinematics, content: Content, language: str) -> Mapping[str, Box]:
@@ -124,7 +131,7 @@ def _ratios(motion: Kinematics, content: Content, words: Words) -> Iterator[Rati
             for one, where in motion.state.get(position, {}).items()
         )
         link = link_to(content.meant(name)[0], content, words.language)
-        yield Ratio(words.say(_POSITIONS[position]), link, tuple(state))
+        yield Ratio(_title(position, content, words), link, tuple(state))
 
 
 def _lossless(motion: Kinematics, content: Content, words: Words) -> Iterator[tuple[Link, str]]:

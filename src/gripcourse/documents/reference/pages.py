@@ -31,6 +31,7 @@ from gripcourse.documents.reference.occurrence import (
     parts_of,
 )
 from gripcourse.documents.reference.tables import tables_of
+from gripcourse.machine.resources import template_file
 from gripcourse.text.words import Texts, Words
 
 STYLE: Final = "reference.css"
@@ -111,13 +112,14 @@ def pages(course: Course, words: Words, home: str = "") -> dict[str, str]:
 
 def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Document]:
     """Return what every page is made of by the name of its file; see `pages`."""
-    style = (course.root / "templates" / "style" / STYLE).read_text(encoding="utf-8")
+    style = template_file(course.root / "templates", f"style/{STYLE}").read_text(encoding="utf-8")
     contents = [content_of(course, scheme) for scheme in course.schemes.values()]
     common: dict[str, object] = {
         "style": style,
         "course": course.title.of(words.language),
         "home": home,
         "schemes": [_listed(content, words.language) for content in contents],
+        "errata": len(course.errata),
     }
 
     def page(template: str, values: Mapping[str, object]) -> Document:
@@ -128,7 +130,8 @@ def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Do
         for content in contents
     }
     made["index.html"] = page(INDEX, index_values(course, words))
-    made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
+    if course.errata:
+        made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
     return made
 
 
@@ -137,7 +140,6 @@ def index_values(course: Course, words: Words) -> dict[str, object]:
     return {
         "others": titles_elsewhere(course.title, words.language),
         "works": [(work.id, work.title.of(words.language)) for work in course.works.values()],
-        "errata": len(course.errata),
     }
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.atlas import Atlas, AtlasFigure, AtlasRow
+from gripcourse.course.atlas import Atlas, AtlasFigure, AtlasRow, AtlasSize
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import ChartLine, line_plot
@@ -24,9 +24,6 @@ TEMPLATE = "atlas.html.j2"
 STYLES = ("page.css", "formula.css", "atlas.css")
 
 _POINTS = 61
-# Symbols of what a table of cases calls its sizes without signs.
-_CASE_SYMBOLS = {"inclination": "w", "tilt": "e"}
-_CASE_UNIT = "deg"
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +37,11 @@ class Plate:
 
 @dataclass(frozen=True, slots=True)
 class AtlasCase:
-    """A row of the table: number, title, both formulas, and what they give for the example."""
+    """A row of the table: number, title, its formulas, and what they give for the example."""
 
     number: int
     title: str
-    inclination: Box
-    diameter: Box
+    formulas: tuple[Box, ...]
     example: str
 
 
@@ -72,8 +68,8 @@ def curve_values(
         known: given values that the figure leaves open, in declared units.
 
     Returns:
-        The abscissae, and the ordinates by the curve's number, in declared units; NaN where the
-        prism cannot hold (an arm is not positive).
+        The abscissae, and the ordinates by the curve's number, in declared units; NaN where an
+        ordinate is not positive.
     """
     along = np.linspace(figure.low, figure.high, _POINTS)
     curves: dict[int, NDArray[np.float64]] = {}
@@ -88,14 +84,15 @@ def curve_values(
     return along, curves
 
 
-def case_values(row: AtlasRow, plan: Plan) -> tuple[float, float]:
-    """Compute the inclination (SI) and the diameter (SI) of a row's example."""
+def case_values(row: AtlasRow, atlas: Atlas, plan: Plan) -> dict[str, float]:
+    """Compute the sizes of a row's example, in SI."""
     known = {
-        name: np.asarray(value * factor(_unit(name, plan))) for name, value in row.example.items()
+        name: np.asarray(value * factor(_unit(name, atlas, plan)))
+        for name, value in row.example.items()
     }
-    inclination = evaluate_formula(row.inclination, _CASE_UNIT, known, {})
-    diameter = evaluate_formula(row.diameter, "mm", {**known, "inclination": inclination}, {})
-    return float(inclination), float(diameter)
+    for name, formula in row.sizes.items():
+        known[name] = evaluate_formula(formula, atlas.sizes[name].unit, known, {})
+    return {name: float(known[name]) for name in row.sizes}
 
 
 def atlas_pdf(atlas: Atlas, drawn: tuple[Plate, ...], course: Course, words: Words) -> bytes:
@@ -127,7 +124,9 @@ def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Wo
     ]
     against = plan.quantities[figure.against]
     label = f"{against.title.of(words.language)}, {unit_text(against.unit, words.language)}"
-    return line_plot(along, lines, label, unit_text("mm", words.language), words)
+    units = dict.fromkeys(plan.quantities[one.quantity].unit for one in figure.curves)
+    ordinate = "; ".join(unit_text(unit, words.language) for unit in units)
+    return line_plot(along, lines, label, ordinate, words)
 
 
 def _label(quantity: str, at: Mapping[str, float], plan: Plan, words: Words) -> str:
@@ -147,24 +146,31 @@ def _plain(symbol: str) -> str:
 
 def _cases(atlas: Atlas, plan: Plan, words: Words) -> Iterator[AtlasCase]:
     for row in atlas.rows:
-        inclination, diameter = case_values(row, plan)
+        values = case_values(row, atlas, plan)
         yield AtlasCase(
             row.number,
             row.title.of(words.language),
-            _equation("w", row.inclination, plan, words),
-            _equation("D", row.diameter, plan, words),
-            f"w = {amount_text(inclination / factor(_CASE_UNIT), _CASE_UNIT, words)}, "
-            f"D = {amount_text(diameter / factor('mm'), 'mm', words)}",
+            tuple(
+                _equation(atlas.sizes[name].symbol, formula, atlas, plan, words)
+                for name, formula in row.sizes.items()
+            ),
+            ", ".join(_sized(atlas.sizes[name], value, words) for name, value in values.items()),
         )
 
 
-def _equation(symbol: str, formula: Formula, plan: Plan, words: Words) -> Box:
+def _sized(size: AtlasSize, value: float, words: Words) -> str:
+    return f"{size.symbol} = {amount_text(value / factor(size.unit), size.unit, words)}"
+
+
+def _equation(symbol: str, formula: Formula, atlas: Atlas, plan: Plan, words: Words) -> Box:
     names = {
         name: symbol_box(one.symbol.of(words.language)) for name, one in plan.quantities.items()
     }
-    names |= {name: symbol_box(text) for name, text in _CASE_SYMBOLS.items()}
+    own = {**atlas.sizes, **atlas.inputs}
+    names |= {name: symbol_box(one.symbol) for name, one in own.items()}
     return equation((symbol_box(symbol), typeset(formula.tree, names, words.language)))
 
 
-def _unit(name: str, plan: Plan) -> str:
-    return _CASE_UNIT if name in _CASE_SYMBOLS else plan.quantities[name].unit
+def _unit(name: str, atlas: Atlas, plan: Plan) -> str:
+    own = atlas.inputs.get(name)
+    return plan.quantities[name].unit if own is None else own.unit

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from datetime import date
 
 from gripcourse.course.model import Course
+from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.documents.pdf import Document, render_pdf
 from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbers
 from gripcourse.documents.report.columns import aligned_rows
@@ -97,6 +98,12 @@ def student_values(
         "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
+        "notes": [
+            text.of(words.language)
+            for text in notes_of(
+                course.notes, NotedDocument.REPORT, plan.scheme.id, plan.quantities
+            )
+        ],
         "legend": [
             (outcome.traits.sign, words.say(outcome.traits.word), words.say(outcome.traits.meaning))
             for outcome in Outcome

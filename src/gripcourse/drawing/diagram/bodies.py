@@ -1,4 +1,4 @@
-"""What is held and what holds it: jaws, prisms, plates, rollers, suction cups, coils."""
+"""Solid bodies: plates, rollers, round objects, cups, coils, and what stands round an axis."""
 
 import math
 from collections.abc import Iterator
@@ -64,7 +64,7 @@ def held_object(shape: PlacedElement) -> Iterator[Mark]:
 
 
 def cup(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a suction cup that opens downwards; its lip is at the point."""
+    """Draw an elastic cup that opens downwards; its lip is at the point."""
     (x, y), height, radius = shape.at, shape.lengths["height"], shape.lengths["diameter"] / 2
     neck = 2 * _NECK * radius
     left = ((x - radius, y), (x - neck, y + _LIP * height), (x - neck / 2, y + height))
@@ -83,7 +83,7 @@ def coil(shape: PlacedElement) -> Iterator[Mark]:
 
 
 def end_view(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw how many jaws stand round the object, seen along the gripper's axis.
+    """Draw how many parts stand round an object, seen along the axis.
 
     Round the origin: where there is room for it shows when everything else is drawn.
     """

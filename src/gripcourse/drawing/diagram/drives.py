@@ -83,7 +83,7 @@ def _body(
 def _pressure(
     shape: PlacedElement, origin: Point, turn: float, ends: tuple[float, float]
 ) -> Iterator[Mark]:
-    """Draw the pressure that closes the jaws: behind the piston, or on the side of its rod."""
+    """Draw the pressure that works: behind the piston, or on the side of its rod."""
     if not shape.symbol:
         return
     x = ends[0] + _ROOM if shape.element.words["rod"] == "pushes" else ends[1] - _ROOM

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from gripcourse.drawing.diagram.layout import WIDEST, DiagramLayout, lay_out
 from gripcourse.drawing.diagram.letters import DROP, SUBSCRIPT, Written
 from gripcourse.drawing.diagram.marks import ArcMark, Fill, Mark, Path, RingMark, is_circle
+from gripcourse.drawing.diagram.places import shown_positions
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind, dxf_bytes, new_document
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import add_text
@@ -53,7 +54,7 @@ def kinematic_diagram(
     """Draw a variant's kinematic diagram.
 
     It shows the mechanism where the smallest object is held (thick) and where the largest is
-    (thin), to scale; joints, drives and jaws are symbols of one size (GOST 2.770).
+    (thin), to scale; joints, drives and contacts are symbols of one size (GOST 2.770).
 
     Args:
         plan: of the scheme with the variant's options.
@@ -78,6 +79,16 @@ def kinematic_diagram(
     return KinematicDiagram(document, layout.width, layout.height, layout.scale, title)
 
 
+def line_titles(plan: Plan, words: Words) -> tuple[str, str] | None:
+    """Return what thick lines show and what thin ones do; None where one position is shown."""
+    titles = [
+        plan.course.positions[name].title.of(words.language)
+        for name in shown_positions(plan)
+        if name in plan.course.positions
+    ]
+    return (titles[0], "; ".join(titles[1:])) if len(titles) > 1 else None
+
+
 def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
     """Say what the diagram shows: its scheme, its positions, and what its symbols stand for."""
     shown = {one.symbol for one in layout.written}
@@ -86,7 +97,8 @@ def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
         for quantity in plan.quantities.values()
         if quantity.symbol.of(words.language) in shown
     ]
-    if plan.scheme.kinematics is None:
+    lines = line_titles(plan, words)
+    if lines is None:
         said = message(
             "Diagram of the scheme: {scheme}. Symbols: {symbols}.",
             scheme=plan.scheme.title,
@@ -94,9 +106,11 @@ def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
         )
     else:
         said = message(
-            "Kinematic diagram of the scheme: {scheme}. Thick lines: the smallest object is held; "
-            "thin lines: the largest. Symbols: {symbols}.",
+            "Kinematic diagram of the scheme: {scheme}. Thick lines: {thick}; thin lines: {thin}. "
+            "Symbols: {symbols}.",
             scheme=plan.scheme.title,
+            thick=lines[0],
+            thin=lines[1],
             symbols="; ".join(meant),
         )
     return words.say(said)

@@ -6,7 +6,7 @@ from itertools import product
 from typing import Final, TypeAlias
 
 from gripcourse.course.diagram import Diagram, Element
-from gripcourse.drawing.diagram import bodies, drives, gears, jaws, joints, measures
+from gripcourse.drawing.diagram import bodies, contacts, drives, gears, joints, measures
 from gripcourse.drawing.diagram.letters import LetterBox, Written, bounds, lines_of, write_letters
 from gripcourse.drawing.diagram.marks import Letter, Mark, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.diagram.places import (
@@ -14,6 +14,7 @@ from gripcourse.drawing.diagram.places import (
     PlacedElement,
     Stop,
     is_placed,
+    positions_of,
     shape_of,
     stops_of,
 )
@@ -47,8 +48,8 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "spring": gears.spring,
     "plate": bodies.plate,
     "roller": bodies.roller,
-    "jaw": jaws.jaw,
-    "prism": jaws.prism,
+    "contact": contacts.contact,
+    "vee": contacts.vee,
     "object": bodies.held_object,
     "cup": bodies.cup,
     "coil": bodies.coil,
@@ -68,7 +69,7 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
 _SEEN_ALONG: Final = "end_view"  # the kind of element that stands apart from all others
 _APART: Final = 8.0  # mm of paper between it and them
 _MARGIN: Final = 0.6
-_AXIS: Final = 3.0  # how far the gripper's axis reaches beyond everything
+_AXIS: Final = 3.0  # how far the axis reaches beyond everything
 _STILL: Final = 1e-6  # mm of paper
 
 
@@ -207,7 +208,7 @@ def _shapes(
 ) -> Iterator[PlacedElement]:
     """Yield an element where it is drawn; what does not move, once."""
     first: PlacedElement | None = None
-    for position in element.positions:
+    for position in positions_of(element, plan):
         shape = shape_of(element, plan, stops, position, scale, language)
         if first is None or _differ(first, shape):
             yield shape

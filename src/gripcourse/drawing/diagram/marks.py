@@ -1,6 +1,6 @@
 """What a diagram consists of before it is written: lines, arcs, black shapes, and letters to place.
 
-Everything is in millimetres of paper, x along the gripper's axis, y upwards, angles in radians.
+Everything is in millimetres of paper, x along the axis, y upwards, angles in radians.
 """
 
 import math
@@ -110,7 +110,7 @@ def place(shape: Iterable[Point], origin: Point, turn: float) -> tuple[Point, ..
 
 
 def mirrored(mark: Mark) -> Mark:
-    """Return the mark on the other side of the gripper's axis."""
+    """Return the mark on the other side of the axis."""
     match mark:
         case Path() | Fill() | Mask():
             return replace(mark, points=tuple((x, -y) for x, y in mark.points))

@@ -8,7 +8,7 @@ import numpy as np
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
-from gripcourse.course.kinematics import POSITIONS
+from gripcourse.course.kinematics import PositionLine
 from gripcourse.drawing.paper.text import Point
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
@@ -17,6 +17,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import evaluate, to_si
 
 MILLIMETRES = 1000.0  # in a metre
+_STILL = ""  # the position of what does not move
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +25,7 @@ class Stop:
     """A scheme where its drive stands still.
 
     Attributes:
-        points: along the gripper's axis and across it, in metres.
+        points: along the axis and across it, in metres.
         values: of quantities and coordinates, in SI.
     """
 
@@ -44,7 +45,7 @@ class PlacedElement:
         angles: by role.
         numbers: by role.
         symbol: of its quantity, empty where it has none.
-        is_main: whether it stands where the smallest object is held; else it is another position.
+        is_main: whether it stands in its main position; else it is drawn in another one too.
     """
 
     element: Element
@@ -76,11 +77,35 @@ def stops_of(plan: Plan, diagram: Diagram, values: Mapping[str, float]) -> dict[
         values: of every quantity, in declared units; what is missing is computed.
 
     Returns:
-        The stops by position; of a scheme that does not move, all the same.
+        The stops by position; a scheme that does not move has one.
     """
     known = to_si(plan, {name: one for name, one in values.items() if name in plan.quantities})
     solved = evaluate(plan, known).values
-    return {position: _stop(plan, diagram, solved, position) for position in POSITIONS}
+    return {position: _stop(plan, diagram, solved, position) for position in _positions(plan)}
+
+
+def _positions(plan: Plan) -> tuple[str, ...]:
+    """Return the positions of a scheme; one that does not move has a single one without name."""
+    return tuple(plan.scheme.kinematics.at) if plan.scheme.kinematics is not None else (_STILL,)
+
+
+def shown_positions(plan: Plan) -> tuple[str, ...]:
+    """Return the positions that a diagram shows, the main one first: in thick lines."""
+    own = _positions(plan)
+    of_line = {
+        line: [name for name, one in plan.course.positions.items() if one.line is line]
+        for line in (PositionLine.THICK, PositionLine.THIN)
+    }
+    shown = [name for names in of_line.values() for name in names if name in own]
+    return tuple(shown) or own[:1]
+
+
+def positions_of(element: Element, plan: Plan) -> tuple[str, ...]:
+    """Return the positions at which an element is drawn, the main one first."""
+    if element.positions:
+        return element.positions
+    shown = shown_positions(plan)
+    return shown if element.moves else shown[:1]
 
 
 def _stop(plan: Plan, diagram: Diagram, solved: Mapping[str, Array], position: str) -> Stop:
@@ -141,14 +166,14 @@ def shape_of(
             for role, one in element.points.items()
         },
         stops={
-            role: tuple(on_paper(one[0], where) for where in POSITIONS)
+            role: tuple(on_paper(one[0], where) for where in stops)
             for role, one in element.points.items()
         },
         lengths={role: length * MILLIMETRES * scale for role, length in sizes[Sort.LENGTH].items()},
         angles=sizes[Sort.ANGLE],
         numbers=sizes[Sort.NUMBER],
         symbol="" if quantity is None else quantity.symbol.of(language),
-        is_main=position == element.positions[0],
+        is_main=position == positions_of(element, plan)[0],
     )
 
 

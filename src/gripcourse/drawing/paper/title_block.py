@@ -37,7 +37,7 @@ class TitleBlock:
 
     Attributes:
         designation: of the document.
-        title: of the gripper.
+        title: of what is drawn.
         document: what kind of drawing it is.
         student: who drew it.
         checked: who checks it.

@@ -1,4 +1,4 @@
-"""The declared view with a variant's numbers: strokes in millimetres of the gripper itself."""
+"""The declared view with a variant's numbers: strokes in millimetres of the thing itself."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -72,10 +72,10 @@ class Labelled:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """All that a general view shows, in millimetres of the gripper itself.
+    """All that a general view shows, in millimetres of the thing itself.
 
     Attributes:
-        upright: whether the gripper's axis stands upright in the main face.
+        upright: whether the axis stands upright in the main face.
         seen: strokes that nothing covers, by face.
         cuts: faces to be hatched, by face.
         positions: parts with numbers, as they are numbered.

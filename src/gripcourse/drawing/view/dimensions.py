@@ -36,7 +36,7 @@ class Wanted:
 
     @property
     def upright(self) -> bool:
-        """Whether it measures across the gripper's axis."""
+        """Whether it measures across the axis."""
         return self.side in {Side.LEFT, Side.RIGHT}
 
     @property

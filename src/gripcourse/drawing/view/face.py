@@ -121,7 +121,7 @@ def _notes(shown: Figure, face: Face, scale: float, words: Words) -> Iterator[No
 
 
 def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
-    """Yield the gripper's axis; where it is looked along, it shows as a cross."""
+    """Yield the axis; where it is looked along, it shows as a cross."""
     if face is not Face.MAIN or not upright:
         yield Line((outline.left - _AXIS_BEYOND, 0.0), (outline.right + _AXIS_BEYOND, 0.0))
     if face is not Face.MAIN or upright:

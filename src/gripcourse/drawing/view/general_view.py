@@ -1,4 +1,4 @@
-"""The general view of a solved gripper on a sheet, as a document.
+"""The general view of a solved scheme on a sheet, as a document.
 
 Pure: from the plan, the solved values, the language and what the title block says.
 """

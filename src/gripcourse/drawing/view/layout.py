@@ -39,7 +39,7 @@ _LEAST_DETAIL = 0.75  # mm of paper: smaller circles cannot be told from dots
 
 @dataclass(frozen=True, slots=True)
 class Pictured:
-    """What decides how large a gripper has to be drawn, mm of the gripper itself.
+    """What decides how large a thing has to be drawn, mm of the thing itself.
 
     Attributes:
         length: the longer side of its main face.
@@ -75,7 +75,7 @@ class Arranged:
 def arrange(
     boxes: Callable[[float], Mapping[Face, Box]], pictured: Pictured, rows: int, lines: int
 ) -> Arranged:
-    """Find the smallest sheet on which a gripper is well shown, at the largest scale there.
+    """Find the smallest sheet on which a thing is well shown, at the largest scale there.
 
     Where no sheet shows its details, its size alone decides; else the largest scale of all.
 

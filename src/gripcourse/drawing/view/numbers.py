@@ -19,7 +19,7 @@ from gripcourse.text.units import factor
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """Values at one position of the gripper, in SI."""
+    """Values at one position of the drive, in SI."""
 
     values: Values
     plan: Plan
@@ -50,7 +50,7 @@ def numbers_at(plan: Plan, view: View, solved: Mapping[str, float], position: st
         plan: of the variant.
         view: of its scheme.
         solved: values of the variant in declared units; what is NaN is left out.
-        position: `open`, `at_max` or `at_min`; empty where the scheme has none.
+        position: one that the scheme has; empty where the scheme has none.
     """
     finite = {name: value for name, value in solved.items() if math.isfinite(value)}
     known = {name: np.asarray(one) for name, one in to_si(plan, finite).items()}

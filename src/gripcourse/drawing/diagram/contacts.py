@@ -1,7 +1,7 @@
-"""The jaws of a diagram as their working surfaces are chosen; they touch the object to scale.
+"""Bodies that press on a round object, as their working surfaces are chosen; they touch to scale.
 
-A jaw has one face across the direction in which it presses, or the two faces of a prism. A face is
-flat, convex, concave, or a round bar across the object. The body behind it is a symbol.
+Such a body has one face across the direction in which it presses, or the two faces of a vee. A face
+is flat, convex, concave, or a round bar across the object. The body behind it is a symbol.
 """
 
 import math
@@ -18,19 +18,19 @@ _STEPS: Final = 16  # chords of an arc
 _NARROW: Final = 2.0  # half of the length of a face, at least
 _DEPTH: Final = 0.35  # of the smallest object's radius that a concave face may embrace
 _ROOM: Final = 0.96  # of a radius that a face may take up
-_LIP: Final = 1.25  # how far the faces of a prism reach beyond the largest object's contacts
+_LIP: Final = 1.25  # how far the faces of a vee reach beyond the largest object's contacts
 _BAR: Final = 5.0  # thickness of a bar, at most
-_PRISM_BACK: Final = 0.35  # of the length of a face: how thick a prism is behind its apex
-_RELIEF: Final = 0.9  # how far a convex face of a prism stands out of it, at most
-_PAD: Final = 4.0  # half of the length of a convex face of a prism, at most
+_VEE_BACK: Final = 0.35  # of the length of a face: how thick a vee is behind its apex
+_RELIEF: Final = 0.9  # how far a convex face of a vee stands out of it, at most
+_PAD: Final = 4.0  # half of the length of a convex face of a vee, at most
 _AXIS: Final = 1.8  # how far the axis of a bar reaches over its ends
 
 
-def jaw(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a jaw; its face is towards the centre of the object that it `holds`.
+def contact(shape: PlacedElement) -> Iterator[Mark]:
+    """Draw a body; its face is towards the centre of the object that it `holds`.
 
     The centre and the point `at` where a face across the direction would touch give the radius of
-    the object; the faces of a prism, whose half angle is `angle`, touch it elsewhere.
+    the object; the faces of a vee, whose half angle is `angle`, touch it elsewhere.
     """
     centre = shape.points["holds"][0]
     turn, radius = angle_of(shape.at, centre), math.dist(shape.at, centre)
@@ -38,7 +38,7 @@ def jaw(shape: PlacedElement) -> Iterator[Mark]:
     if half_angle is None:
         yield from _face(shape, shape.at, turn, shape.numbers["long"] / 2)
     elif shape.element.words["surface"] == "flat":
-        yield from _prism(shape, centre, turn, radius)
+        yield from _vee(shape, centre, turn, radius)
     else:
         yield from _two_faces(shape, centre, turn, radius)
 
@@ -75,8 +75,8 @@ def _front(shape: PlacedElement, surface: str, half: float) -> tuple[Point, ...]
     return tuple((sense * (radius - math.sqrt(radius**2 - y**2)), y) for y in across)
 
 
-def _prism(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
-    """Draw a prism whose flat faces touch an object of that radius."""
+def _vee(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
+    """Draw a vee whose flat faces touch an object of that radius."""
     half_angle = shape.angles["angle"]
     mouth = shape.lengths.get("mouth", _LIP * shape.lengths["largest"] * math.cos(half_angle)) / 2
     deep, back = mouth / math.tan(half_angle), -shape.numbers["thick"]
@@ -87,7 +87,7 @@ def _prism(shape: PlacedElement, centre: Point, turn: float, radius: float) -> I
 
 
 def _two_faces(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
-    """Draw the two faces of a prism that are not flat, and the bridge that carries them."""
+    """Draw the two faces of a vee that are not flat, and the bridge that carries them."""
     lean = math.pi / 2 - shape.angles["angle"]
     contacts = [polar(centre, -radius, turn + side * lean) for side in (-1, 1)]
     room = math.dist(*contacts) / 2 / math.cos(lean) * _ROOM
@@ -102,23 +102,23 @@ def _two_faces(shape: PlacedElement, centre: Point, turn: float, radius: float) 
     yield Mask((*contacts, backs[1], corner, backs[0]))
 
 
-def prism(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a prismatic jaw: its apex at the point, its bisector along `turn`.
+def vee(shape: PlacedElement) -> Iterator[Mark]:
+    """Draw a vee block: its apex at the point, its bisector along `turn`.
 
     Faces with a `radius` are convex; they touch the object where flat ones would.
     """
     half, face = shape.lengths["length"], shape.angles["angle"] / 2
     contact = shape.lengths["diameter"] / 2 / math.tan(face)
     along = [(x * math.cos(face) - y * math.sin(face), x * math.sin(face) + y * math.cos(face))
-             for x, y in _prism_face(shape, half, contact)]  # fmt: skip
-    back = -_PRISM_BACK * half
+             for x, y in _vee_face(shape, half, contact)]  # fmt: skip
+    back = -_VEE_BACK * half
     wide = max(y for _, y in along)
     mirrored = [(x, -y) for x, y in reversed(along)]
     corners = (*along, (back, wide), (back, -wide), *mirrored)
     yield Path(place(corners, shape.at, shape.angles["turn"]), edge(shape), closed=True)
 
 
-def _prism_face(shape: PlacedElement, length: float, contact: float) -> list[Point]:
+def _vee_face(shape: PlacedElement, length: float, contact: float) -> list[Point]:
     """Return a face from the apex on: along it, and behind it where it is convex."""
     radius = shape.lengths.get("radius")
     if radius is None:

@@ -1,0 +1,53 @@
+"""The demo runs on a course that knows nothing of the reference course's subject."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from gripcourse.demo import classroom
+from gripcourse.demo.run import run_demo
+from gripcourse.demo.students import COPIED
+from gripcourse.machine.resources import course_root, skeleton_root
+from gripcourse.text.words import Words
+
+SMALL = Path(__file__).parents[1] / "variants" / "small_course"
+
+
+def small_course(root: Path) -> Path:
+    """The small test course with a policy: no errata, no manual items, no slips, no roster."""
+    shutil.copytree(SMALL, root)
+    (root / "grader").mkdir()
+    policy = (skeleton_root() / "grader" / "policy.toml").read_text(encoding="utf-8")
+    policy = policy.replace("loads = 40\nsizes = 60", "drive = 100").replace(
+        ", gravity = [9.8, 10]", ""
+    )
+    (root / "grader" / "policy.toml").write_text(policy, encoding="utf-8")
+    shutil.copyfile(course_root() / "grader" / "slips.toml", root / "grader" / "slips.toml")
+    return root
+
+
+def test_stories_without_an_occasion_are_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(classroom, "_STUDENTS", 7)
+    source = small_course(tmp_path / "source")
+    demo = run_demo(source, tmp_path / "out", Words("en"), 2, lambda _name, _total: lambda: None)
+    assert list(demo.students.values()) == [
+        *("correct", "three_figures", "early_slip", "blank", "text_and_units", "rounded_down"),
+        COPIED,
+    ]
+    assert demo.marking is None
+    scores = {demo.students[one.student]: one.score for one in demo.outcome.reports}
+    assert scores["correct"] == scores["three_figures"] == pytest.approx(100)
+    assert 0 == scores["blank"] < scores["early_slip"] < 100
+    assert not (demo.graded / "incidents.log").exists()
+
+
+def test_with_fewer_students_than_stories_nobody_copies(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(classroom, "_STUDENTS", 1)
+    source = small_course(tmp_path / "source")
+    demo = run_demo(source, tmp_path / "out", Words("en"), 1, lambda _name, _total: lambda: None)
+    assert list(demo.students.values()) == ["correct"]
