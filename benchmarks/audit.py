@@ -6,7 +6,8 @@ from time import perf_counter
 from typing import TypeVar
 
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy

@@ -12,7 +12,7 @@ from openpyxl import load_workbook
 
 from gripcourse.batch.one_file import GradingContext, grade_file, methods_of
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import correct
 from gripcourse.grading.judge import judge
 from gripcourse.grading.rounding import figure_half_unit

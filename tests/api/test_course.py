@@ -7,7 +7,7 @@ import pytest
 
 import gripcourse as gc
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import correct, early_slip
 from gripcourse.errors import CourseError, TableError, UsageError
 from gripcourse.grading.model import Outcome

@@ -18,7 +18,8 @@ import pytest
 
 from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Convention, Course, Kind, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import PrintedCalculation, calculations
 from gripcourse.proofs.declared import DeclaredProof, load_declared_proofs

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Formula

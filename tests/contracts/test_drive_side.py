@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import pytest
 
 from gripcourse.course.diagram import Element
-from gripcourse.course.model import Convention, Course
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.drawing.diagram.contacts import contact
 from gripcourse.drawing.diagram.drives import cylinder, floating_cylinder
 from gripcourse.drawing.diagram.marks import Path

@@ -4,7 +4,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from gripcourse.course.compose import reference_formula
-from gripcourse.course.model import AsPrinted, Convention, Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import AsPrinted, Convention, Quantity
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import reference_rounding
 

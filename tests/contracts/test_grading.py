@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.policy.bands import band

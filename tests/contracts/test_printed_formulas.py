@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.proofs.printed_lines import printable, printed_line, prove_printed_lines
 from gripcourse.proofs.read_back import read_back
 from gripcourse.proofs.samples import Trial

@@ -4,7 +4,8 @@ import re
 
 import pytest
 
-from gripcourse.course.model import Course, Source
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Source
 from gripcourse.text.words import LANGUAGES
 
 # An English word, and no function, unit, standard or name of a file.

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy

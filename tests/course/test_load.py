@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
-from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import default_options
 from gripcourse.usecases.solve import solve_scheme

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.chosen import early_mistake, measured, smaller_sizes
 from gripcourse.demo.students import (
     STORIES,

@@ -10,7 +10,8 @@ from datetime import date
 import pytest
 from pypdf import PdfReader
 
-from gripcourse.course.model import Convention, Course, Tolerance, WorkedExample
+from gripcourse.course.model import Course, WorkedExample
+from gripcourse.course.quantity import Convention, Tolerance
 from gripcourse.documents.assignment_sheet import TEMPLATE, assignment_sheet, sheet_values
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.policy.model import Policy

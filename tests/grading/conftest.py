@@ -8,7 +8,8 @@ from typing import TypeAlias
 
 import pytest
 
-from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report

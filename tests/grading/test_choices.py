@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Kind, Rounding
+from gripcourse.course.quantity import Kind, Rounding
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor

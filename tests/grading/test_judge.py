@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Outcome
 from gripcourse.policy.bands import band

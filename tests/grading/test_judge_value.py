@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Kind, Quantity, Slip
+from gripcourse.course.quantity import Kind, Quantity, Slip
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.follow_through import range_of
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.rounding import figure_half_unit, reach_of, typed_half_unit

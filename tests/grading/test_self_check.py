@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.self_check import AnswerCheck, State, self_check
 from gripcourse.submission.model import Answer
 from gripcourse.text.number_text import format_number

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.likeness.issued import IssuedValues, issued_values
 from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.solver.plan import Plan, make_plan

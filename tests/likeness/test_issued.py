@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.likeness.issued import issued_values
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.course.model import Kind, Tolerance
+from gripcourse.course.quantity import Kind, Tolerance
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.policy.bands import band, bands, tolerance_of, within

@@ -3,7 +3,8 @@
 import pytest
 
 from gripcourse.course.compose import pair_option_sets
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
 from gripcourse.solver.plan import Plan, make_plan

@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Level
 from gripcourse.text.words import LANGUAGES

@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from gripcourse.course.model import Convention, Course
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.proofs.calculations import (
     PrintedCalculation,
     broken_by,

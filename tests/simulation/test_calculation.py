@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import Hand
 from gripcourse.simulation.calculation import Calculation, Deviation, calculate

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.simulation.arithmetic import DigitRounding, written
 from gripcourse.simulation.cells import cell_of, unfit_unit, with_unit
 from gripcourse.simulation.model import Behaviour, Carrying, Conduct, Style

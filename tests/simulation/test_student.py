@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import band
 from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.model import Action, ActionKind, Conduct, SimulatedWork

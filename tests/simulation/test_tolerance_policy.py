@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.course.model import Tolerance
+from gripcourse.course.quantity import Tolerance
 from gripcourse.errors import UsageError
 from gripcourse.simulation.tolerance_policy import apply_tolerances, with_tolerances
 

@@ -7,7 +7,8 @@ from typing import TypeAlias
 import numpy as np
 import pytest
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula

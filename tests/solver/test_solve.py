@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Convention, Course, Kind, Rounding, WorkedExample
+from gripcourse.course.model import Course, WorkedExample
+from gripcourse.course.quantity import Convention, Kind, Rounding
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import (
     choose,

@@ -12,7 +12,7 @@ from openpyxl import load_workbook
 from openpyxl.utils.datetime import CALENDAR_MAC_1904
 from openpyxl.workbook.defined_name import DefinedName
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.words import Words, message

@@ -10,7 +10,8 @@ from datetime import date
 import pytest
 from pypdf import PdfReader
 
-from gripcourse.course.model import Kind, WorkedExample
+from gripcourse.course.model import WorkedExample
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant

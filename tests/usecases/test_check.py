@@ -8,7 +8,7 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from gripcourse.cli.text import check_text
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import early_slip
 from gripcourse.errors import UsageError
 from gripcourse.grading.self_check import State

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import blank, correct, early_slip
 from gripcourse.errors import UsageError
 from gripcourse.exports.report_result import GradesResult

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Convention
+from gripcourse.course.quantity import Convention
 from gripcourse.errors import UsageError
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.resources import COURSE_FOLDERS, course_root

@@ -6,7 +6,8 @@ import openpyxl
 import pytest
 
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Convention, Course
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Words
 from gripcourse.usecases.solve import (

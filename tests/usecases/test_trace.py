@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.cli.trace import trace_text
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant

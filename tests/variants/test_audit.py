@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.errors import TableError
 from gripcourse.policy.model import Policy
 from gripcourse.variants.accepted import Accepted

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook, load_workbook
 
-from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor

@@ -1,6 +1,6 @@
 """What callers choose by name."""
 
-from gripcourse.course.model import Convention
+from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message

@@ -17,7 +17,7 @@ from gripcourse.api.results import (
     VariantResult,
     VariantsResult,
 )
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.exports.report_result import finite
 from gripcourse.text.units import unit_text

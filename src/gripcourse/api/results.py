@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from gripcourse.course.model import Convention, Kind
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import NextStep
 from gripcourse.exports.plain import from_plain, to_plain
 from gripcourse.grading.self_check import State

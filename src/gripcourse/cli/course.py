@@ -49,7 +49,9 @@ def validate(
     from gripcourse.usecases.validate import all_problems, scheme_problems
 
     words, root = words_for(language), course_folder(course)
-    problems = all_problems(root) if scheme is None else scheme_problems(root, scheme)
+    problems = (
+        all_problems(root, thorough=prove) if scheme is None else scheme_problems(root, scheme)
+    )
     if problems:
         raise GripcourseError(problems)
     confirm(

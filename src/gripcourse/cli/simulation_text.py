@@ -12,7 +12,7 @@ from gripcourse.text.words import Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
-    from gripcourse.course.model import Tolerance
+    from gripcourse.course.quantity import Tolerance
     from gripcourse.policy.model import Policy
     from gripcourse.simulation.confusion import GraderEvaluation
     from gripcourse.simulation.rates import Rate

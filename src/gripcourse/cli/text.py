@@ -20,7 +20,7 @@ from gripcourse.text.words import Message, Texts, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
-    from gripcourse.course.model import Convention
+    from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.audit import WrittenAudit
     from gripcourse.usecases.check import CheckedWorkbook
@@ -39,7 +39,7 @@ def misuse(what: Message, remedy: Message | None = None) -> UsageError:
 
 def chosen_convention(name: str | None) -> "Convention | None":
     """Read the convention that a user chose; None for the course's."""
-    from gripcourse.course.model import Convention
+    from gripcourse.course.quantity import Convention
     from gripcourse.text.suggestion import did_you_mean
 
     if name is None or name in list(Convention):

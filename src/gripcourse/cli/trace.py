@@ -21,7 +21,7 @@ from gripcourse.text.words import Words, message
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from gripcourse.course.model import Quantity
+    from gripcourse.course.quantity import Quantity
     from gripcourse.likeness.trace import Match
     from gripcourse.usecases.trace import Traced
 

@@ -25,7 +25,8 @@ from gripcourse.course.compose import (
     part_ids,
     used_names,
 )
-from gripcourse.course.model import Course, Kind, Quantity, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
 from gripcourse.text.suggestion import did_you_mean

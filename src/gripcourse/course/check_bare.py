@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.parse import caret
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation, walk

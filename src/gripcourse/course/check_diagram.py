@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.course.diagram_words import VOCABULARY, Sort
-from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.model import Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.compose import compose
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme, WorkedExample
+from gripcourse.course.model import Course, Scheme, WorkedExample
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message

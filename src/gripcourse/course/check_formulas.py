@@ -7,7 +7,7 @@ import numpy as np
 from gripcourse.course.check_bare import bare_numbers
 from gripcourse.course.check_guards import check_guard
 from gripcourse.course.check_slips import slip_faults
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import Column

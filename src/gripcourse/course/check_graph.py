@@ -4,7 +4,8 @@ from collections.abc import Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from gripcourse.course.compose import all_part_ids, direct_inputs
-from gripcourse.course.model import Convention, Course, Quantity, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Convention, Quantity
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
 

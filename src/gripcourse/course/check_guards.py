@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.tree import Name, Node, Number, Operation
 from gripcourse.text.units import factor, known

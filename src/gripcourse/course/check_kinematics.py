@@ -3,7 +3,8 @@
 from collections.abc import Collection, Iterator, Mapping
 
 from gripcourse.course.kinematics import Kinematics
-from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.model import Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret

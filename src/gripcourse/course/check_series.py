@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
 from gripcourse.text.suggestion import did_you_mean

@@ -6,7 +6,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Quantity, Slip
+from gripcourse.course.quantity import Quantity, Slip
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column, evaluate
 from gripcourse.text.units import known

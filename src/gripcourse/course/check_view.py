@@ -3,7 +3,8 @@
 from collections.abc import Collection, Iterator, Mapping
 from graphlib import CycleError, TopologicalSorter
 
-from gripcourse.course.model import Quantity, Scheme
+from gripcourse.course.model import Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.course.view import SHAPES, Expression, Need, Ring, View, ViewPart
 from gripcourse.errors import Problem

@@ -8,7 +8,7 @@ own name, so that nobody takes it for the result.
 from collections.abc import Iterator, Mapping
 from typing import TypeGuard
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.boxes import Box, Script, Text, reading
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Node, walk

@@ -7,7 +7,8 @@ from itertools import combinations, product
 from typing import TypeAlias
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.formula.tree import Formula
 
 _Pair: TypeAlias = tuple[tuple[int, int], tuple[int, int]]

@@ -9,12 +9,7 @@ from gripcourse.course.declare_formulas import (
     read_slips,
     read_versions,
 )
-from gripcourse.course.model import (
-    Kind,
-    Quantity,
-    Source,
-    Tolerance,
-)
+from gripcourse.course.quantity import Kind, Quantity, Source, Tolerance
 from gripcourse.course.quantity_keys import WIDEST_TOLERANCE
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 
-from gripcourse.course.model import AsPrinted, Choice, Rounding, Slip
+from gripcourse.course.quantity import AsPrinted, Choice, Rounding, Slip
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.course.written_formula import read_formula

@@ -4,8 +4,8 @@ from typing import Final
 
 from gripcourse.course.diagram_keys import DIAGRAM, SHARED_DIAGRAM
 from gripcourse.course.kinematics import KINEMATICS, POSITION
-from gripcourse.course.model import Convention
 from gripcourse.course.note import NOTE
+from gripcourse.course.quantity import Convention
 from gripcourse.course.quantity_keys import CONSTANT, OVERRIDES, QUANTITIES, SOURCE
 from gripcourse.course.shape import (
     Shape,

@@ -13,19 +13,11 @@ from gripcourse.course.diagram import Element, read_elements
 from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
-from gripcourse.course.model import (
-    Catalogue,
-    Convention,
-    Course,
-    Part,
-    Quantity,
-    Scheme,
-    Section,
-    Work,
-)
+from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, Work
 from gripcourse.course.note import read_notes
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
+from gripcourse.course.quantity import Convention, Quantity
 from gripcourse.course.scheme import Shared, read_scheme
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from gripcourse.course.declare import declare
 from gripcourse.course.kinematics import Kinematics
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.course.toml_table import Table
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Final
 
-from gripcourse.course.model import Kind, Rounding
+from gripcourse.course.quantity import Kind, Rounding
 from gripcourse.course.shape import (
     Key,
     KeySort,

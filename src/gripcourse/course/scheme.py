@@ -8,14 +8,10 @@ from gripcourse.course.declare import declare, source
 from gripcourse.course.diagram import Element, read_diagram
 from gripcourse.course.keys import EXAMPLE, SCHEME
 from gripcourse.course.kinematics import Kinematics, read_kinematics
-from gripcourse.course.model import (
-    Convention,
-    Option,
-    Scheme,
-    WorkedExample,
-)
+from gripcourse.course.model import Option, Scheme, WorkedExample
 from gripcourse.course.options import scheme_options
 from gripcourse.course.override import RawPart, read_overrides
+from gripcourse.course.quantity import Convention
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
 from gripcourse.course.view_keys import VIEW

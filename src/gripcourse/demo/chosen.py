@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant, to_si

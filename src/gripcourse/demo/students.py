@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Final, TypeAlias
 
-from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.demo.chosen import early_mistake, larger_unit, measured, smaller_sizes
 from gripcourse.simulation.write import Typed, fill
 from gripcourse.solver.plan import Plan, plan_of

@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Section, Tolerance
+from gripcourse.course.model import Course, Section
 from gripcourse.course.note import NotedDocument, notes_of
+from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
 from gripcourse.documents.pdf import Document, picture, render_fitting
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST

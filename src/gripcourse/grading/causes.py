@@ -3,7 +3,7 @@
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Against, Cause, Finding, Outcome
 from gripcourse.grading.substitution import Substitution
 from gripcourse.solver.plan import Plan

@@ -8,7 +8,7 @@ from typing import Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Choice, Quantity, Rounding
+from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.comparison import Comparison
 from gripcourse.solver.plan import Plan

@@ -10,7 +10,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.follow_through import follow
 from gripcourse.grading.judge_choice import judge_choice_answer

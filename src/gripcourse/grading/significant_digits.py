@@ -2,7 +2,7 @@
 
 import math
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Answer
 from gripcourse.text.words import Message, message

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.grading.comparison import Comparison, Judgement
 from gripcourse.grading.diagnose import CandidatesOf, diagnose
 from gripcourse.grading.follow_through import FollowThrough, follow

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
 from gripcourse.likeness.matches import Floats
 from gripcourse.solver.plan import Plan, plan_of

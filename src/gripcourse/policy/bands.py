@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Kind, Quantity, Tolerance
+from gripcourse.course.quantity import Kind, Quantity, Tolerance
 from gripcourse.policy.model import Policy
 from gripcourse.text.units import factor
 

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.course.quantity_keys import TOLERANCE
 from gripcourse.course.shape import (
     Shape,

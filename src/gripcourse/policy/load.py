@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from gripcourse.course.declare import tolerance
-from gripcourse.course.model import Course, Kind, Tolerance
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Tolerance
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import CourseError, Problem

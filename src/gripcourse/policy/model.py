@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.course.model import Tolerance
+from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.rubric import Rubric
 from gripcourse.policy.slips import SlipPolicy
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 

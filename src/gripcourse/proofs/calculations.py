@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gripcourse.course.model import Convention, Course
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, concluded
 from gripcourse.proofs.published_cases import PublishedCase

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.compose import compose, pair_option_sets
-from gripcourse.course.model import Course, Quantity, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import is_condition, measured_by
 from gripcourse.formula.parse import FormulaFault, caret

@@ -12,7 +12,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.parse import FormulaFault

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from gripcourse.course.model import Convention, Quantity
+from gripcourse.course.quantity import Convention, Quantity
 from gripcourse.documents.report.angles import in_radians
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import evaluate

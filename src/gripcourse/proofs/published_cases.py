@@ -20,7 +20,8 @@ from dataclasses import dataclass
 from gripcourse.course.compose import compose
 from gripcourse.course.declare import source
 from gripcourse.course.keys import PUBLISHED_CASES
-from gripcourse.course.model import Course, Kind, Scheme, Source
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Kind, Source
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.text.suggestion import did_you_mean

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from gripcourse.course.compose import part_ids
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Convention, Course, Kind, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import TableError
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gripcourse.course.model import Convention, Kind
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import Problem
 from gripcourse.formula.parse import caret
 from gripcourse.proofs.calculations import PrintedCalculation

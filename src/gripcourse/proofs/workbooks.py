@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Final
 from xml.etree.ElementTree import iterparse
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.errors import Problem
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import Trial

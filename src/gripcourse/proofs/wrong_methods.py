@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TypeAlias
 
-from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Array, evaluate
 from gripcourse.formula.tree import Formula

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gripcourse.course.model import Choice, Kind, Quantity
+from gripcourse.course.quantity import Choice, Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Formula
 from gripcourse.simulation.arithmetic import PI, Array, Hand, with_own_pi

@@ -6,7 +6,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
 from gripcourse.simulation.model import Behaviour, Style
 from gripcourse.text.conventions import decimal_sign

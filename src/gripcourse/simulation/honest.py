@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.rounding import inward

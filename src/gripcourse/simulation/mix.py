@@ -6,7 +6,8 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TypeVar
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.grading.model import FlagCode

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.course.model import Kind, Quantity, Rounding
+from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array
 from gripcourse.simulation.behaviour import hand_of

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.policy.bands import tolerance_of
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import Array, written

@@ -12,7 +12,8 @@ from itertools import chain
 from typing import TypeAlias
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind, Quantity, Tolerance
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity, Tolerance
 from gripcourse.jobs.pools import pool_for
 from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.bands import tolerance_of

@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
-from gripcourse.course.model import Tolerance
+from gripcourse.course.quantity import Tolerance
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
 from gripcourse.text.words import message

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from gripcourse.course.column_symbols import column_symbols
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset

@@ -12,7 +12,7 @@ from itertools import combinations
 from types import MappingProxyType
 from typing import Final, TypeAlias
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import GenericSlip, SlipKind
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled

@@ -13,7 +13,8 @@ from gripcourse.course.compose import (
     reference_formula,
 )
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Convention, Course, Kind, Quantity, Scheme
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula

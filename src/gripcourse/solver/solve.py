@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gripcourse.course.model import Choice, Convention, Kind, Quantity, Rounding
+from gripcourse.course.quantity import Choice, Convention, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Call, Formula, Name
 from gripcourse.solver.plan import Plan

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.submission.raw import RawCell, RawWorkbook

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Final
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.submission.dates import names_month
 from gripcourse.submission.significant_digits import figures_of_number
 from gripcourse.text.number_reading import (

@@ -4,7 +4,7 @@ import re
 from datetime import date, datetime, time, timedelta
 from typing import Final
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.submission.dates import about_date, about_time, is_serial_date, serial_date
 from gripcourse.submission.measure import Understood, from_number, from_text
 from gripcourse.submission.raw import CellValue, RawCell

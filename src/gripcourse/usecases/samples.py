@@ -9,7 +9,8 @@ from datetime import date
 from itertools import cycle
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.documents.kind import Maker, SampleDocument
 from gripcourse.documents.registry import document_kinds
 from gripcourse.grading.judge import judge

@@ -5,7 +5,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from gripcourse.course.model import Convention, Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.machine.files import replacing, write_bytes
 from gripcourse.solver.plan import Plan, default_options, make_plan, plan_of, usual_values

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from gripcourse.course.compose import compose
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.issuing.store import read_register
 from gripcourse.likeness.issued import issued_values

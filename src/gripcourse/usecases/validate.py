@@ -30,12 +30,18 @@ from gripcourse.variants.table import read_table
 _NEEDED = ("pango", "harfbuzz-subset", "translation")
 
 
-def all_problems(root: Path) -> list[Problem]:
-    """Return every problem of a course, whatever file it is in, and of this machine with it."""
+def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
+    """Return every problem of a course, whatever file it is in, and of this machine with it.
+
+    Args:
+        root: of the course.
+        thorough: look at every combination of options, and not only at any two choices together:
+            some seconds for what three options do to each other.
+    """
     course, problems = read_course(root)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course, thorough=True), *read_policy(course)[1]]
+    problems = [*problems, *check_course(course, thorough=thorough), *read_policy(course)[1]]
     problems += _mix_problems(course)
     problems += register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only

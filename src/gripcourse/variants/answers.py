@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.tree import Formula
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import SLACK
 from gripcourse.policy.model import Policy, VariantRules
 from gripcourse.text.words import Message

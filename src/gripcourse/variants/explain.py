@@ -5,7 +5,7 @@ from functools import reduce
 
 import numpy as np
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula, names
 from gripcourse.solver.plan import Plan

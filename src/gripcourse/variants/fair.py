@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import choose, from_si, reference_rounding

@@ -12,7 +12,8 @@ from functools import lru_cache
 from importlib.resources import files
 
 from gripcourse.course.compose import compose, pair_option_sets
-from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, read_unit

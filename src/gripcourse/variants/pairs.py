@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import TypeAlias
 
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.course.toml_table import Table
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, factor

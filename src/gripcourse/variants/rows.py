@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.model import Course, Option, Quantity, Scheme
+from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from gripcourse.course.model import Kind
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import message
 from gripcourse.variants.accepted import Accepted

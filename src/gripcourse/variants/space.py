@@ -12,7 +12,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.course.compose import all_part_ids, compose, option_sets, pair_option_sets
-from gripcourse.course.model import Course, Option, Quantity, Scheme
+from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.quantity import Quantity
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.tree import Formula

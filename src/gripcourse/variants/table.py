@@ -14,7 +14,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from gripcourse.course.compose import compose, pair_option_sets
-from gripcourse.course.model import Course, Kind, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes

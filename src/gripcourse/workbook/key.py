@@ -12,7 +12,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.course.model import Convention, Kind
+from gripcourse.course.quantity import Convention, Kind
 from gripcourse.machine.files import write_bytes
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant

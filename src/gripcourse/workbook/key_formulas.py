@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from gripcourse.course.model import Quantity, Rounding
+from gripcourse.course.quantity import Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.excel import excel_form
 from gripcourse.formula.tree import Call, Formula, Name, names

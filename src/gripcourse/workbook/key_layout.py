@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Final
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.layout import CellPlace

@@ -1,7 +1,7 @@
 """What the key says about a quantity in words: its formula on one line, source, tolerance."""
 
 from gripcourse.course.column_symbols import column_symbols
-from gripcourse.course.model import Kind, Quantity, Rounding
+from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Call, Formula, names, walk

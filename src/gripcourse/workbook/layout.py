@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Final
 
-from gripcourse.course.model import Quantity, Section
+from gripcourse.course.model import Section
+from gripcourse.course.quantity import Quantity
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message

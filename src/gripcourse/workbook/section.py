@@ -5,7 +5,8 @@ A check cell says what is wrong with the kind of an answer, never with its value
 
 from typing import TYPE_CHECKING, Final
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Issued
 from gripcourse.workbook import names

@@ -7,7 +7,8 @@ from html.parser import HTMLParser
 import pytest
 
 from gripcourse.course.compose import compose, option_sets
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words
 

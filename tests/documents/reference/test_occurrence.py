@@ -1,7 +1,8 @@
 """Where the declarations of a scheme come from, and when a variant has them."""
 
 from gripcourse.course.compose import direct_inputs
-from gripcourse.course.model import Convention, Course
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.documents.reference.occurrence import conditions_of, content_of
 
 SCHEME = "rack_parallelogram"

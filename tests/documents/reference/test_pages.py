@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words
 from gripcourse.usecases.reference import write_reference

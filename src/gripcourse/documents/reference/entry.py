@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.model import AsPrinted, Choice, Course, Kind, Quantity, Rounding, Source
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import AsPrinted, Choice, Kind, Quantity, Rounding, Source
 from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
 from gripcourse.documents.reference.occurrence import Condition, Content, Occurrence
 from gripcourse.formula.boxes import Box

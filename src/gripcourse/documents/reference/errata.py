@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from gripcourse.course.errata import Erratum
-from gripcourse.course.model import Course, Source
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Source
 from gripcourse.documents.reference.entry import Citation, citation
 from gripcourse.documents.reference.notation import symbol_of
 from gripcourse.documents.reference.occurrence import Content

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.compose import part_ids
-from gripcourse.course.model import Convention, Kind, Quantity, WorkedExample
+from gripcourse.course.model import WorkedExample
+from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.documents.reference.entry import BringingOption, Citation, Link, citation, link_to
 from gripcourse.documents.reference.occurrence import Content, Occurrence
 from gripcourse.solver.plan import Plan, make_plan

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from gripcourse.course.compose import used_names
-from gripcourse.course.model import Kind, Quantity, Rounding
+from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.documents.reference.occurrence import Content, Occurrence
 from gripcourse.formula.boxes import Box, Row, Text
 from gripcourse.formula.tree import Call, Formula, walk

@@ -4,15 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.compose import all_part_ids, direct_inputs, used_names
-from gripcourse.course.model import (
-    Convention,
-    Course,
-    Option,
-    OptionChoice,
-    Part,
-    Quantity,
-    Scheme,
-)
+from gripcourse.course.model import Course, Option, OptionChoice, Part, Scheme
+from gripcourse.course.quantity import Convention, Quantity
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.model import Course, Kind
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.entry import (

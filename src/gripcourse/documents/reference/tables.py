@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.model import Catalogue, Quantity
+from gripcourse.course.model import Catalogue
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.entry import Link, link_to
 from gripcourse.documents.reference.notation import columns_in
 from gripcourse.documents.reference.occurrence import Content

@@ -7,7 +7,7 @@ there an angle stands for the ratio of an arc to its radius.
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Operation, names
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gripcourse.course.model import Kind, Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.marked import MarkedItem, marked_item
 from gripcourse.documents.report.root_causes import name_of
 from gripcourse.documents.report.verdicts import AGAINST_WORDS

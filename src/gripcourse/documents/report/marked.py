@@ -9,7 +9,7 @@ import statistics
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.grading.model import Decision, Finding, Report
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Rubric, RubricLine

@@ -4,7 +4,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.course.model import Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.grading.model import Finding, FlagCode, Report
 from gripcourse.policy.slips import SlipKind, SlipPolicy
 from gripcourse.slips.model import DECLARED, USED, SlipId

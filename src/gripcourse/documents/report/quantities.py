@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.report.charts import Bar
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.items import FEWEST, ItemStatistics, ItemView

@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.course.model import Course, Quantity
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.assignment_sheet import drawn_diagram, given_data, option_pairs
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.worked import entering_units, worked_line

@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import Final
 
 from gripcourse.course.column_symbols import column_symbols, reads_value
-from gripcourse.course.model import Kind, Quantity, Rounding
+from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.documents.report.angles import in_radians
 from gripcourse.formula.boxes import Box, Row, Text
 from gripcourse.formula.tree import Formula, Name, Node, Operation, names
