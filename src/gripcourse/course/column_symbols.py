@@ -46,17 +46,26 @@ def _readings(node: Node) -> Iterator[Call]:
     return (one for one in walk(node) if reads_value(one))
 
 
+def readers_of(node: Node, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
+    """Return by id the quantities that read a column that an expression reads too."""
+    columns = {call.column for call in _readings(node)}
+    return {
+        name: one for name, one in quantities.items() if columns and _column_read(one) in columns
+    }
+
+
 def _reader(column: str | None, quantities: Mapping[str, Quantity]) -> Quantity | None:
     """Return the only quantity whose formula is a reading of a column."""
-    readers = [
-        one
-        for one in quantities.values()
-        if one.formula is not None
-        and one.choice is None
-        and reads_value(one.formula.tree)
-        and one.formula.tree.column == column
-    ]
+    readers = [one for one in quantities.values() if _column_read(one) == column]
     return readers[0] if len(readers) == 1 else None
+
+
+def _column_read(quantity: Quantity) -> str | None:
+    """Return the column that a quantity is a reading of; empty where it is none."""
+    formula = quantity.formula
+    if formula is None or quantity.choice is not None or not reads_value(formula.tree):
+        return ""
+    return formula.tree.column
 
 
 def _name_box(column: str) -> Box:

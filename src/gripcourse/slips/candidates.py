@@ -1,14 +1,18 @@
 """The candidates of a quantity: its declared slips, then what the generic kinds make of it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
 
-from gripcourse.course.column_symbols import column_symbols
+from gripcourse.course.column_symbols import column_symbols, readers_of
+from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.formula.evaluate import Column
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipPolicy
-from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
+from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings, other_ends
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
@@ -16,6 +20,7 @@ from gripcourse.text.units import known, unit_text
 from gripcourse.text.words import LANGUAGES, Texts
 
 _GENERIC = frozenset({Kind.FORMULA, Kind.PICK})
+_REMEMBERED = 4096  # quantities: several courses of the size of the reference course
 
 
 def candidates_of(plan: Plan, identifier: str, policy: SlipPolicy) -> tuple[Candidate, ...]:
@@ -30,22 +35,87 @@ def candidates_of(plan: Plan, identifier: str, policy: SlipPolicy) -> tuple[Cand
         Declared slips first. No candidate has the tree of the right formula or of an earlier
         candidate; of several that give one value only the numbers of a variant can tell.
     """
-    quantity = plan.quantities[identifier]
     formula = plan.reference_formula(identifier)
-    if formula is None:
-        return ()
+    return () if formula is None else _made_of(_declared(plan, identifier, formula, policy))
+
+
+@dataclass(frozen=True, slots=True)
+class _Declared:
+    """All that the candidates of a quantity follow from: many compositions share it.
+
+    Attributes:
+        key: which objects these are; they are kept with it, so that no other takes their numbers.
+        kinds: of generic slips, in order.
+        quantities, earlier, columns, catalogues: see `generic.Surroundings`.
+    """
+
+    key: tuple[object, ...]
+    quantity: Quantity = field(compare=False)
+    formula: Formula = field(compare=False)
+    policy: SlipPolicy = field(compare=False)
+    kinds: tuple[GenericSlip, ...] = field(compare=False)
+    quantities: Mapping[str, Quantity] = field(compare=False)
+    earlier: frozenset[str] = field(compare=False)
+    columns: Mapping[str, Column] = field(compare=False)
+    catalogues: Mapping[str, Catalogue] = field(compare=False)
+
+
+def _declared(plan: Plan, identifier: str, formula: Formula, policy: SlipPolicy) -> _Declared:
+    """Collect what the candidates of a quantity follow from."""
+    kinds = tuple(policy.kinds.values())
+    ends = {
+        other
+        for slip in kinds
+        for name in formula.names
+        for other in other_ends(name, slip)
+        if other in plan.quantities
+    }
+    earlier = _before(plan, identifier, ends)
+    near = {name: plan.quantities[name] for name in (*formula.names, *sorted(ends))}
+    near |= readers_of(formula.tree, plan.quantities)
+    quantity, catalogues = plan.quantities[identifier], plan.course.catalogues
+    key = (
+        *(id(one) for one in (quantity, formula, catalogues, *kinds)),
+        policy.declared,
+        *((name, id(one)) for name, one in near.items()),
+        earlier,
+    )
+    return _Declared(key, quantity, formula, policy, kinds, near, earlier, plan.columns, catalogues)
+
+
+def _before(plan: Plan, identifier: str, names: Collection[str]) -> frozenset[str]:
+    """Return those of the quantities that are computed before another one."""
+    if not names:
+        return frozenset()
+    order = list(plan.quantities)
+    return frozenset(names).intersection(order[: order.index(identifier)])
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _made_of(declared: _Declared) -> tuple[Candidate, ...]:
+    quantity, formula, policy = declared.quantity, declared.formula, declared.policy
     found = [
         Candidate(SlipId.declared(slip.id), slip.formula, policy.declared, slip.credit, slip.hint)
         for slip in quantity.slips
     ]
     found = [one for one in found if one.formula.tree != formula.tree]
     if quantity.kind in _GENERIC:
-        order = list(plan.quantities)
-        earlier = frozenset(order[: order.index(identifier)])
-        for slip in policy.kinds.values():
+        for slip in declared.kinds:
             taken = {formula.tree, *(one.formula.tree for one in found)}
-            found += _of_kind(Surroundings(plan, quantity, formula, slip, earlier), taken)
+            found += _of_kind(_surroundings(declared, slip), taken)
     return tuple(found)
+
+
+def _surroundings(declared: _Declared, slip: GenericSlip) -> Surroundings:
+    return Surroundings(
+        quantities=declared.quantities,
+        columns=declared.columns,
+        catalogues=declared.catalogues,
+        quantity=declared.quantity,
+        formula=declared.formula,
+        slip=slip,
+        earlier=declared.earlier,
+    )
 
 
 def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
@@ -59,7 +129,7 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,
-            hint=_hint(around.plan, slip, one.places),
+            hint=_hint(around.quantities, slip, one.places),
         )
 
 
@@ -68,18 +138,20 @@ def _is_known(one: Rewritten, formula: Formula) -> bool:
     return not formula.units or set(names(one.tree)) <= formula.units.keys()
 
 
-def _hint(plan: Plan, slip: GenericSlip, places: Mapping[str, Place]) -> Texts:
+def _hint(
+    quantities: Mapping[str, Quantity], slip: GenericSlip, places: Mapping[str, Place]
+) -> Texts:
     return Texts(
         {
             language: slip.hint.of(language).format(
-                **{name: _written(plan, place, language) for name, place in places.items()}
+                **{name: _written(quantities, place, language) for name, place in places.items()}
             )
             for language in LANGUAGES
         }
     )
 
 
-def _written(plan: Plan, place: Place, language: str) -> str:
+def _written(quantities: Mapping[str, Quantity], place: Place, language: str) -> str:
     match place:
         case Quantity():
             symbol = text(declared_symbol(place.symbol.of(language)))
@@ -90,7 +162,7 @@ def _written(plan: Plan, place: Place, language: str) -> str:
             return unit_text(place, language) if place and known(place) else place or "1"
         case _:
             symbols = {
-                name: symbol_box(plan.quantities[name].symbol.of(language)) for name in names(place)
+                name: symbol_box(quantities[name].symbol.of(language)) for name in names(place)
             }
-            columns = column_symbols(place, None, plan.quantities, language)
+            columns = column_symbols(place, None, quantities, language)
             return text(typeset(place, symbols | columns, language))

@@ -12,11 +12,12 @@ from itertools import combinations
 from types import MappingProxyType
 from typing import Final, TypeAlias
 
+from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Quantity
+from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import GenericSlip, SlipKind
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
-from gripcourse.solver.plan import Plan
 from gripcourse.text.units import dimension, factor
 
 # A declaration stands for itself; so do a number, a unit, a piece of the formula.
@@ -28,10 +29,15 @@ class Surroundings:
     """A formula with what a generator may look at.
 
     Attributes:
+        quantities: what the formula names, what has the same name but for its end, and what reads
+            the same column of a catalogue; by id.
+        columns, catalogues: of the course.
         earlier: ids of the quantities that are known before this one.
     """
 
-    plan: Plan
+    quantities: Mapping[str, Quantity]
+    columns: Mapping[str, Column]
+    catalogues: Mapping[str, Catalogue]
     quantity: Quantity
     formula: Formula
     slip: GenericSlip
@@ -39,10 +45,10 @@ class Surroundings:
 
     def named(self, node: Node) -> Quantity | None:
         """Return the quantity that a node names, if it is one that this kind concerns."""
-        if not isinstance(node, Name) or node.id not in self.plan.quantities:
+        if not isinstance(node, Name) or node.id not in self.quantities:
             return None
         concerned = not self.slip.names or any(fnmatchcase(node.id, p) for p in self.slip.names)
-        return self.plan.quantities[node.id] if concerned else None
+        return self.quantities[node.id] if concerned else None
 
     def dimensionless(self, node: Node) -> Quantity | None:
         """Return the plain number that a node names: a factor such as an efficiency."""
@@ -106,7 +112,7 @@ def _power_of_ten(around: Surroundings) -> Iterator[Rewritten]:
 
 def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
     for name in around.formula.names:
-        quantity = around.plan.quantities[name]
+        quantity = around.quantities[name]
         ratios = {ratio for _, ratio in _other_units(around, quantity.unit)}
         for ratio in sorted(ratios | {1 / one for one in ratios}):
             tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
@@ -245,7 +251,7 @@ def _power(around: Surroundings) -> Iterator[Rewritten]:
 
 def _swapped(around: Surroundings) -> Iterator[Rewritten]:
     for one, other in combinations(around.formula.names, 2):
-        first, second = around.plan.quantities[one], around.plan.quantities[other]
+        first, second = around.quantities[one], around.quantities[other]
         if dimension(first.unit) == dimension(second.unit):
             tree = renamed(around.formula.tree, {one: Name(other), other: Name(one)})
             yield Rewritten(f"{one},{other}", tree, {"quantity": first, "other": second})
@@ -254,23 +260,29 @@ def _swapped(around: Surroundings) -> Iterator[Rewritten]:
 def _wrong_end(around: Surroundings) -> Iterator[Rewritten]:
     pairs = {name: other for name in around.formula.names for other in _other_ends(around, name)}
     for name, other in pairs.items():
-        places = {"quantity": around.plan.quantities[name], "other": around.plan.quantities[other]}
+        places = {"quantity": around.quantities[name], "other": around.quantities[other]}
         yield Rewritten(name, renamed(around.formula.tree, {name: Name(other)}), places)
     if len(pairs) > 1:
         name, other = next(iter(pairs.items()))
-        places = {"quantity": around.plan.quantities[name], "other": around.plan.quantities[other]}
+        places = {"quantity": around.quantities[name], "other": around.quantities[other]}
         swapped = {one: Name(another) for one, another in pairs.items()}
         yield Rewritten("all", renamed(around.formula.tree, dict(swapped)), places)
 
 
 def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
     """Yield the quantities that are called the same but for the ending, at most one per pair."""
-    unit = around.plan.quantities[name].unit
-    for pair in around.slip.pairs:
+    unit = around.quantities[name].unit
+    for other in other_ends(name, around.slip):
+        if other in around.earlier and around.quantities[other].unit == unit:
+            yield other
+
+
+def other_ends(name: str, slip: GenericSlip) -> Iterator[str]:
+    """Yield the ids that are a name with its ending changed for the other of a pair."""
+    for pair in slip.pairs:
         for one, another in (pair, pair[::-1]):
             other = name.removesuffix(one) + another
-            known = other in around.earlier and around.plan.quantities[other].unit == unit
-            if name.endswith(one) and other != name and known:
+            if name.endswith(one) and other != name:
                 yield other
 
 
@@ -302,8 +314,8 @@ def _sign(around: Surroundings) -> Iterator[Rewritten]:
 def _other_row(around: Surroundings) -> Iterator[Rewritten]:
     match around.formula.tree:
         case Call("lookup", _, str(column)) as call:
-            series = around.plan.columns[column]
-            catalogue = around.plan.course.catalogues[column.partition(".")[0]]
+            series = around.columns[column]
+            catalogue = around.catalogues[column.partition(".")[0]]
             unit = factor(next(iter(catalogue.units.values())))
             for size in series.sizes:
                 tree = replace(call, arguments=(number(float(size)),))
