@@ -7,7 +7,9 @@ from pathlib import Path
 SOURCES = Path(__file__).parents[1] / "src" / "gripcourse"
 
 # Names that may stand for two things, each with the reason.
-JUSTIFIED: dict[str, str] = {}
+JUSTIFIED: dict[str, str] = {
+    "Course": "the library's course is the course, with what can be done with it",
+}
 
 
 def places_of_classes() -> dict[str, list[str]]:

@@ -24,7 +24,7 @@ from gripcourse.proofs.calculations import PrintedCalculation, calculations
 from gripcourse.proofs.declared import DeclaredProof, load_declared_proofs
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.published_cases import load_published_cases
-from gripcourse.proofs.samples import Source, Trial
+from gripcourse.proofs.samples import SampleSource, Trial
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.variants.cases import Cases
@@ -166,7 +166,7 @@ def printed_calculations() -> tuple[PrintedCalculation, ...]:
 def subject(course: Course, policy: Policy) -> Subject:
     """What is proved of the reference course."""
     return Subject(
-        Source(course, all_spaces(), COUNT, SEED),
+        SampleSource(course, all_spaces(), COUNT, SEED),
         policy,
         load_declared_proofs(course),
         printed_calculations(),

@@ -14,7 +14,7 @@ from gripcourse.proofs.model import Verdict
 from gripcourse.proofs.operators import FlippedFormula, flipped_formulas, mutants
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.samples import Trial
-from gripcourse.proofs.survivors import Ground, prove_operators
+from gripcourse.proofs.survivors import ProofGround, prove_operators
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, choose, reference_rounding
 
@@ -43,7 +43,7 @@ def test_a_flipped_operator_breaks_what_is_printed_of_its_quantity(
     subject: Subject, trials: dict[str, tuple[Trial, ...]]
 ) -> None:
     every = tuple(one for own in trials.values() for one in own)
-    ground = Ground(subject.source, subject.calculations, subject.declared, every)
+    ground = ProofGround(subject.source, subject.calculations, subject.declared, every)
     results = tuple(prove_operators(ground))
     assert [one.problems for one in results if one.verdict is Verdict.FAILS] == []
     assert sum(one.compared for one in results) > 1000

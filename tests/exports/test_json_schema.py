@@ -6,7 +6,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from gripcourse.course.shape import Key, Shape, Sort, number, table, text
+from gripcourse.course.shape import Key, KeySort, Shape, number, table, text
 from gripcourse.course.toml_table import Table
 from gripcourse.exports.json_schema import json_schema
 from gripcourse.exports.key_page import FileKind, key_page
@@ -98,7 +98,7 @@ class TestShapes:
         assert "Did you mean 'name'?" in str(inner.problems[0].remedy)
 
     def test_the_sorts_are_all_in_the_schema(self) -> None:
-        for sort in Sort:
+        for sort in KeySort:
             key = Key(sort, "Something.", inside=Shape({}), form={"type": "string"})
             schema = json_schema("all", Shape({"one": key}))
             assert "description" in schema["properties"]["one"]  # type: ignore[index]

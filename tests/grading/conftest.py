@@ -3,15 +3,18 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import date
+from functools import cache
 from typing import TypeAlias
 
 import pytest
 
 from gripcourse.course.model import Convention, Course, Kind
+from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report
 from gripcourse.grading.rounding import figure_half_unit
 from gripcourse.policy.model import Policy
+from gripcourse.slips.candidates import candidates_of
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
@@ -25,6 +28,18 @@ SIGNATURE = "a1" * 32
 
 Written: TypeAlias = float | str | Answer | None
 """What stands in an answer cell: a number, text that is none, nothing; or an answer as read."""
+
+
+_METHODS: dict[tuple[int, int], tuple[Plan, Policy, CandidatesOf]] = {}
+
+
+def methods_of(plan: Plan, policy: Policy) -> CandidatesOf:
+    """Make the wrong methods of a composition's quantities once, not for every answer."""
+    key = (id(plan), id(policy))
+    if key not in _METHODS:  # with what its numbers are of, which is thus not given away
+        methods = cache(lambda name: candidates_of(plan, name, policy.slips))
+        _METHODS[key] = (plan, policy, methods)
+    return _METHODS[key][2]
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -99,7 +114,9 @@ class Case:
         return replace(whole, **changes)  # type: ignore[arg-type]
 
     def judge(self, answers: Mapping[str, Written], **changes: object) -> Report:
-        return judge(self.submission(answers, **changes), self.issued, self.plan, self.policy)
+        methods = methods_of(self.plan, self.policy)
+        read = self.submission(answers, **changes)
+        return judge(read, self.issued, self.plan, self.policy, methods)
 
     def findings(self, answers: Mapping[str, Written], **changes: object) -> dict[str, Finding]:
         return {one.quantity: one for one in self.judge(answers, **changes).findings}

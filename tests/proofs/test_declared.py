@@ -11,7 +11,7 @@ from gripcourse.errors import CourseError
 from gripcourse.proofs.declared import FILE, DeclaredProofs, load_declared_proofs
 from gripcourse.proofs.declared_trials import prove_declared
 from gripcourse.proofs.model import Verdict
-from gripcourse.proofs.samples import Source
+from gripcourse.proofs.samples import SampleSource
 
 IDENTITY = """
 [[proof]]
@@ -65,7 +65,7 @@ def test_a_course_without_proofs_declares_none(course: Course, tmp_path: Path) -
 def test_what_is_right_holds_at_the_worked_example(with_file: Write, text: str) -> None:
     course = with_file(FILE, text)
     [proof] = load_declared_proofs(course).proofs
-    result = prove_declared(proof, Source(course, (), 1, 1), None)
+    result = prove_declared(proof, SampleSource(course, (), 1, 1), None)
     assert (result.verdict, result.compared) == (Verdict.HOLDS, 1)
 
 
@@ -84,7 +84,7 @@ def test_what_is_wrong_fails_with_a_scheme_and_a_variant(
     assert old in text
     course = with_file(FILE, text.replace(old, new))
     [proof] = load_declared_proofs(course).proofs
-    result = prove_declared(proof, Source(course, (), 1, 1), None)
+    result = prove_declared(proof, SampleSource(course, (), 1, 1), None)
     assert result.verdict is Verdict.FAILS
     [problem] = result.problems
     assert (problem.file, problem.key) == ("variants/proofs.toml", "proof[1]")
@@ -95,7 +95,7 @@ def test_what_is_wrong_fails_with_a_scheme_and_a_variant(
 def test_without_numbers_a_proof_stays_open(with_file: Write) -> None:
     course = with_file(FILE, IDENTITY.replace('"friction" }', '"prism_along" }'))
     [proof] = load_declared_proofs(course).proofs
-    result = prove_declared(proof, Source(course, (), 1, 1), None)
+    result = prove_declared(proof, SampleSource(course, (), 1, 1), None)
     assert result.verdict is Verdict.OPEN
     assert result.note is not None
 

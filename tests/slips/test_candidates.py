@@ -15,7 +15,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.generic import GENERATORS
-from gripcourse.slips.model import DECLARED, Candidate
+from gripcourse.slips.model import DECLARED, Candidate, SlipId
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import LANGUAGES
 from gripcourse.variants.draw import draw
@@ -143,8 +143,8 @@ class TestGenericSlips:
         wrong: float,
     ) -> None:
         found = slips_of(formula)
-        assert slip in found, sorted(found)
-        assert value(found[slip], **values) == pytest.approx(wrong)
+        assert SlipId.parse(slip) in found, sorted(found)
+        assert value(found[SlipId.parse(slip)], **values) == pytest.approx(wrong)
 
     def test_a_table_may_be_read_in_another_row(self, plan: Plan, policy: Policy) -> None:
         found = candidates_of(plan, "flange_bolt_circle", policy.slips)
@@ -185,7 +185,7 @@ class TestCandidates:
 
     def test_declared_slips_come_first(self, plan: Plan, policy: Policy) -> None:
         found = candidates_of(plan, "drive_force", policy.slips)
-        declared = [slip.id for slip in plan.quantities["drive_force"].slips]
+        declared = [SlipId.declared(one.id) for one in plan.quantities["drive_force"].slips]
         assert [one.id for one in found[: len(declared)]] == declared
 
     def test_none_is_the_right_formula_and_none_is_made_twice(

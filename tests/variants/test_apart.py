@@ -16,13 +16,13 @@ from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor
 from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
-from gripcourse.variants.apart import Limits, measure, shared_points
+from gripcourse.variants.apart import ApartLimits, measure, shared_points
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
 
 SECTIONS = 3
-LIMITS = Limits(0.1, 0.5)
+LIMITS = ApartLimits(0.1, 0.5)
 
 
 def item(quantity: str, values: list[float], width: float, section: int = 0) -> AnswerItem:

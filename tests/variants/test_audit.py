@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.policy.bands import band
@@ -158,7 +159,7 @@ def test_slips_of_every_kind_are_counted(
     (group, *_) = solve_groups(course, sound[:1])
     named = {(one.quantity, one.slip) for one in near_slips(group, policy)}
     assert named == {
-        (quantity.id, one.id)
+        (quantity.id, str(one.id))
         for quantity in group.plan.answered
         for one in candidates_of(group.plan, quantity.id, policy.slips)
     }
@@ -215,7 +216,7 @@ def test_a_verdict_with_one_answer_is_weak_and_one_with_both_is_not(
 
 def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: VariantAudit) -> None:
     assert sum(one.variants for one in raw_audit.steps) == len(raw_audit.variants)
-    assert {one.scheme for one in raw_audit.steps} == SCHEMES
+    assert {one.composition.scheme for one in raw_audit.steps} == SCHEMES
     for one in raw_audit.steps:
         assert one.total == one.computed + one.decided + one.read
         assert 1 < one.chain < one.total
@@ -223,7 +224,7 @@ def test_steps_are_counted_for_each_scheme_and_its_options(raw_audit: VariantAud
 
 
 def test_a_much_longer_assignment_is_to_be_looked_at(raw_audit: VariantAudit) -> None:
-    short = Steps("a", (), 1, 10, 5, 5, 8)
+    short = Steps(Composition("a", ()), 1, 10, 5, 5, 8)
     long = replace(short, computed=45)
     assert steps_ratio([short, long]) == pytest.approx(55 / 20)
     assert not replace(raw_audit, ratio=2.75).alike_steps

@@ -12,7 +12,7 @@ from gripcourse.errors import TableError
 from gripcourse.policy.model import Policy
 from gripcourse.variants.accepted import Accepted
 from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
-from gripcourse.variants.apart import Limits, limits_of, measure, shared_points
+from gripcourse.variants.apart import ApartLimits, limits_of, measure, shared_points
 from gripcourse.variants.audit import audit
 from gripcourse.variants.cases import Cases
 from gripcourse.variants.draw import draw
@@ -103,7 +103,7 @@ def test_a_candidate_is_let_through_exactly_when_no_pair_goes_above_a_limit(
     totals = section_totals(items, len(table), SECTIONS)
     shared = next(shared_points(items, len(table), SECTIONS)).points.toarray()
     shared = shared.reshape(len(table), SECTIONS, len(table))
-    accepted = Accepted(Limits(limit, section), SECTIONS)
+    accepted = Accepted(ApartLimits(limit, section), SECTIONS)
     answers = accepted.answers(items, len(table))
     kept: list[int] = []
     for row in range(len(table)):

@@ -59,7 +59,7 @@ def _point_faults(
     """Yield the problems of points that some drawn element uses."""
     used = {name for one in drawn for names_ in one.points.values() for name in names_}
     for name in diagram.points.keys() & used:
-        place = _Place(scheme, diagram.file, f"point.{name}", is_shared=False)
+        place = _FormulaPlace(scheme, diagram.file, f"point.{name}", is_shared=False)
         for formula in diagram.points[name]:
             yield from _formula_faults(place, formula, "mm", known)
 
@@ -72,7 +72,7 @@ def _size_faults(
         wanted = VOCABULARY[element.kind].roles[role]
         if wanted.default == "" and not known.keys() >= set(formula.names):
             continue  # not a size of this composition
-        place = _Place(scheme, element.file, f"{element.key}.{role}", is_shared)
+        place = _FormulaPlace(scheme, element.file, f"{element.key}.{role}", is_shared)
         yield from _formula_faults(place, formula, _UNITS[wanted.sort], known)
 
 
@@ -135,7 +135,7 @@ def _unknown_points(
 
 
 @dataclass(frozen=True, slots=True)
-class _Place:
+class _FormulaPlace:
     """Where a formula stands, and for which scheme."""
 
     scheme: str
@@ -155,7 +155,7 @@ def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
 
 
 def _formula_faults(
-    place: _Place, formula: Formula, unit: str, known: Mapping[str, Dimension]
+    place: _FormulaPlace, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
     unknown = [name for name in names(formula.tree) if name not in known]
     for name in unknown:

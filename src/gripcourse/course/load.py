@@ -37,6 +37,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
+RUBRICS = "grader/rubric"  # items that persons mark name a file there
 _READ = frozenset({".toml", ".csv"})
 
 
@@ -70,10 +71,10 @@ def load_course(root: Path) -> Course:
 
 def _digest(root: Path) -> str | None:
     """Digest all that a course is loaded from and checked with; None: some cannot be read."""
-    folder = root / VARIANTS
     try:
-        files = [one for one in folder.rglob("*") if one.suffix in _READ and one.is_file()]
-        return digest_of(root, [*files, *(root / "grader" / "rubric").glob("*.toml")])
+        below = (path for folder in (VARIANTS, RUBRICS) for path in (root / folder).rglob("*"))
+        files = [path for path in below if path.suffix in _READ and path.is_file()]
+        return digest_of(root, files)
     except OSError:
         return None
 

@@ -6,8 +6,8 @@ from typing import Final
 from gripcourse.course.model import Kind, Rounding
 from gripcourse.course.shape import (
     Key,
+    KeySort,
     Shape,
-    Sort,
     by_name,
     flag,
     number,
@@ -89,7 +89,7 @@ _COMMON: Final = {
 }
 _BOUNDED: Final = {
     "bounds": Key(
-        Sort.PAIR, "Lowest and highest value that is physically thinkable.", required=True
+        KeySort.PAIR, "Lowest and highest value that is physically thinkable.", required=True
     ),
     "integer": flag("Whether only whole numbers make sense."),
 }

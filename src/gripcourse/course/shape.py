@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 
-class Sort(StrEnum):
+class KeySort(StrEnum):
     """What a key holds."""
 
     TEXT = "text"
@@ -39,7 +39,7 @@ class Key:
         form: JSON Schema of what is written in a form of its own (OTHER).
     """
 
-    sort: Sort
+    sort: KeySort
     meaning: str
     required: bool = False
     inside: "Shape | None" = None
@@ -77,12 +77,12 @@ class Shape:
 
 def text(meaning: str, *words: str, required: bool = False) -> Key:
     """Make a key that holds a text, one of some words if they are named."""
-    return Key(Sort.TEXT, meaning, required, words=words)
+    return Key(KeySort.TEXT, meaning, required, words=words)
 
 
 def texts(meaning: str, *, required: bool = False) -> Key:
     """Make a key that holds a text in every language of the course."""
-    return Key(Sort.TEXTS, meaning, required)
+    return Key(KeySort.TEXTS, meaning, required)
 
 
 def number(
@@ -93,37 +93,37 @@ def number(
     required: bool = False,
 ) -> Key:
     """Make a key that holds a number, between bounds if they are named."""
-    return Key(Sort.NUMBER, meaning, required, low=low, high=high)
+    return Key(KeySort.NUMBER, meaning, required, low=low, high=high)
 
 
 def flag(meaning: str) -> Key:
     """Make a key that holds true or false; absent is false."""
-    return Key(Sort.FLAG, meaning)
+    return Key(KeySort.FLAG, meaning)
 
 
 def strings(meaning: str, *words: str) -> Key:
     """Make a key that holds a list of texts; absent is empty."""
-    return Key(Sort.STRINGS, meaning, words=words)
+    return Key(KeySort.STRINGS, meaning, words=words)
 
 
 def table(meaning: str, inside: Shape | Mapping[str, Key], *, required: bool = False) -> Key:
     """Make a key that holds a table."""
-    return Key(Sort.TABLE, meaning, required, inside=_shape(inside))
+    return Key(KeySort.TABLE, meaning, required, inside=_shape(inside))
 
 
 def tables(meaning: str, inside: Shape | Mapping[str, Key]) -> Key:
     """Make a key that holds an array of tables; absent is empty."""
-    return Key(Sort.TABLES, meaning, inside=_shape(inside))
+    return Key(KeySort.TABLES, meaning, inside=_shape(inside))
 
 
 def by_name(meaning: str, each: Key, *, required: bool = False) -> Key:
     """Make a key that holds a table whose names the author chooses."""
-    return Key(Sort.TABLE, meaning, required, inside=Shape({}, each))
+    return Key(KeySort.TABLE, meaning, required, inside=Shape({}, each))
 
 
 def other(meaning: str, form: Mapping[str, object], *, required: bool = False) -> Key:
     """Make a key that is written in a form of its own."""
-    return Key(Sort.OTHER, meaning, required, form=form)
+    return Key(KeySort.OTHER, meaning, required, form=form)
 
 
 def needed(key: Key) -> Key:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from gripcourse.course.shape import Key, Shape, Sort
+from gripcourse.course.shape import Key, KeySort, Shape
 from gripcourse.course.toml_faults import toml_values
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
@@ -50,7 +50,7 @@ class Table:
 
     def text(self, name: str, default: str | None = None) -> str:
         """Read a text; required where there is no default."""
-        self._declared(name, Sort.TEXT, required=default is None)
+        self._declared(name, KeySort.TEXT, required=default is None)
         value = self._required(name, default, message("a text in quotes"))
         if isinstance(value, str):
             return value
@@ -65,7 +65,7 @@ class Table:
         `within` false the reader reports it in words of its own.
         """
         value = self._number(name, default)
-        key = self._declared(name, Sort.NUMBER, required=default is None)
+        key = self._declared(name, KeySort.NUMBER, required=default is None)
         if within and key is not None and name in self.values and not key.low <= value <= key.high:
             self._out_of_bounds(name, value, key)
         return value
@@ -97,7 +97,7 @@ class Table:
 
     def share(self, name: str, default: float | None = None) -> float:
         """Read a number from 0 to 1; required where there is no default."""
-        self._declared(name, Sort.NUMBER, required=default is None)
+        self._declared(name, KeySort.NUMBER, required=default is None)
         value = self._number(name, default)
         if value < 0 or value > 1:
             self.add(
@@ -109,7 +109,7 @@ class Table:
 
     def at_least(self, name: str, least: float) -> float:
         """Read a number that is not below another; required; `least` where it cannot be used."""
-        key = self._declared(name, Sort.NUMBER, required=True)
+        key = self._declared(name, KeySort.NUMBER, required=True)
         value = self._number(name, None)
         if value >= least:
             if key is not None and value > key.high:
@@ -125,7 +125,7 @@ class Table:
 
     def flag(self, name: str, *, default: bool = False) -> bool:
         """Read true or false; absent is `default`."""
-        self._declared(name, Sort.FLAG, required=False)
+        self._declared(name, KeySort.FLAG, required=False)
         value = self.values.get(name, default)
         if not isinstance(value, bool):
             self._wrong_type(name, message("true or false"))
@@ -133,7 +133,7 @@ class Table:
 
     def texts(self, name: str, *, may_be_empty: bool = False) -> Texts:
         """Read a text in every language; one plain text serves all (a symbol, for example)."""
-        self._declared(name, Sort.TEXTS)
+        self._declared(name, KeySort.TEXTS)
         value = self._required(name, None, message("a text, or a table with en, ru and uk"))
         if isinstance(value, str):
             if not (value.strip() or may_be_empty):
@@ -167,11 +167,14 @@ class Table:
             if default is None and name not in self.values:
                 self._missing(name, message("a table of numbers"))
             return dict(default or {})
-        return {key: table.number(key) for key in table.values}
+        table.known_keys()
+        shape, values = table.shape, table.values
+        known = (key for key in values if shape is None or shape.key(key, values) is not None)
+        return {key: table.number(key) for key in known}
 
     def strings(self, name: str) -> tuple[str, ...]:
         """Read a list of texts; absent is empty."""
-        self._declared(name, Sort.STRINGS, required=False)
+        self._declared(name, KeySort.STRINGS, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(isinstance(item, str) for item in value):
             return tuple(value)
@@ -180,7 +183,7 @@ class Table:
 
     def number_list(self, name: str) -> tuple[float, ...]:
         """Read a list of finite numbers; absent is empty."""
-        self._declared(name, Sort.NUMBERS, required=False)
+        self._declared(name, KeySort.NUMBERS, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(
             isinstance(one, int | float) and not isinstance(one, bool) and math.isfinite(one)
@@ -192,7 +195,7 @@ class Table:
 
     def pair(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
         """Read two numbers, the lower first."""
-        self._declared(name, Sort.PAIR)
+        self._declared(name, KeySort.PAIR)
         value = self.values.get(name)
         if value is None:
             return default
@@ -211,7 +214,7 @@ class Table:
 
     def table(self, name: str) -> "Table | None":
         """Read a table below this one; None where it is absent."""
-        key = self._declared(name, Sort.TABLE)
+        key = self._declared(name, KeySort.TABLE)
         value = self.values.get(name)
         if isinstance(value, dict):
             inside = None if key is None else key.inside
@@ -228,7 +231,7 @@ class Table:
         found = self.table(name)
         if found is not None:
             return found
-        key = self._declared(name, Sort.TABLE, required=True)
+        key = self._declared(name, KeySort.TABLE, required=True)
         if name not in self.values:
             self._missing(name, message("a table"))
         inside = None if key is None else key.inside
@@ -236,7 +239,7 @@ class Table:
 
     def tables(self, name: str) -> tuple["Table", ...]:
         """Read an array of tables; absent is empty."""
-        key = self._declared(name, Sort.TABLES, required=False)
+        key = self._declared(name, KeySort.TABLES, required=False)
         value = self.values.get(name, [])
         if isinstance(value, list) and all(isinstance(item, dict) for item in value):
             inside = None if key is None else key.inside
@@ -258,7 +261,7 @@ class Table:
     def _below(self, name: str) -> str:
         return f"{self.key}.{name}" if self.key else name
 
-    def _declared(self, name: str, sort: Sort, *, required: bool | None = None) -> Key | None:
+    def _declared(self, name: str, sort: KeySort, *, required: bool | None = None) -> Key | None:
         """Return what the shape says of a key that is read as `sort`; None without a shape.
 
         Raises:
@@ -267,7 +270,7 @@ class Table:
         if self.shape is None:
             return None
         key = self.shape.key(name, self.values)
-        if key is None or key.sort not in {sort, Sort.OTHER}:
+        if key is None or key.sort not in {sort, KeySort.OTHER}:
             raise TypeError(f"{self.file}: {self._below(name)} is read as {sort}, not declared so")
         if required not in {None, key.required} and name not in self.values:
             raise TypeError(f"{self.file}: {self._below(name)} is not declared as it is required")

@@ -77,7 +77,7 @@ class Ring:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class ViewShape:
     """One shape.
 
     Attributes:
@@ -126,7 +126,7 @@ class ViewPart:
     sizes: tuple[str, ...]
     mark: tuple[Expression, ...]
     moves: bool
-    shapes: tuple[Shape, ...]
+    shapes: tuple[ViewShape, ...]
     file: str
     key: str
 

@@ -13,12 +13,12 @@ from gripcourse.course.view import (
     Need,
     Repeat,
     Ring,
-    Shape,
     Side,
     View,
     ViewDimension,
     ViewLabel,
     ViewPart,
+    ViewShape,
 )
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
@@ -114,12 +114,12 @@ def _part(table: Table) -> ViewPart:
     )
 
 
-def _shape(table: Table) -> Shape:
+def _shape(table: Table) -> ViewShape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
         table.known_keys()
-    return Shape(
+    return ViewShape(
         kind=kind,
         needs={name: _expressions(table, name, need) for name, need in needs.items()},
         line=_one_of(table, "line", LINES, LINES[0]),

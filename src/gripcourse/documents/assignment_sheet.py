@@ -80,7 +80,7 @@ class SheetItem:
 
 
 @dataclass(frozen=True, slots=True)
-class Task:
+class SheetTask:
     """A section of the assignment with its points and the quantities asked."""
 
     title: str
@@ -208,17 +208,17 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
     )
 
 
-def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[Task]:
+def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[SheetTask]:
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
             yield _task(section, asked, policy, words)
 
 
-def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> Task:
+def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> SheetTask:
     points = policy.section_points.get(section.id)
     said = message("{points} points", points=points_text(points or 0.0, words))
-    return Task(
+    return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
         points="" if points is None else words.say(said),

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Final, TypeAlias
 
-from gripcourse.course.shape import Key, Shape, Sort
+from gripcourse.course.shape import Key, KeySort, Shape
 from gripcourse.text.words import LANGUAGES
 
 Schema: TypeAlias = dict[str, object]
@@ -17,11 +17,11 @@ _IN_EVERY_LANGUAGE: Final[Schema] = {
     "required": list(LANGUAGES),
     "additionalProperties": False,
 }
-_PLAIN: Final[Mapping[Sort, Schema]] = {
-    Sort.TEXTS: {"anyOf": [{"type": "string"}, _IN_EVERY_LANGUAGE]},
-    Sort.FLAG: {"type": "boolean"},
-    Sort.NUMBERS: _NUMBERS,
-    Sort.PAIR: _NUMBERS | {"minItems": 2, "maxItems": 2},
+_PLAIN: Final[Mapping[KeySort, Schema]] = {
+    KeySort.TEXTS: {"anyOf": [{"type": "string"}, _IN_EVERY_LANGUAGE]},
+    KeySort.FLAG: {"type": "boolean"},
+    KeySort.NUMBERS: _NUMBERS,
+    KeySort.PAIR: _NUMBERS | {"minItems": 2, "maxItems": 2},
 }
 
 
@@ -66,14 +66,14 @@ def _of_key(key: Key) -> Schema:
 
 def _of_sort(key: Key) -> Schema:
     match key.sort:
-        case Sort.TEXT | Sort.STRINGS:
-            return _repeated(_text(key)) if key.sort is Sort.STRINGS else _text(key)
-        case Sort.NUMBER:
+        case KeySort.TEXT | KeySort.STRINGS:
+            return _repeated(_text(key)) if key.sort is KeySort.STRINGS else _text(key)
+        case KeySort.NUMBER:
             return _number(key)
-        case Sort.TABLE | Sort.TABLES:
+        case KeySort.TABLE | KeySort.TABLES:
             inside = _of_shape(key.inside or Shape({}))
-            return _repeated(inside) if key.sort is Sort.TABLES else inside
-        case Sort.OTHER:
+            return _repeated(inside) if key.sort is KeySort.TABLES else inside
+        case KeySort.OTHER:
             return dict(key.form)
         case _:
             return dict(_PLAIN[key.sort])

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.course.shape import Key, Shape, Sort
+from gripcourse.course.shape import Key, KeySort, Shape
 
 _HEAD: Final = (
     "| key | holds | must be written | meaning |",
@@ -75,7 +75,7 @@ def _tables(
     for name, key in below.items():
         if key.inside is not None:
             place = f"{heading}.{name}" if heading else name
-            inner = f"{place}[]" if key.sort is Sort.TABLES else place
+            inner = f"{place}[]" if key.sort is KeySort.TABLES else place
             yield from _tables(inner, key.inside, seen)
 
 
@@ -93,7 +93,7 @@ def _is_only_names(key: Key) -> bool:
         inside is not None
         and not inside.keys
         and inside.each is not None
-        and (inside.each.sort is Sort.TABLE)
+        and (inside.each.sort is KeySort.TABLE)
     )
 
 
@@ -105,7 +105,7 @@ def _row(name: str, key: Key) -> str:
 def _holds(key: Key) -> str:
     if key.words:
         words = ", ".join(f"`{word}`" if word else "nothing" for word in key.words)
-        return f"{'list of' if key.sort is Sort.STRINGS else 'one of'} {words}"
-    if key.sort is Sort.NUMBER and not math.isinf(key.low):
+        return f"{'list of' if key.sort is KeySort.STRINGS else 'one of'} {words}"
+    if key.sort is KeySort.NUMBER and not math.isinf(key.low):
         return f"number from {key.low:g}" + ("" if math.isinf(key.high) else f" to {key.high:g}")
     return str(key.sort)

@@ -9,22 +9,14 @@ billionth (`functions.SLACK`) are the same number that came by two routes: 24.4 
 however each side was computed, and exactly one of `a < b` and `a >= b` holds.
 """
 
-from collections.abc import Callable, Mapping
-from typing import Final, assert_never
+import math
+from collections.abc import Mapping
 
 import numpy as np
 
-from gripcourse.formula.functions import FUNCTIONS, SLACK, Array, Column
-from gripcourse.formula.tree import (
-    Call,
-    Formula,
-    Name,
-    Negation,
-    Node,
-    Number,
-    Operation,
-    Operator,
-)
+from gripcourse.formula.compiled import finite, of_arrays, of_numbers
+from gripcourse.formula.functions import Array, Column
+from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor
 
 __all__ = ["Array", "Column", "evaluate"]
@@ -44,88 +36,21 @@ def evaluate(
     Returns:
         The result in SI, shaped as the values are together; NaN where there is none.
     """
-    with np.errstate(all="ignore"):
-        used = {name: _finite(np.asarray(values[name], np.float64)) for name in formula.names}
+    used = {name: np.asarray(values[name], np.float64) for name in formula.names}
+    back = factor(unit) if formula.units else 1.0
+    if all(value.ndim == 0 for value in used.values()):
+        single = {name: float(value) for name, value in used.items()}
+        known = {name: one if math.isfinite(one) else math.nan for name, one in single.items()}
         if formula.units:
-            scaled = {name: value / factor(formula.units[name]) for name, value in used.items()}
-            result = _value(formula.tree, scaled, columns) * factor(unit)
-        else:
-            result = _value(formula.tree, used, columns)
-    return np.asarray(result, np.float64)
-
-
-def _value(node: Node, values: Mapping[str, Array], columns: Mapping[str, Column]) -> Array:
-    """Compute a node; finite or NaN."""
-    match node:
-        case Number(value):
-            return np.asarray(value)
-        case Name(id="pi"):
-            return np.asarray(np.pi)
-        case Name(name):
-            return values[name]
-        case Negation(operand):
-            return np.negative(_value(operand, values, columns))
-        case Operation(operator, left, right):
-            operation = _OPERATIONS[operator]
-            return _finite(operation(_value(left, values, columns), _value(right, values, columns)))
-        case Call(name, arguments, column):
-            found = tuple(_value(argument, values, columns) for argument in arguments)
-            series = None if column is None else columns[column]
-            return _finite(FUNCTIONS[name].compute(found, series))
-        case _:
-            assert_never(node)
-
-
-def _finite(value: Array) -> Array:
-    """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
-    finite = np.isfinite(value)
-    return value if finite.all() else np.where(finite, value, np.nan)
-
-
-def _power(base: Array, exponent: Array) -> Array:
-    """Raise to a power; NaN stays NaN, where numpy makes NaN ** 0 and 1 ** NaN one."""
-    known = ~(np.isnan(base) | np.isnan(exponent))
-    return np.where(known, np.power(base, exponent), np.nan)
-
-
-def _slack(left: Array, right: Array) -> Array:
-    return SLACK * np.maximum(np.abs(left), np.abs(right))
-
-
-def _verdict(left: Array, right: Array, holds: Array) -> Array:
-    return np.where(np.isnan(left) | np.isnan(right), np.nan, holds)
-
-
-def _at_most(left: Array, right: Array) -> Array:
-    return _verdict(left, right, np.asarray(left <= right + _slack(left, right), np.float64))
-
-
-def _at_least(left: Array, right: Array) -> Array:
-    return _at_most(right, left)
-
-
-def _below(left: Array, right: Array) -> Array:
-    return 1.0 - _at_most(right, left)
-
-
-def _above(left: Array, right: Array) -> Array:
-    return 1.0 - _at_most(left, right)
-
-
-def _equal(left: Array, right: Array) -> Array:
-    return _at_most(left, right) * _at_most(right, left)
-
-
-_OPERATIONS: Final[Mapping[Operator, Callable[[Array, Array], Array]]] = {
-    "+": np.add,
-    "-": np.subtract,
-    "*": np.multiply,
-    "/": np.divide,
-    "**": _power,
-    "<": _below,
-    "<=": _at_most,
-    ">": _above,
-    ">=": _at_least,
-    "==": _equal,
-    "and": np.multiply,
-}
+            known = {name: one / factor(formula.units[name]) for name, one in known.items()}
+        if "numbers" not in formula.made:
+            formula.made["numbers"] = of_numbers(formula.tree)
+        return np.asarray(formula.made["numbers"](known, columns) * back, np.float64)
+    if "arrays" not in formula.made:
+        formula.made["arrays"] = of_arrays(formula.tree)
+    with np.errstate(all="ignore"):
+        sound = {name: finite(value) for name, value in used.items()}
+        if formula.units:
+            sound = {name: one / factor(formula.units[name]) for name, one in sound.items()}
+        result = formula.made["arrays"](sound, columns)
+        return np.asarray(result * back if formula.units else result, np.float64)

@@ -4,9 +4,9 @@ A node remembers its place in the text (`span`), so that a fault can be shown wi
 nodes are equal when they say the same, wherever they stand.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 Span: TypeAlias = tuple[int, int]
 """First and one-past-last character of a node in the formula's text."""
@@ -75,16 +75,23 @@ class Formula:
             result of an empirical formula is in the quantity's own unit.
         names: ids of the quantities that it uses, each once, in order of appearance. Kept, because
             a course has hundreds of compositions and each asks for them.
+        made: what was made of it once, to compute it: by whoever made it, and never sent away.
     """
 
     text: str
     tree: Node
     units: Mapping[str, str]
     names: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    made: dict[str, Callable[..., Any]] = field(
+        init=False, repr=False, compare=False, default_factory=dict
+    )
 
     def __post_init__(self) -> None:
         """Find the names once."""
         object.__setattr__(self, "names", names(self.tree))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return Formula, (self.text, self.tree, dict(self.units))
 
 
 CONSTANTS: frozenset[str] = frozenset({"pi"})

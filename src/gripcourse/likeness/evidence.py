@@ -17,7 +17,7 @@ from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import compare, rests_on
-from gripcourse.likeness.pool import Pool, chance_of, pool, where_right_is_shared
+from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, where_right_is_shared
 from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
@@ -52,7 +52,9 @@ def find_evidence(
     return (*variants, *same_answers(pooled, rule, chosen), *creators)
 
 
-def other_variants(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
+def other_variants(
+    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
+) -> Iterator[Evidence]:
     """Yield for each submission the variant of another student that it fits beyond chance."""
     hits = same_as_issued(pooled.numbers, pooled.issued.values)
     chance = chance_of(pooled, hits, chances)
@@ -67,7 +69,9 @@ def other_variants(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterat
         yield Evidence(NumberKind.OTHER_VARIANT, students, odds, names)
 
 
-def same_answers(pooled: Pool, rule: LikenessRule, chances: Chances) -> Iterator[Evidence]:
+def same_answers(
+    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
+) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
     numbers = pooled.numbers
     present = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
@@ -104,16 +108,16 @@ def same_creators(works: Sequence[ComparedWork], rule: LikenessRule) -> Iterator
                 yield Evidence(NumberKind.SAME_CREATOR, (student, *others), odds, (name,))
 
 
-def _odds(pooled: Pool, log: float) -> float:
+def _odds(pooled: ComparisonPool, log: float) -> float:
     return math.exp(min(log - _comparisons(pooled), _LARGEST))
 
 
-def _least(pooled: Pool, rule: LikenessRule) -> float:
+def _least(pooled: ComparisonPool, rule: LikenessRule) -> float:
     """Return the logarithm of the odds that are told, before they are divided."""
     return math.log(rule.odds) + _comparisons(pooled)
 
 
-def _comparisons(pooled: Pool) -> float:
+def _comparisons(pooled: ComparisonPool) -> float:
     """Return the logarithm of how many variants and submissions were compared with submissions."""
     submissions = len(pooled.students)
     return math.log(max(1, submissions * (len(pooled.issued.owners) + submissions - 2)))

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.likeness.matches import Floats, Matches
-from gripcourse.likeness.pool import Pool
+from gripcourse.likeness.pool import ComparisonPool
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
 
@@ -29,7 +29,7 @@ class Compared:
 
 
 def compare(
-    pooled: Pool, hits: Matches, chance: Floats, present: NDArray[np.bool_], answers: int
+    pooled: ComparisonPool, hits: Matches, chance: Floats, present: NDArray[np.bool_], answers: int
 ) -> Compared:
     """Weigh every pair of a submission and an owner.
 
@@ -58,7 +58,7 @@ def compare(
     return Compared(logs, hits, chance)
 
 
-def rests_on(pooled: Pool, found: Compared, row: int, owner: int) -> tuple[str, ...]:
+def rests_on(pooled: ComparisonPool, found: Compared, row: int, owner: int) -> tuple[str, ...]:
     """Return the quantities that the odds of a pair rest on, the strongest first."""
     hits, chance = found.hits, found.chance
     same = (pooled.numbers.row[hits.number] == row) & (hits.owner == owner)
@@ -68,7 +68,7 @@ def rests_on(pooled: Pool, found: Compared, row: int, owner: int) -> tuple[str, 
     return tuple(pooled.issued.quantities[column] for column in columns)
 
 
-def _once_for_each_family(pooled: Pool, hits: Matches, chance: Floats) -> Floats:
+def _once_for_each_family(pooled: ComparisonPool, hits: Matches, chance: Floats) -> Floats:
     """Let proportional numbers count once for each pair: the strongest of them."""
     row = pooled.numbers.row[hits.number]
     column = pooled.numbers.column[hits.number]

@@ -19,7 +19,7 @@ Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
-class Pool:
+class ComparisonPool:
     """The numbers of a cohort.
 
     Attributes:
@@ -39,7 +39,7 @@ class Pool:
     slip: Floats
 
 
-def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> Pool:
+def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values."""
     rows = {student: row for row, student in enumerate(issued.owners)}
     kept = [
@@ -49,7 +49,7 @@ def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> Pool:
         if _is_comparable(one, issued)
     ]
     typed = [one for _, one in kept]
-    return Pool(
+    return ComparisonPool(
         students=tuple(work.student for work in works),
         own=np.array([rows[work.student] for work in works], dtype=np.intp),
         issued=issued,
@@ -75,7 +75,7 @@ def _numbers(rows: Sequence[int], typed: Sequence[Typed], issued: IssuedValues) 
     )
 
 
-def chance_of(pooled: Pool, hits: Matches, chances: Chances) -> Floats:
+def chance_of(pooled: ComparisonPool, hits: Matches, chances: Chances) -> Floats:
     """Return the probability of each hit without copying: 1 for what is explained."""
     near = density(pooled.numbers, pooled.issued.values)[hits.number] * hits.window
     wrong = np.maximum(np.maximum(near, hits.share), chances.least)
@@ -87,7 +87,7 @@ def chance_of(pooled: Pool, hits: Matches, chances: Chances) -> Floats:
     return result
 
 
-def where_right_is_shared(pooled: Pool, hits: Matches, chances: Chances) -> Floats:
+def where_right_is_shared(pooled: ComparisonPool, hits: Matches, chances: Chances) -> Floats:
     """Return how likely the same wrong method is, where it gives two students the same number."""
     numbers = pooled.numbers
     right = pooled.issued.values[pooled.own[numbers.row], numbers.column]

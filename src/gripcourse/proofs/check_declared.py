@@ -12,7 +12,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.proofs.declared import (
     DeclaredProof,
     DeclaredProofs,
-    Identity,
+    IdentityProof,
     Inequality,
     Travel,
     VirtualWork,
@@ -168,7 +168,7 @@ def _unlike(
     """Yield what cannot agree because it measures something else, or is no coordinate."""
     scope, motion = proof.scope, scheme.kinematics
     match proof:
-        case Identity() if measured["left"] != measured["right"]:
+        case IdentityProof() if measured["left"] != measured["right"]:
             what = message("Left and right measure different things.")
             remedy = message("Compare the units of both sides.")
             yield Problem(scope.file, f"{scope.key}.right", what, remedy)

@@ -2,26 +2,8 @@
 
 Each `[[proof]]` states something that its schemes must satisfy whatever the numbers are. It is
 tried with drawn variants and must not repeat the formulas that it proves: geometry, equilibrium,
-another limit. Keys of every kind::
-
-    id        unique name
-    kind      virtual_work, travel, identity or inequality
-    schemes   the schemes that it is about; left out: every scheme that has all its names
-    options   only with these options
-    set       numbers that the variants are given instead of their own, declared units
-    let       names for parts of the formulas, in order: `{ name = "formula" }`
-
-    identity      left, right: formulas that must agree; tolerance: relative, default 1e-9
-    inequality    condition: must hold
-    virtual_work  ratio: the declared effort of the input over the output's; input, output: their
-                  paths as formulas of `parameter`, which is measured in `unit`; at: its value;
-                  step: of the numerical derivative, in `unit`, default 0.01; tolerance: 1e-6
-    travel        quantity: a declared path; coordinate: of [kinematics]; start, end: positions of
-                  [kinematics]; tolerance: 1e-6
-
-`[[unshown]]` names flipped operators that no number can show, with the reason; see `operators`::
-
-    quantity, operator, reason
+another limit. `[[unshown]]` names flipped operators that no number can show; see `operators`.
+The keys stand in `keys`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -33,12 +15,12 @@ from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
+from gripcourse.proofs.keys import PROOFS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
 
 FILE = "proofs.toml"
-_COMMON = {"id", "kind", "schemes", "options", "set", "let", "tolerance"}
 _EXACT, _DERIVED = 1e-9, 1e-6
 _STEP = 0.01
 
@@ -66,7 +48,7 @@ class Scope:
 
 
 @dataclass(frozen=True, slots=True)
-class Identity:
+class IdentityProof:
     """Two formulas that must agree within a relative tolerance."""
 
     scope: Scope
@@ -121,7 +103,7 @@ class Travel:
     tolerance: float
 
 
-DeclaredProof: TypeAlias = Identity | Inequality | VirtualWork | Travel
+DeclaredProof: TypeAlias = IdentityProof | Inequality | VirtualWork | Travel
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,10 +146,10 @@ def read_declared_proofs(course: Course) -> tuple[DeclaredProofs, list[Problem]]
     path = course.root / "variants" / FILE
     if not path.exists():
         return DeclaredProofs(), []
-    table = read_toml(path, course.root, problems)
+    table = read_toml(path, course.root, problems, PROOFS)
     if table is None:
         return DeclaredProofs(), problems
-    table.known_keys({"proof", "unshown"})
+    table.known_keys()
     proofs: dict[str, DeclaredProof] = {}
     for one in table.tables("proof"):
         before = len(problems)
@@ -185,23 +167,19 @@ def read_declared_proofs(course: Course) -> tuple[DeclaredProofs, list[Problem]]
 
 
 def _proof(course: Course, table: Table) -> DeclaredProof | None:
+    table.known_keys()
     kind = table.text("kind")
     match kind:
         case "identity":
-            table.known_keys(_COMMON | {"left", "right"})
-            return Identity(
+            return IdentityProof(
                 _scope(course, table),
                 _formula(table, "left"),
                 _formula(table, "right"),
                 table.number("tolerance", _EXACT),
             )
         case "inequality":
-            table.known_keys((_COMMON | {"condition"}) - {"tolerance"})
             return Inequality(_scope(course, table), _formula(table, "condition"))
         case "virtual_work":
-            table.known_keys(
-                _COMMON | {"ratio", "parameter", "unit", "at", "input", "output", "step"}
-            )
             return VirtualWork(
                 scope=_scope(course, table),
                 ratio=_formula(table, "ratio"),
@@ -214,7 +192,6 @@ def _proof(course: Course, table: Table) -> DeclaredProof | None:
                 tolerance=table.number("tolerance", _DERIVED),
             )
         case "travel":
-            table.known_keys(_COMMON | {"quantity", "coordinate", "start", "end"})
             return Travel(
                 scope=_scope(course, table),
                 quantity=_formula(table, "quantity"),
@@ -277,7 +254,7 @@ def _unit(table: Table) -> str:
 
 
 def _unshown(table: Table) -> Unshown:
-    table.known_keys({"quantity", "operator", "reason"})
+    table.known_keys()
     return Unshown(
         table.text("quantity"),
         table.text("operator"),
@@ -292,7 +269,7 @@ def formulas_of(proof: DeclaredProof) -> Iterator[tuple[str, Formula]]:
     for name, formula in proof.scope.lets.items():
         yield f"let.{name}", formula
     match proof:
-        case Identity(_, left, right):
+        case IdentityProof(_, left, right):
             yield "left", left
             yield "right", right
         case Inequality(_, condition):

@@ -11,14 +11,14 @@ from gripcourse.formula.tree import Formula
 from gripcourse.proofs.check_declared import schemes_of
 from gripcourse.proofs.declared import (
     DeclaredProof,
-    Identity,
+    IdentityProof,
     Inequality,
     Travel,
     VirtualWork,
     names_used,
 )
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
-from gripcourse.proofs.samples import Source, Trial, trials_with
+from gripcourse.proofs.samples import SampleSource, Trial, trials_with
 from gripcourse.solver.motion import coordinates, drive_at
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
@@ -28,7 +28,7 @@ from gripcourse.text.words import message
 Array = NDArray[np.float64]
 
 _KINDS = {
-    Identity: ProofKind.IDENTITY,
+    IdentityProof: ProofKind.IDENTITY,
     Inequality: ProofKind.INEQUALITY,
     VirtualWork: ProofKind.VIRTUAL_WORK,
     Travel: ProofKind.TRAVEL,
@@ -40,14 +40,14 @@ def proof_of(one: DeclaredProof) -> Proof:
     return Proof(_KINDS[type(one)], one.scope.id, one.scope.file, one.scope.key)
 
 
-def trials_for(one: DeclaredProof, source: Source, scheme: str | None) -> Iterator[Trial]:
+def trials_for(one: DeclaredProof, source: SampleSource, scheme: str | None) -> Iterator[Trial]:
     """Yield the numbers that a declared proof is tried with; only of one scheme, if it is named."""
     for candidate in schemes_of(source.course, one):
         if scheme in {None, candidate.id}:
             yield from trials_with(source, candidate, one.scope.options, names_used(one))
 
 
-def prove_declared(one: DeclaredProof, source: Source, scheme: str | None) -> ProofResult:
+def prove_declared(one: DeclaredProof, source: SampleSource, scheme: str | None) -> ProofResult:
     """Try a declared proof with drawn variants of the schemes that it is about."""
     proof, compared = proof_of(one), 0
     problems: list[Problem] = []
@@ -91,7 +91,7 @@ def compare(one: DeclaredProof, trial: Trial, plan: Plan) -> tuple[Array, Array,
 
 def _sides(one: DeclaredProof, plan: Plan, values: Values) -> tuple[Array, Array, float]:
     match one:
-        case Identity(_, left, right, tolerance):
+        case IdentityProof(_, left, right, tolerance):
             known = with_lets(one, plan, values)
             return _value(left, plan, known), _value(right, plan, known), tolerance
         case Inequality(_, condition):

@@ -17,8 +17,8 @@ from gripcourse.proofs.kinematics import prove_motion, prove_ratios
 from gripcourse.proofs.model import ProofKind, ProofResult
 from gripcourse.proofs.printed_lines import prove_printed_lines
 from gripcourse.proofs.published_cases import load_published_cases
-from gripcourse.proofs.samples import Source, Trial, trials_of
-from gripcourse.proofs.survivors import Ground, prove_operators
+from gripcourse.proofs.samples import SampleSource, Trial, trials_of
+from gripcourse.proofs.survivors import ProofGround, prove_operators
 from gripcourse.proofs.workbooks import office_command, prove_workbooks
 from gripcourse.proofs.wrong_methods import prove_wrong_methods
 from gripcourse.variants.space import load_spaces
@@ -40,7 +40,7 @@ class Subject:
         scheme: only this one; None for all.
     """
 
-    source: Source
+    source: SampleSource
     policy: Policy
     declared: DeclaredProofs
     calculations: tuple[PrintedCalculation, ...]
@@ -80,7 +80,7 @@ def open_subject(
         CourseError: the spaces, published cases or declared proofs have problems.
     """
     return Subject(
-        source=Source(course, load_spaces(course), count, seed),
+        source=SampleSource(course, load_spaces(course), count, seed),
         policy=policy,
         declared=load_declared_proofs(course),
         calculations=tuple(calculations(course, load_published_cases(course))),
@@ -179,7 +179,7 @@ def _every(trials: _Trials) -> tuple[Trial, ...]:
 
 
 def _operators(subject: Subject, trials: _Trials) -> Iterator[ProofResult]:
-    ground = Ground(subject.source, subject.calculations, subject.declared, _every(trials))
+    ground = ProofGround(subject.source, subject.calculations, subject.declared, _every(trials))
     return prove_operators(ground)
 
 

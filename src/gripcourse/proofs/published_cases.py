@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 from gripcourse.course.compose import compose
 from gripcourse.course.declare import source
+from gripcourse.course.keys import PUBLISHED_CASES
 from gripcourse.course.model import Course, Kind, Scheme, Source
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
@@ -26,7 +27,6 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "published_cases.toml"
-_KEYS = {"id", "scheme", "source", "options", "given", "chosen", "expected"}
 _COLLECTED = "case"
 
 
@@ -74,10 +74,10 @@ def read_published_cases(course: Course) -> tuple[tuple[PublishedCase, ...], lis
     path = course.root / "variants" / FILE
     if not path.exists():
         return (), []
-    table = read_toml(path, course.root, problems)
+    table = read_toml(path, course.root, problems, PUBLISHED_CASES)
     if table is None:
         return (), problems
-    table.known_keys({_COLLECTED})
+    table.known_keys()
     found: dict[str, PublishedCase] = {}
     for one in table.tables(_COLLECTED):
         before = len(problems)
@@ -94,7 +94,7 @@ def read_published_cases(course: Course) -> tuple[tuple[PublishedCase, ...], lis
 
 
 def _case(course: Course, table: Table) -> PublishedCase | None:
-    table.known_keys(_KEYS)
+    table.known_keys()
     identifier, scheme_id = table.text("id"), table.text("scheme")
     cited = source(table.required_table("source"))
     if cited.work and cited.work not in course.works:

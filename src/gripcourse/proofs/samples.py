@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class SampleSource:
     """What numbers are drawn from.
 
     Attributes:
@@ -102,7 +102,7 @@ def make_trial(plan: Plan, variants: tuple[Variant, ...]) -> Trial:
     )
 
 
-def trials_of(source: Source, scheme: Scheme) -> Iterator[Trial]:
+def trials_of(source: SampleSource, scheme: Scheme) -> Iterator[Trial]:
     """Yield few compositions of a scheme that hold every choice of every option, with numbers.
 
     The worked example's options come first. A scheme without an example and without a space has
@@ -123,7 +123,7 @@ def trials_of(source: Source, scheme: Scheme) -> Iterator[Trial]:
 
 
 def trials_with(
-    source: Source, scheme: Scheme, options: Mapping[str, str], names: frozenset[str]
+    source: SampleSource, scheme: Scheme, options: Mapping[str, str], names: frozenset[str]
 ) -> Iterator[Trial]:
     """Yield few compositions that choose these options and hold all these quantities."""
     example = _example_of(source.course, scheme)
@@ -142,7 +142,7 @@ def trials_with(
             yield drawn
 
 
-def redrawn(source: Source, trial: Trial, count: int) -> Trial | None:
+def redrawn(source: SampleSource, trial: Trial, count: int) -> Trial | None:
     """Draw more variants of the composition of a trial; None where there is no range for it."""
     for one in source.mixed(trial.plan.scheme.id):
         if one.options == trial.plan.options:
@@ -151,7 +151,7 @@ def redrawn(source: Source, trial: Trial, count: int) -> Trial | None:
 
 
 def _suits(
-    source: Source,
+    source: SampleSource,
     scheme: Scheme,
     chosen: Mapping[str, str],
     options: Mapping[str, str],
@@ -160,7 +160,9 @@ def _suits(
     return options.items() <= chosen.items() and names <= _known_names(source, scheme, chosen)
 
 
-def _known_names(source: Source, scheme: Scheme, options: Mapping[str, str]) -> frozenset[str]:
+def _known_names(
+    source: SampleSource, scheme: Scheme, options: Mapping[str, str]
+) -> frozenset[str]:
     """Return the ids of all quantities of a composition and of all constants."""
     parts = part_ids(scheme, options)
     key = (scheme.id, *parts)
@@ -213,7 +215,7 @@ def _covering(
         tried.update(best.options.items())
 
 
-def _drawn(source: Source, mixed: Mixed) -> Trial | None:
+def _drawn(source: SampleSource, mixed: Mixed) -> Trial | None:
     """Draw variants of one combination; None where the ranges leave no solution."""
     space = mixed.space
     composition = Composition.of(space.scheme, mixed.options)

@@ -24,7 +24,7 @@ from gripcourse.proofs.operators import (
     noticed_by,
     with_formula,
 )
-from gripcourse.proofs.samples import Source, Trial
+from gripcourse.proofs.samples import SampleSource, Trial
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
 from gripcourse.text.words import message
@@ -36,7 +36,7 @@ _TRIED_BY_PROOF = 6  # and each declared proof
 
 
 @dataclass(frozen=True, slots=True)
-class Ground:
+class ProofGround:
     """What flipped operators are looked for with.
 
     Attributes:
@@ -46,7 +46,7 @@ class Ground:
         trials: numbers of the schemes in question.
     """
 
-    source: Source
+    source: SampleSource
     calculations: Sequence[PrintedCalculation]
     declared: DeclaredProofs
     trials: Sequence[Trial]
@@ -61,7 +61,7 @@ class Flipped:
     noticed: Noticed
 
 
-def prove_operators(ground: Ground) -> Iterator[ProofResult]:
+def prove_operators(ground: ProofGround) -> Iterator[ProofResult]:
     """Flip every operator of every formula, and tell what nothing notices.
 
     Returns:
@@ -103,7 +103,7 @@ def prove_operators(ground: Ground) -> Iterator[ProofResult]:
         yield ProofResult(proof, verdict, len(flipped), problems, note)
 
 
-def survey(ground: Ground) -> dict[Key, Flipped]:
+def survey(ground: ProofGround) -> dict[Key, Flipped]:
     """Flip every operator once, and find what notices it."""
     found = _by_numbers(ground)
     for trial in ground.trials:
@@ -118,7 +118,7 @@ def survey(ground: Ground) -> dict[Key, Flipped]:
     return found
 
 
-def _by_numbers(ground: Ground) -> dict[Key, Flipped]:
+def _by_numbers(ground: ProofGround) -> dict[Key, Flipped]:
     """Flip the operators of every calculation with printed results."""
     schemes = {one.plan.scheme.id for one in ground.trials}
     found: dict[Key, Flipped] = {}
@@ -133,7 +133,7 @@ def _by_numbers(ground: Ground) -> dict[Key, Flipped]:
 
 def _noticed(
     one: Flipped,
-    ground: Ground,
+    ground: ProofGround,
     columns: Columns,
     proofs: Sequence[tuple[DeclaredProof, tuple[Trial, ...]]],
 ) -> Noticed:

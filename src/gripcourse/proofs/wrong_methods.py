@@ -18,7 +18,7 @@ from gripcourse.grading.model import Finding
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded, short_name
-from gripcourse.proofs.samples import Source, Trial, redrawn
+from gripcourse.proofs.samples import SampleSource, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.solve import choose, reference_rounding
@@ -107,7 +107,7 @@ class _Survey:
 
 
 def prove_wrong_methods(
-    source: Source, policy: Policy, trials: Sequence[Trial]
+    source: SampleSource, policy: Policy, trials: Sequence[Trial]
 ) -> Iterator[ProofResult]:
     """Look for a variant that shows each declared wrong method, and let the grader name the slips.
 

@@ -13,7 +13,7 @@ USED = "used"
 """Kind of the slips where another number than the given or found one was used."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, order=True)
 class SlipId:
     """A slip, unique within the quantity that it was made in.
 

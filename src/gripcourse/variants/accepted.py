@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from gripcourse.policy.bands import SLACK
 from gripcourse.variants.answers import AnswerItem, Rows, section_totals
-from gripcourse.variants.apart import Limits
+from gripcourse.variants.apart import ApartLimits
 from gripcourse.variants.feasible import Array
 
 _VALUE, _REACH, _POINTS, _SECTION = range(4)
@@ -49,7 +49,7 @@ class Accepted:
         size: how many rows are used.
     """
 
-    limits: Limits
+    limits: ApartLimits
     sections: int
     columns: dict[str, int] = field(default_factory=dict)
     layers: Array = field(default_factory=lambda: np.zeros((_LAYERS, 0, 0)))

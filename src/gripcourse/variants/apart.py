@@ -28,16 +28,16 @@ _BINS = 100  # of a histogram of shares: whole percents
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
+class ApartLimits:
     """What one student may at most get with another's answers, as shares, 0 to 1."""
 
     whole: float
     section: float
 
 
-def limits_of(policy: Policy) -> Limits:
+def limits_of(policy: Policy) -> ApartLimits:
     """Return the limits of a policy."""
-    return Limits(policy.variants.shared_points, policy.variants.shared_section_points)
+    return ApartLimits(policy.variants.shared_points, policy.variants.shared_section_points)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,7 +96,7 @@ class Chunk:
     points: "csr_array"
 
 
-def measure(items: Sequence[AnswerItem], totals: Array, limits: Limits) -> Apartness:
+def measure(items: Sequence[AnswerItem], totals: Array, limits: ApartLimits) -> Apartness:
     """Measure how far the variants of a table are apart.
 
     Args:

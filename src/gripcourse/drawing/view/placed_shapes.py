@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from gripcourse.course.view import Face, Repeat, Ring, Shape, ViewPart
+from gripcourse.course.view import Face, Repeat, Ring, ViewPart, ViewShape
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import (
     Arc,
@@ -71,7 +71,7 @@ def shown(part: ViewPart, numbers: Numbers) -> Iterator[Shown]:
                 )  # fmt: skip
 
 
-def _is_mirrored(part: ViewPart, shape: Shape) -> bool:
+def _is_mirrored(part: ViewPart, shape: ViewShape) -> bool:
     return part.mirrored and not any(isinstance(one, Ring) for one in shape.repeats)
 
 
@@ -88,7 +88,7 @@ def _box(one: Outline) -> Box:
     return box_of(one.mask or (_ORIGIN,))
 
 
-def _repeated(shape: Shape, numbers: Numbers) -> Iterator[Outline]:
+def _repeated(shape: ViewShape, numbers: Numbers) -> Iterator[Outline]:
     needs: dict[str, list[float]] = {}
     for name, written in shape.needs.items():
         found = numbers.numbers(written, "deg" if name == "angles" else "mm")

@@ -1,0 +1,168 @@
+"""A formula made into functions, once, so that computing does not walk its tree again and again.
+
+There are two of them, which do the same: one for numpy arrays, one for single numbers, because an
+operation of numpy on a single number takes fifty times as long as the arithmetic itself.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Final, TypeAlias, assert_never
+
+import numpy as np
+
+from gripcourse.formula.functions import FUNCTIONS, SLACK, Array, Column
+from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation, Operator
+
+Columns: TypeAlias = Mapping[str, Column]
+OfArrays: TypeAlias = Callable[[Mapping[str, Array], Columns], Array]
+OfNumbers: TypeAlias = Callable[[Mapping[str, float], Columns], float]
+
+
+def finite(value: Array) -> Array:
+    """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
+    known = np.isfinite(value)
+    return value if known.all() else np.where(known, value, np.nan)
+
+
+def of_arrays(node: Node) -> OfArrays:
+    """Make a function of arrays in SI, finite or NaN; so is what it returns."""
+    match node:
+        case Number(value):
+            return _constant(np.asarray(value))
+        case Name(id="pi"):
+            return _constant(np.asarray(np.pi))
+        case Name(name):
+            return lambda values, _columns: values[name]
+        case Negation(operand):
+            inner = of_arrays(operand)
+            return lambda values, columns: np.negative(inner(values, columns))
+        case Operation(operator, left, right):
+            return _operation(_OF_ARRAYS[operator], of_arrays(left), of_arrays(right))
+        case Call(name, arguments, column):
+            return _call(name, tuple(map(of_arrays, arguments)), column)
+        case _:
+            assert_never(node)
+
+
+def of_numbers(node: Node) -> OfNumbers:
+    """Make a function of single numbers in SI, finite or NaN; so is what it returns."""
+    match node:
+        case Number(value):
+            return lambda _values, _columns: value
+        case Name(id="pi"):
+            return lambda _values, _columns: math.pi
+        case Name(name):
+            return lambda values, _columns: values[name]
+        case Negation(operand):
+            inner = of_numbers(operand)
+            return lambda values, columns: -inner(values, columns)
+        case Operation(operator, left, right):
+            operation = _OF_NUMBERS[operator]
+            first, second = of_numbers(left), of_numbers(right)
+            return lambda values, columns: operation(
+                first(values, columns), second(values, columns)
+            )
+        case Call(name, arguments, column):
+            return _number_call(name, tuple(map(of_numbers, arguments)), column)
+        case _:
+            assert_never(node)
+
+
+def _constant(value: Array) -> OfArrays:
+    return lambda _values, _columns: value
+
+
+def _operation(
+    operation: Callable[[Array, Array], Array], left: OfArrays, right: OfArrays
+) -> OfArrays:
+    return lambda values, columns: finite(operation(left(values, columns), right(values, columns)))
+
+
+def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfArrays:
+    compute = FUNCTIONS[name].compute
+
+    def call(values: Mapping[str, Array], columns: Columns) -> Array:
+        found = tuple(one(values, columns) for one in arguments)
+        return finite(compute(found, None if column is None else columns[column]))
+
+    return call
+
+
+def _number_call(name: str, arguments: tuple[OfNumbers, ...], column: str | None) -> OfNumbers:
+    compute = FUNCTIONS[name].compute
+
+    def call(values: Mapping[str, float], columns: Columns) -> float:
+        found = tuple(np.asarray(one(values, columns)) for one in arguments)
+        with np.errstate(all="ignore"):
+            return _known(float(compute(found, None if column is None else columns[column])))
+
+    return call
+
+
+def _known(value: float) -> float:
+    return value if math.isfinite(value) else math.nan
+
+
+def _power(base: Array, exponent: Array) -> Array:
+    """Raise to a power; NaN stays NaN, where numpy makes NaN ** 0 and 1 ** NaN one."""
+    known = ~(np.isnan(base) | np.isnan(exponent))
+    return np.where(known, np.power(base, exponent), np.nan)
+
+
+def _number_power(base: float, exponent: float) -> float:
+    if math.isnan(base) or math.isnan(exponent):
+        return math.nan
+    try:
+        return _known(math.pow(base, exponent))
+    except (ValueError, OverflowError):  # a root of a negative number, 1/0, too large
+        return math.nan
+
+
+def _quotient(left: float, right: float) -> float:
+    return _known(left / right) if right else math.nan
+
+
+def _slack(left: Array, right: Array) -> Array:
+    return SLACK * np.maximum(np.abs(left), np.abs(right))
+
+
+def _verdict(left: Array, right: Array, holds: Array) -> Array:
+    return np.where(np.isnan(left) | np.isnan(right), np.nan, holds)
+
+
+def _at_most(left: Array, right: Array) -> Array:
+    return _verdict(left, right, np.asarray(left <= right + _slack(left, right), np.float64))
+
+
+def _number_at_most(left: float, right: float) -> float:
+    if math.isnan(left) or math.isnan(right):
+        return math.nan
+    return float(left <= right + SLACK * max(abs(left), abs(right)))
+
+
+_OF_ARRAYS: Final[Mapping[Operator, Callable[[Array, Array], Array]]] = {
+    "+": np.add,
+    "-": np.subtract,
+    "*": np.multiply,
+    "/": np.divide,
+    "**": _power,
+    "<": lambda left, right: 1.0 - _at_most(right, left),
+    "<=": _at_most,
+    ">": lambda left, right: 1.0 - _at_most(left, right),
+    ">=": lambda left, right: _at_most(right, left),
+    "==": lambda left, right: _at_most(left, right) * _at_most(right, left),
+    "and": np.multiply,
+}
+_OF_NUMBERS: Final[Mapping[Operator, Callable[[float, float], float]]] = {
+    "+": lambda left, right: _known(left + right),
+    "-": lambda left, right: _known(left - right),
+    "*": lambda left, right: _known(left * right),
+    "/": _quotient,
+    "**": _number_power,
+    "<": lambda left, right: 1.0 - _number_at_most(right, left),
+    "<=": _number_at_most,
+    ">": lambda left, right: 1.0 - _number_at_most(left, right),
+    ">=": lambda left, right: _number_at_most(right, left),
+    "==": lambda left, right: _number_at_most(left, right) * _number_at_most(right, left),
+    "and": lambda left, right: left * right,
+}
