@@ -60,7 +60,7 @@ def test_the_templates_of_the_reference_course_are_right(spoiled: Spoil) -> None
 @pytest.mark.parametrize(
     ("file", "old", "new", "what", "remedy"),
     [
-        ("student.html.j2", "{% if causes %}", "{% if causes }", "unexpected '}'", "Mend"),
+        ("student.html.j2", "{% if causes %}", "{% if causes }", "unexpected '}'", "Correct"),
         ("cohort.html.j2", "<h1>", "<h1>{% include 'parts/gone' %}", "parts/gone", "parts/"),
         ("parts/given.html.j2", "| symbol", "| symbl", "filter 'symbl'", "'symbol'"),
         ("solution.html.j2", "{% if view %}", "{% if view is emty %}", "test 'emty'", "Known here"),
@@ -68,7 +68,7 @@ def test_the_templates_of_the_reference_course_are_right(spoiled: Spoil) -> None
         ("parts/answers.html.j2", "in rows %}", "in rwos %}", "'rwos'", ""),
         ("parts/behind.html.j2", "in causes %}", "in cuases %}", "'cuases'", "'causes'"),
         ("parts/behind.html.j2", "{{ cause.count }}", "{{ cause.cuont }}", "'cuont'", "name"),
-        ("parts/result.html.j2", "{{ score", "{{ 1 / 0 }}{{ score", "division by zero", "Mend"),
+        ("parts/result.html.j2", "{{ score", "{{ 1 / 0 }}{{ score", "division by zero", "Correct"),
         ("reference_scheme.html.j2", "{{ title }}", "{{ titel }}", "'titel'", "'title'"),
     ],
 )

@@ -62,7 +62,7 @@ def load_course(root: Path) -> Course:
 
 
 def _digest(root: Path) -> str | None:
-    """Digest all that a course is loaded from; None where some of it cannot be read."""
+    """Digest all that a course is loaded from and checked with; None: some cannot be read."""
     try:
         below = (path for folder in (VARIANTS, RUBRICS) for path in (root / folder).rglob("*"))
         files = [path for path in below if path.suffix in _READ and path.is_file()]

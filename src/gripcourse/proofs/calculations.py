@@ -57,7 +57,7 @@ def calculations(
         example = one.example
         if example is None or scheme not in {None, one.id}:
             continue
-        for convention in Convention:
+        for convention in course.conventions:
             if not example.expected[convention]:
                 continue
             plan = make_plan(course, one.id, example.options, convention)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from gripcourse.course.quantity import Convention, Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.documents.report.angles import in_radians
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import evaluate
@@ -66,7 +66,7 @@ def reads_back(one: Quantity, formula: Formula, plan: Plan, values: Values, lang
 
 
 def prove_printed_lines(trials: Iterable[Trial]) -> Iterator[ProofResult]:
-    """Read the line of every formula back, in every language and in both conventions.
+    """Read the line of every formula back, in every language and convention of the course.
 
     A line of a shared part is read once for all compositions that use it with the same units.
 
@@ -77,7 +77,7 @@ def prove_printed_lines(trials: Iterable[Trial]) -> Iterator[ProofResult]:
     counted: dict[str, int] = {}
     problems: dict[str, dict[str, Problem]] = {}
     for trial in trials:
-        for convention in Convention:
+        for convention in trial.plan.course.conventions:
             plan = make_plan(
                 trial.plan.course, trial.plan.scheme.id, trial.plan.options, convention
             )
