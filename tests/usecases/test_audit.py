@@ -21,7 +21,14 @@ def test_a_table_that_was_drawn_by_the_rules_passes(course: Course, tmp_path: Pa
     draw_table(course, 6, 7, SCHEME, table)
     audited = audit_table(course, table, tmp_path / "audit", Words("en"), DAY)
     assert audited.audit.passed
-    names = {"variants.csv", "pairs.csv", "quantities.csv", "slips.csv", "verdicts.csv", CERTIFICATE}
+    names = {
+        "variants.csv",
+        "pairs.csv",
+        "quantities.csv",
+        "slips.csv",
+        "verdicts.csv",
+        CERTIFICATE,
+    }
     assert {path.name for path in (tmp_path / "audit").iterdir()} == names
     assert {path.name for path in audited.written} == names
 

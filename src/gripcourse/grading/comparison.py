@@ -60,7 +60,9 @@ class ExpectedRange:
     high: float
 
     def nearest(self, value: float) -> float:
-        """Return the point of the range that is nearest to a value."""
+        """Return the point of the range that is nearest to a value; NaN where there is no range."""
+        if math.isnan(self.low) or math.isnan(self.high):
+            return math.nan  # `min` and `max` would give the value back, which then fits itself
         return min(max(value, self.low), self.high)
 
 

@@ -1,0 +1,36 @@
+"""Nothing is accepted that was not computed."""
+
+import math
+
+import pytest
+
+from gripcourse.grading.comparison import NOWHERE, ExpectedRange
+from gripcourse.policy.bands import within
+
+NUMBERS = [-1e9, 0.0, 1.0, 3.14, math.inf, math.nan]
+
+
+@pytest.mark.parametrize("typed", NUMBERS)
+@pytest.mark.parametrize(
+    "expected",
+    [
+        NOWHERE,
+        ExpectedRange(1.0, math.nan, 2.0),
+        ExpectedRange(1.0, 0.5, math.nan),
+        ExpectedRange(math.nan, math.nan, 2.0),
+    ],
+)
+def test_no_number_follows_from_what_has_no_value(typed: float, expected: ExpectedRange) -> None:
+    assert math.isnan(expected.nearest(typed))
+    assert not within(typed, expected.nearest(typed), 1e30)
+
+
+@pytest.mark.parametrize("typed", NUMBERS)
+def test_no_number_lies_in_a_band_that_has_no_width(typed: float) -> None:
+    assert not within(typed, 1.0, math.nan)
+    assert not within(math.nan, 1.0, 1.0)
+
+
+@pytest.mark.parametrize(("typed", "nearest"), [(0.0, 1.0), (1.5, 1.5), (7.0, 2.0)])
+def test_the_nearest_point_of_a_range_is_in_it(typed: float, nearest: float) -> None:
+    assert ExpectedRange(1.4, 1.0, 2.0).nearest(typed) == nearest
