@@ -15,7 +15,7 @@ LEVELS = (
     ("text",),
     ("errors",),
     ("machine",),
-    ("jobs", "database"),
+    ("jobs",),
     ("formula",),
     ("course",),
     ("solver",),

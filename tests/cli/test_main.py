@@ -12,7 +12,7 @@ import pytest
 
 from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
-from gripcourse.database.home import gradebook_path
+from gripcourse.machine.database.home import gradebook_path
 
 SCHEME = "rack_parallelogram"
 ROSTER = """\

@@ -22,7 +22,8 @@ from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import PrintedCalculation, calculations
-from gripcourse.proofs.declared import DeclaredProof, load_declared_proofs
+from gripcourse.proofs.check_declared import load_declared_proofs
+from gripcourse.proofs.declared import DeclaredProof
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.published_cases import load_published_cases
 from gripcourse.proofs.samples import SampleSource, Trial

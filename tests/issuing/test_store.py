@@ -11,14 +11,14 @@ from pathlib import Path
 import pytest
 from sqlalchemy import text
 
-from gripcourse.database.home import address_path, gradebook_path
-from gripcourse.database.opening import open_engine
 from gripcourse.errors import RegisterError, TableError
 from gripcourse.issuing.allotment import Extended, Terms, extend
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.register_file import old_register_path, write_register_file
 from gripcourse.issuing.signature import key_path, make_key, sign
 from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.machine.database.home import address_path, gradebook_path
+from gripcourse.machine.database.opening import open_engine
 from gripcourse.variants.model import Issued, Student, Variant
 
 KEY = bytes(range(32))

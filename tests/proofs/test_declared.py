@@ -8,7 +8,8 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
-from gripcourse.proofs.declared import FILE, DeclaredProofs, load_declared_proofs
+from gripcourse.proofs.check_declared import load_declared_proofs
+from gripcourse.proofs.declared import FILE, DeclaredProofs
 from gripcourse.proofs.declared_trials import prove_declared
 from gripcourse.proofs.model import Verdict
 from gripcourse.proofs.samples import SampleSource

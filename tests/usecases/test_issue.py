@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.database.home import gradebook_path
 from gripcourse.errors import GripcourseError, RegisterError, TableError
 from gripcourse.issuing.register_file import old_register_path
 from gripcourse.issuing.signature import key_path, verify
+from gripcourse.machine.database.home import gradebook_path
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 

@@ -10,11 +10,11 @@ import pytest
 from sqlalchemy import text
 
 from gripcourse.course.model import Course
-from gripcourse.database.home import gradebook_path
-from gripcourse.database.opening import open_engine
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.issuing.store import extend_register
+from gripcourse.machine.database.home import gradebook_path
+from gripcourse.machine.database.opening import open_engine
 from gripcourse.usecases.validate import all_problems, register_problems
 from gripcourse.variants.model import Student, Variant
 

@@ -99,7 +99,7 @@ def day_of(chosen: datetime | None) -> date:
 
 def gradebook_place(chosen: str | None, root: Path) -> str:
     """Return the gradebook to use: the named one, else the course's."""
-    from gripcourse.database.home import home_of  # noqa: PLC0415 (not for --help)
+    from gripcourse.machine.database.home import home_of  # noqa: PLC0415 (not for --help)
 
     return chosen or home_of(root)
 

@@ -12,13 +12,13 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
-from gripcourse.database.home import home_of
 from gripcourse.demo.classroom import sample_roster, sample_table
 from gripcourse.demo.students import COPIED, fill_workbooks
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.store import read_register
+from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.rubric import RubricLine

@@ -13,10 +13,15 @@ from typing import Any, TypeAlias, TypeVar
 from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
 from sqlalchemy.exc import IntegrityError
 
-from gripcourse.database.opening import open_engine, refusals_named, without_password, writing
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, same_results
+from gripcourse.machine.database.opening import (
+    open_engine,
+    refusals_named,
+    without_password,
+    writing,
+)
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.

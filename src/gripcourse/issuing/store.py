@@ -12,14 +12,19 @@ from pathlib import Path
 from sqlalchemy import Connection, Engine
 from sqlalchemy.exc import IntegrityError
 
-from gripcourse.database.home import exists, gradebook_path, home_of
-from gripcourse.database.opening import open_engine, refusals_named, without_password, writing
 from gripcourse.errors import GradebookError, Problem, RegisterError
 from gripcourse.issuing.allotment import Extended
 from gripcourse.issuing.register import Register, verified
 from gripcourse.issuing.register_file import old_register_path, read_register_file
 from gripcourse.issuing.rows import add_rows, other_courses, read_rows
 from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.machine.database.home import exists, gradebook_path, home_of
+from gripcourse.machine.database.opening import (
+    open_engine,
+    refusals_named,
+    without_password,
+    writing,
+)
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.

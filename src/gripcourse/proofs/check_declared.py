@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from gripcourse.course.compose import compose, pair_option_sets
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Quantity
-from gripcourse.errors import Problem
+from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.dimension import is_condition, measured_by
 from gripcourse.formula.parse import FormulaFault, caret
 from gripcourse.formula.rules import ColumnDimensions
@@ -19,11 +19,25 @@ from gripcourse.proofs.declared import (
     VirtualWork,
     formulas_of,
     names_used,
+    read_declared_proofs,
 )
 from gripcourse.proofs.operators import OPERATORS, column_dimensions
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import PLAIN, Dimension, dimension
 from gripcourse.text.words import message
+
+
+def load_declared_proofs(course: Course) -> DeclaredProofs:
+    """Read the proofs that a course declares; a course without the file declares none.
+
+    Raises:
+        CourseError: with every problem of the file.
+    """
+    found, problems = read_declared_proofs(course)
+    problems += check_declared(course, found)
+    if problems:
+        raise CourseError(problems)
+    return found
 
 
 def check_declared(course: Course, declared: DeclaredProofs) -> list[Problem]:

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.course.toml_table import Table, read_toml
-from gripcourse.errors import CourseError, Problem
+from gripcourse.errors import Problem
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
 from gripcourse.proofs.keys import PROOFS
@@ -123,21 +123,6 @@ class DeclaredProofs:
 
     proofs: tuple[DeclaredProof, ...] = ()
     unshown: tuple[Unshown, ...] = ()
-
-
-def load_declared_proofs(course: Course) -> DeclaredProofs:
-    """Read the proofs that a course declares; a course without the file declares none.
-
-    Raises:
-        CourseError: with every problem of the file.
-    """
-    from gripcourse.proofs.check_declared import check_declared  # noqa: PLC0415 - checks what is read here
-
-    found, problems = read_declared_proofs(course)
-    problems += check_declared(course, found)
-    if problems:
-        raise CourseError(problems)
-    return found
 
 
 def read_declared_proofs(course: Course) -> tuple[DeclaredProofs, list[Problem]]:

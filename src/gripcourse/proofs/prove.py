@@ -11,7 +11,8 @@ from gripcourse.proofs.calculations import (
     calculations,
     prove_calculation,
 )
-from gripcourse.proofs.declared import DeclaredProofs, load_declared_proofs
+from gripcourse.proofs.check_declared import load_declared_proofs
+from gripcourse.proofs.declared import DeclaredProofs
 from gripcourse.proofs.declared_trials import proof_of, prove_declared
 from gripcourse.proofs.kinematics import prove_motion, prove_ratios
 from gripcourse.proofs.model import ProofKind, ProofResult

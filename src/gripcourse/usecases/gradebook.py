@@ -7,11 +7,11 @@ from datetime import datetime
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
-from gripcourse.database.home import exists
 from gripcourse.gradebook.apply import with_marks
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.gradebook.model import GradebookEntry, attempt_of
 from gripcourse.gradebook.store import open_gradebook
+from gripcourse.machine.database.home import exists
 
 
 def check_gradebook(place: str) -> None:

@@ -6,7 +6,6 @@ from datetime import datetime
 from functools import cache
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.database.home import exists
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_judged, latest_marks
@@ -14,6 +13,7 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
 from gripcourse.machine.content import Readable
+from gripcourse.machine.database.home import exists
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message

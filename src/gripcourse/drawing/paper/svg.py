@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from gripcourse.drawing.paper.svg_number import number
 from gripcourse.drawing.paper.text import FONT_FAMILY
 from gripcourse.text.shown import shown
 
@@ -46,12 +47,6 @@ def svg_text(document: "Drawing", width_mm: float, height_mm: float, title: str)
         parts.append(f'<path d="{"".join(picture.fills)}"/>')
     parts.append(f"<g font-family=\"'{FONT_FAMILY}','DejaVu Sans',sans-serif\">")
     return "\n".join([*parts, *picture.words, "</g>", "</svg>\n"])
-
-
-def number(value: float) -> str:
-    """Write a coordinate: hundredths of a millimetre are finer than any printer."""
-    written = f"{value:.2f}".rstrip("0").rstrip(".")
-    return "0" if written == "-0" else written
 
 
 def _path(stroke: "Stroke", data: Sequence[str]) -> str:

@@ -19,7 +19,7 @@ from ezdxf.entities.text import Text
 from ezdxf.path import from_hatch, make_path
 
 from gripcourse.drawing.paper.hatch import hatch_lines
-from gripcourse.drawing.paper.svg import number
+from gripcourse.drawing.paper.svg_number import number
 from gripcourse.drawing.paper.text import CAP_HEIGHT, Point, read_text
 from gripcourse.text.shown import shown
 

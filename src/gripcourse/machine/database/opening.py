@@ -14,8 +14,8 @@ from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError, SQLAlchemyError
 from sqlalchemy.pool import NullPool
 
-from gripcourse.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
 from gripcourse.errors import GradebookError, NextStep, Problem
+from gripcourse.machine.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
 from gripcourse.machine.files import make_private, making, replacing
 from gripcourse.text.words import Message, message
 

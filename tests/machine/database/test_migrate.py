@@ -17,11 +17,11 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.engine import Dialect
 from sqlalchemy.schema import CreateTable
 
-from gripcourse.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
-from gripcourse.database.opening import open_engine
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
+from gripcourse.machine.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
+from gripcourse.machine.database.opening import open_engine
 
 TABLES = [*gradebook.metadata.sorted_tables, *register.metadata.sorted_tables]
 FIRST_VERSION = Path(__file__).with_name("first_version.sql").read_text(encoding="utf-8")
@@ -103,7 +103,7 @@ def test_the_first_version_refuses_what_was_brought_up(old: Path) -> None:
 
 def test_the_program_knows_all_revisions_in_their_order() -> None:
     config = Config()
-    config.set_main_option("script_location", "gripcourse.database:migrations")
+    config.set_main_option("script_location", "gripcourse.machine.database:migrations")
     scripts = ScriptDirectory.from_config(config).walk_revisions()
     assert tuple(one.revision for one in scripts) == REVISIONS[::-1]
 

@@ -8,10 +8,10 @@ import pytest
 from sqlalchemy import create_engine, inspect, text
 from sqlalchemy.engine import make_url
 
-from gripcourse.database.home import address_path, exists, gradebook_path, home_of
-from gripcourse.database.migrate import NEWEST
-from gripcourse.database.opening import open_engine, without_password
 from gripcourse.errors import GradebookError
+from gripcourse.machine.database.home import address_path, exists, gradebook_path, home_of
+from gripcourse.machine.database.migrate import NEWEST
+from gripcourse.machine.database.opening import open_engine, without_password
 
 
 class TestHome:
@@ -47,7 +47,7 @@ class TestMaking:
             raise KeyboardInterrupt
 
         with monkeypatch.context() as patch:
-            patch.setattr("gripcourse.database.opening.bring_up", crash)
+            patch.setattr("gripcourse.machine.database.opening.bring_up", crash)
             with pytest.raises(KeyboardInterrupt):
                 open_engine(str(tmp_path / "gradebook.sqlite"))
         assert list(tmp_path.iterdir()) == []

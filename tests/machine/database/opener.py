@@ -2,8 +2,8 @@
 
 import sys
 
-from gripcourse.database.migrate import revision_of
-from gripcourse.database.opening import open_engine
+from gripcourse.machine.database.migrate import revision_of
+from gripcourse.machine.database.opening import open_engine
 
 if __name__ == "__main__":
     with open_engine(sys.argv[1]).connect() as opened:
