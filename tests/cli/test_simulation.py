@@ -1,5 +1,6 @@
 """The commands that measure the grader, from the command line."""
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,10 @@ FEW = ("--count", "2", "--scheme", "wedge_slide", "--seed", "3", "--workers", "1
 
 
 def call(*arguments: str) -> tuple[int, str]:
-    result = CliRunner().invoke(app, [*arguments, "--course", COURSE, "--language", "en"])
+    whole = [*arguments, "--course", COURSE, "--language", "en"]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "argv", ["gripcourse", *whole])
+        result = CliRunner().invoke(app, whole)
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result.exit_code, result.stdout
