@@ -8,11 +8,12 @@ import pytest
 import gripcourse as gc
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import correct, early_slip
+from gripcourse.demo.students import correct
 from gripcourse.errors import CourseError, TableError, UsageError
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.self_check import State
 from gripcourse.machine.resources import COURSE_FOLDERS
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -27,7 +28,7 @@ def handed_in(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> 
     folder = tmp_path_factory.mktemp("uploads")
     return {
         student: issued.hand_in(student, behaviour, folder / f"{student}.xlsx").read_bytes()
-        for student, behaviour in (("s01", correct), ("s02", early_slip))
+        for student, behaviour in (("s01", correct), ("s02", forget_one_jaw))
     }
 
 

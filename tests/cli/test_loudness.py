@@ -69,14 +69,14 @@ def test_the_words_themselves_tell_how_loud(
 def test_quiet_leaves_out_what_was_done(
     say: Say, monkeypatch: pytest.MonkeyPatch, arguments: list[str]
 ) -> None:
-    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _: [])
+    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _, **__: [])
     assert say("validate") == (0, "The course is valid.\n", "")
     assert say(*arguments) == (0, "", "")
 
 
 def test_quiet_keeps_problems_and_results(say: Say, monkeypatch: pytest.MonkeyPatch) -> None:
     problem = Problem("a.toml", "", message("Wrong."), message("Mend it."))
-    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _: [problem])
+    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _, **__: [problem])
     assert say("-q", "validate") == (cli.WRONG_USE, "", "a.toml: Wrong. Mend it.\n")
     assert say("-q", "--version")[1]
 
@@ -84,7 +84,7 @@ def test_quiet_keeps_problems_and_results(say: Say, monkeypatch: pytest.MonkeyPa
 def test_verbose_tells_how_it_ended(
     say: Say, monkeypatch: pytest.MonkeyPatch, library_log: logging.Logger
 ) -> None:
-    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _: [])
+    monkeypatch.setattr("gripcourse.usecases.validate.all_problems", lambda _, **__: [])
     library_log.handlers.clear()
     code, said, error = say("-v", "validate")
     assert (code, said) == (0, "The course is valid.\n")
@@ -97,7 +97,7 @@ def test_verbose_shows_the_trace_of_our_own_mistake(
     tmp_path_factory: pytest.TempPathFactory,
     library_log: logging.Logger,
 ) -> None:
-    def fail(_root: object) -> None:
+    def fail(_root: object, **_: object) -> None:
         raise ZeroDivisionError
 
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path_factory.mktemp("incidents")))

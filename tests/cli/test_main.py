@@ -376,7 +376,7 @@ class TestOurMistakes:
     def test_an_unforeseen_failure_is_a_sentence_a_log_and_its_own_code(
         self, gripcourse: Command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     ) -> None:
-        def fail(_root: Path) -> None:
+        def fail(_root: Path, **_: object) -> None:
             raise ZeroDivisionError
 
         monkeypatch.setattr("tempfile.tempdir", str(tmp_path))

@@ -11,11 +11,13 @@ import pytest
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import Behaviour
 from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
-from gripcourse.simulation.write import fill
+from gripcourse.simulation.write import Typed, fill
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
 from gripcourse.usecases.handout import issue_one, workbook_path
 from gripcourse.usecases.init import init_course
@@ -80,6 +82,17 @@ def table(course: Course) -> list[Variant]:
         Variant(f"00{number}", scheme.id, dict(plan.options), {**given, "mass": 65.0 - 5 * number})
         for number in range(1, 8)
     ]
+
+
+def forget_one_jaw(plan: Plan, issued: Issued) -> Typed:
+    """Forget that friction acts at both jaws, and compute on faultlessly."""
+    right = solve_variant(plan, issued.variant.given)
+    wrong = {**issued.variant.given, "grip_force": 2 * right["grip_force"]}
+    values = solve_variant(plan, wrong)
+    return {
+        one.id: ("да" if values[one.id] else "нет") if one.kind is Kind.VERDICT else values[one.id]
+        for one in plan.answered
+    }
 
 
 def open_classroom(folder: Path, policy: Policy, roster: str = ROSTER) -> Classroom:

@@ -9,7 +9,6 @@ from openpyxl import Workbook, load_workbook
 
 from gripcourse.cli.text import check_text
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import early_slip
 from gripcourse.errors import UsageError
 from gripcourse.grading.self_check import State
 from gripcourse.simulation.write import fill
@@ -17,6 +16,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.check import check_file
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @pytest.fixture
 def slipped(issued: "Classroom", tmp_path: Path) -> Path:
     """Everything computed on from a doubled grip force."""
-    return issued.hand_in("s01", early_slip, tmp_path / "мой ответ.xlsx")
+    return issued.hand_in("s01", forget_one_jaw, tmp_path / "мой ответ.xlsx")
 
 
 def refusal(issued: "Classroom", file: Path) -> str:
@@ -51,7 +51,7 @@ def test_nothing_of_the_reference_is_printed(
     """What depends on the doubled force has another reference; none of those is on the screen."""
     entry = issued.register["s01"]
     reference = solve_variant(issued.plan("s01"), entry.variant.given)
-    typed = early_slip(issued.plan("s01"), entry)
+    typed = forget_one_jaw(issued.plan("s01"), entry)
     words = Words(language)
     shown = check_text(check_file(slipped, issued.course, issued.policy), words)
     answered = {one.id for one in issued.plan("s01").answered if one.kind is Kind.FORMULA}

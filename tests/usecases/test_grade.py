@@ -14,11 +14,12 @@ import pytest
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import blank, correct, early_slip
+from gripcourse.demo.students import blank, correct
 from gripcourse.errors import UsageError
 from gripcourse.exports.report_result import GradesResult
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.grade import GradingOutcome, find_files, grade, json_text, write_results
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -46,7 +47,7 @@ def inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path
     folder = tmp_path_factory.mktemp("inbox")
     issued.hand_in("s01", correct, folder / "s01.xlsx")
     platform = folder / "Шевченко Оксана_s02_assignsubmission_file"
-    issued.hand_in("s02", early_slip, platform / "ответы.xlsx")
+    issued.hand_in("s02", forget_one_jaw, platform / "ответы.xlsx")
     shutil.copy(folder / "s01.xlsx", folder / "s03.xlsx")
     (folder / "чертёж.pdf").write_bytes(b"%PDF-1.7")
     (folder / "~$s01.xlsx").write_bytes(b"lock")

@@ -11,7 +11,7 @@ import pytest
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.demo.students import correct, early_slip
+from gripcourse.demo.students import correct
 from gripcourse.errors import GradebookError, GripcourseError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.grading.model import Finding, Outcome, Report
@@ -25,6 +25,7 @@ from gripcourse.usecases.mark import (
     existing_gradebook,
     what_waits,
 )
+from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -90,7 +91,7 @@ def files(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> list
     folder = tmp_path_factory.mktemp("inbox")
     return [
         issued.hand_in("s01", correct, folder / "s01.xlsx"),
-        issued.hand_in("s02", early_slip, folder / "s02.xlsx"),
+        issued.hand_in("s02", forget_one_jaw, folder / "s02.xlsx"),
     ]
 
 
@@ -126,7 +127,7 @@ class TestAMarkedDrawing:
         self, office: Office, issued: "Classroom", tmp_path: Path
     ) -> None:
         office.mark(lines=LINES)
-        new = issued.hand_in("s01", early_slip, tmp_path / "new" / "s01.xlsx")
+        new = issued.hand_in("s01", forget_one_jaw, tmp_path / "new" / "s01.xlsx")
         report = office.grade([new])["s01"]
         assert [flag.code for flag in report.flags] == ["mark_outdated"]
         assert item(report, DRAWING).points == pytest.approx(

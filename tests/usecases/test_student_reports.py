@@ -144,8 +144,10 @@ def test_a_report_of_an_earlier_run_does_not_stand_for_one_that_failed(
 def test_grades_are_written_though_the_report_on_the_batch_fails(
     fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
 ) -> None:
-    nowhere = replace(issued.course, root=tmp_path / "gone")
-    context = replace(issued.context, course=nowhere)
+    root = tmp_path / "broken"
+    (root / "templates").mkdir(parents=True)
+    (root / "templates" / "cohort.html.j2").write_text("{{ 1 / 0 }}", encoding="utf-8")
+    context = replace(issued.context, course=replace(issued.course, root=root))
     plain = [one for one in reports if one.student != "s02"]
     outcome = results(plain, context, tmp_path / "out", fake.refuse_s02)
     assert outcome.cohort is None
