@@ -115,9 +115,11 @@ def range_of(moved: NDArray[np.float64]) -> tuple[float, float]:
     if moved.ndim == 0:
         return float(moved), float(moved)
     base = float(moved[0])
-    moves = np.nan_to_num(moved[1:] - base).reshape(-1, 2)
-    down = np.minimum(moves.min(axis=1), 0.0).sum()
-    up = np.maximum(moves.max(axis=1), 0.0).sum()
+    moves = moved[1:] - base
+    moves[np.isnan(moves)] = 0.0
+    lower, upper = moves[0::2], moves[1::2]
+    down = np.minimum(np.minimum(lower, upper), 0.0).sum()
+    up = np.maximum(np.maximum(lower, upper), 0.0).sum()
     return base + float(down), base + float(up)
 
 
