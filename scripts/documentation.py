@@ -152,6 +152,8 @@ def _rooms() -> dict[str, list[str]]:
     for path in sorted(root.rglob("*.py")):
         *packages, name = path.relative_to(root).with_suffix("").parts
         dotted = ".".join(["gripcourse", *packages, *([] if name == "__init__" else [name])])
+        if "migrations" in packages:
+            continue  # scripts that only the tool of migrations can load
         if name != "__main__" and not name.startswith("_") and dotted != PUBLIC:
             rooms.setdefault(packages[0] if packages else name, []).append(dotted)
     return rooms
