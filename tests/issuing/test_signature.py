@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from gripcourse.errors import RegisterError
 from gripcourse.issuing.signature import key_path, make_key, read_key, sign, verify
+from gripcourse.machine.files import write_text
 from gripcourse.variants.model import Variant
 
 KEY = bytes(range(32))
@@ -52,6 +53,20 @@ def test_another_student_course_or_key_does_not_fit() -> None:
     assert not verify(KEY, "small", "ivanova", VARIANT, signature)
     assert not verify(KEY, "other", "popov", VARIANT, signature)
     assert not verify(bytes(32), "small", "popov", VARIANT, signature)
+
+
+def test_of_two_programs_that_make_a_key_at_once_both_use_that_of_the_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = key_path(tmp_path)
+
+    def another_program_is_faster(unfinished: Path, text: str, *, private: bool) -> None:
+        write_text(path, KEY.hex(), private=private)
+        write_text(unfinished, text, private=private)
+
+    monkeypatch.setattr("gripcourse.issuing.signature.write_text", another_program_is_faster)
+    assert make_key(path, bytes(32)) == KEY
+    assert [one.name for one in path.parent.iterdir()] == ["key"]
 
 
 @given(st.text(max_size=80))

@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 
 from gripcourse.errors import Problem, RegisterError
-from gripcourse.machine.files import write_text
+from gripcourse.machine.files import making, write_text
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Variant
 
@@ -33,11 +33,12 @@ def make_key(path: Path, random_bytes: bytes) -> bytes:
         random_bytes: 32 bytes from a source fit for secrets.
 
     Returns:
-        The key.
+        The key: of two programs that make one at once, both get that of the first.
 
     Raises:
         RegisterError: there is a key already; a new one would void every signature.
         ValueError: not 32 bytes.
+        OSError: the folder cannot be written.
     """
     if len(random_bytes) != KEY_BYTES:
         raise ValueError(f"a key has {KEY_BYTES} bytes, not {len(random_bytes)}")
@@ -47,8 +48,10 @@ def make_key(path: Path, random_bytes: bytes) -> bytes:
             message("There is a key already; a new one would void all signatures."),
             message("Keep it. To start a new course, move it away together with the register."),
         )
-    write_text(path, random_bytes.hex() + "\n", private=True)
-    return random_bytes
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with making(path) as unfinished:
+        write_text(unfinished, random_bytes.hex() + "\n", private=True)
+    return read_key(path)
 
 
 def key_of(path: Path, *, issued: bool) -> bytes | None:

@@ -3,7 +3,7 @@
 import logging
 import secrets
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from functools import partial
 from pathlib import Path
@@ -100,7 +100,7 @@ def issue_order(
     terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
     if known is None:
         extend(before, students, variants, terms)  # what is refused makes no key
-        make_key(place, terms.key)
+        terms = replace(terms, key=make_key(place, terms.key))
     extended = extend_register(
         course.root, course.id, lambda register: extend(register, students, variants, terms)
     )
