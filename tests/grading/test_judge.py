@@ -194,12 +194,16 @@ class TestBlankUnreadableWrong:
 class TestVerdicts:
     def test_yes_is_right_by_the_reference(self, hydraulic: "Case") -> None:
         assert hydraulic.reference["bearing_ok"] == 1.0
-        assert hydraulic.findings({"bearing_ok": 1.0})["bearing_ok"].outcome is Outcome.CORRECT
+        assert hydraulic.findings(hydraulic.answers)["bearing_ok"].outcome is Outcome.CORRECT
+
+    def test_yes_beside_numbers_that_say_no_is_wrong(self, hydraulic: "Case") -> None:
+        answers = {**hydraulic.answers, "bearing_stress": 95.0}
+        assert hydraulic.findings(answers)["bearing_ok"].outcome is Outcome.WRONG
 
     def test_no_against_all_numbers_is_wrong(self, hydraulic: "Case") -> None:
         finding = hydraulic.findings({**hydraulic.answers, "bearing_ok": 0.0})["bearing_ok"]
         assert finding.outcome is Outcome.WRONG
-        assert str(finding.message) == "The numbers say the opposite."
+        assert str(finding.message) == "Your numbers say the opposite."
 
     def test_no_is_right_where_the_students_own_numbers_say_so(self, hydraulic: "Case") -> None:
         answers = {**hydraulic.answers, "bearing_stress": 95.0, "bearing_ok": 0.0}

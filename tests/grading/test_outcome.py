@@ -82,7 +82,7 @@ def test_signs_and_words_tell_outcomes_apart() -> None:
 @pytest.mark.parametrize("outcome", list(Outcome))
 def test_what_holds_of_an_outcome_makes_sense(outcome: Outcome) -> None:
     traits = outcome.traits
-    assert traits.right + traits.mistake + traits.missing + traits.waits == 1
+    assert traits.right + traits.mistake + traits.missing + traits.waits + traits.withheld == 1
     assert traits.right or not (traits.equals_reference or traits.follows)
     assert traits.mistake or not traits.named
     assert traits.waits or not traits.by_rubric
@@ -117,9 +117,10 @@ def test_one_entry_adds_an_outcome_everywhere(tmp_path: Path) -> None:
     asked = (
         "from gripcourse.documents.report.quantities import COUNTED\n"
         "from gripcourse.grading.outcome import Outcome, outcome_named\n"
-        "print(*COUNTED, outcome_named('rough').traits.sign)"
+        "print(*COUNTED, outcome_named('near').traits.sign)"
     )
     places = {**os.environ, "PYTHONPATH": str(tmp_path), "PYTHONIOENCODING": "utf-8"}
     run = subprocess.run([sys.executable, "-c", asked], env=places, capture_output=True, check=True)  # noqa: S603 (own words)
-    names = ["correct", "carried", "rough", "slip", "wrong", "blank", "unreadable", "not_judged"]
-    assert run.stdout.decode().split() == [*names, "≋"]
+    names = [one.value for one in Outcome if one.traits.counted]
+    names.insert(names.index("slip"), "near")
+    assert run.stdout.decode().split() == [*names, "∼"]

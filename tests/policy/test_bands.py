@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from gripcourse.course.quantity import Kind, Tolerance
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
-from gripcourse.policy.bands import band, bands, tolerance_of, within
+from gripcourse.policy.bands import FLOOR_SHARE, band, bands, tolerance_of, within
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 
@@ -81,3 +81,11 @@ def test_inside_is_up_to_the_edge_and_no_farther(
         assert within(value, expected, width)
     if distance > width * (1 + 1e-8):
         assert not within(value, expected, width)
+
+
+def test_a_floor_is_small_beside_a_value_that_cannot_be_zero(plan: Plan, policy: Policy) -> None:
+    stress = plan.quantities["bearing_stress"]
+    assert policy.floors["MPa"] > 0.006
+    assert band(stress, 0.015, policy) < 0.006
+    widths = bands(stress, np.array([0.015e6, 100e6]), policy)
+    assert widths.tolist() == pytest.approx([FLOOR_SHARE * 0.015e6, 1e6])

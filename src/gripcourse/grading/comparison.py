@@ -143,7 +143,11 @@ class Comparison:
 
     def fits(self, expected: float) -> bool:
         """Tell whether the answer lies in the band round an expected value."""
-        return within(self.value, expected, band(self.quantity, expected, self.policy))
+        return within(self.value, expected, self.band_round(expected))
+
+    def band_round(self, expected: float) -> float:
+        """Return the half width of the band round an expected value, in the declared unit."""
+        return band(self.quantity, expected, self.policy)
 
     def has_own_inputs(self, formula: Formula) -> bool:
         """Tell whether the student's numbers differ from the reference where a formula looks."""

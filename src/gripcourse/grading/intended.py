@@ -1,14 +1,17 @@
 """Numbers that were written down wrongly, and calculated with rightly.
 
-Who writes 3.9 where 3900 is asked has made a slip of writing: the number in the calculator may have
-been the right one. So later answers may follow from the number that was meant as well as from the
-one that was written; the better counts.
+Who writes 3.9 where 3900 is asked has made a slip of writing, who writes 5 where 5.2 is asked has
+rounded, and who goes on to the right result from a wrong number has miscopied it: the number in the
+calculator may have been the right one. So later answers may follow from the number that was meant
+as well as from the one that was written; the better counts.
 """
 
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from gripcourse.course.quantity import Kind
+from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
@@ -52,7 +55,7 @@ def _newly_intended(
     new = {
         one.quantity.id: answer
         for one in judged
-        if one.quantity.id not in known and (answer := _intended(case, one)) is not None
+        if one.quantity.id not in known and (answer := _intended(case, one, judged)) is not None
     }
     return {name: new[name] for name in _earliest(case.plan, new.keys())}
 
@@ -61,13 +64,25 @@ def _better(one: JudgedAnswer, later: JudgedAnswer) -> JudgedAnswer:
     return later if _worth(later) > _worth(one) else one
 
 
-def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:
-    """Return what was meant where the slip was one of writing."""
-    comparison, slip = judged.comparison, judged.judgement.slip
-    if comparison is None or not judged.judgement.outcome.traits.named:
+def _intended(
+    case: GradingCase, one: JudgedAnswer, judged: Sequence[JudgedAnswer]
+) -> Answer | None:
+    """Return what was meant where an answer was only written down wrongly."""
+    comparison, traits = one.comparison, one.judgement.outcome.traits
+    if comparison is None or not math.isfinite(comparison.expected):
         return None
+    rounded = traits.right and not traits.equals_reference and not traits.follows
+    if rounded or (traits.mistake and _is_used_rightly(case, comparison, judged)):
+        return replace(comparison.answer, value=comparison.expected)
+    return _written_wrongly(case, one, comparison) if traits.named else None
+
+
+def _written_wrongly(
+    case: GradingCase, judged: JudgedAnswer, comparison: Comparison
+) -> Answer | None:
+    """Return what was meant where the slip was one of writing."""
     for candidate in case.candidates_of(judged.quantity.id):
-        if candidate.id == slip and candidate.kind in OF_WRITING:
+        if candidate.id == judged.judgement.slip and candidate.kind in OF_WRITING:
             written = comparison.at_own(candidate.formula).value
             ratio = comparison.expected / written if written else math.nan
             if not math.isfinite(ratio) or ratio == 0:
@@ -75,6 +90,21 @@ def _intended(case: GradingCase, judged: JudgedAnswer) -> Answer | None:
             half_unit = comparison.answer.half_unit * abs(ratio)
             return replace(comparison.answer, value=comparison.value * ratio, half_unit=half_unit)
     return None
+
+
+def _is_used_rightly(
+    case: GradingCase, comparison: Comparison, judged: Sequence[JudgedAnswer]
+) -> bool:
+    """Tell whether a later answer is right that the number as written does not lead to."""
+    name = comparison.quantity.id
+    return any(
+        one.quantity.kind is Kind.FORMULA
+        and one.comparison is not None
+        and name in case.plan.inputs[one.quantity.id]
+        and one.judgement.outcome.traits.equals_reference
+        and not one.comparison.fits(one.comparison.follows.nearest(one.comparison.value))
+        for one in judged
+    )
 
 
 def _earliest(plan: Plan, names: Collection[str]) -> list[str]:

@@ -25,6 +25,7 @@ from gripcourse.grading.submission_case import (
     make_case,
 )
 from gripcourse.grading.substitution import Substitution, by_answer, substitutions
+from gripcourse.grading.support import withhold_unsupported
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of as make_candidates
 from gripcourse.slips.model import SlipId
@@ -50,7 +51,8 @@ def judge(
     2. explained: a wrong answer that a known wrong method gives becomes a slip.
     3. intended: what follows from a number that was only written down wrongly is no mistake.
     4. settled: what one number used wrongly explains costs once, where it is used first.
-    5. findings: conclusions with points, remarks, and the wrong answers at their root.
+    5. supported: in a work that hardly calculates, what follows needs what it follows from.
+    6. findings: conclusions with points, remarks, and the wrong answers at their root.
 
     Args:
         submission: what was read.
@@ -66,7 +68,8 @@ def judge(
     intended = as_intended(case, explained)
     substituted = substitutions(_still_wrong(case, intended))
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
-    findings = _findings(case, settled)
+    supported = withhold_unsupported(case, settled)
+    findings = _findings(case, supported)
     return _report(submission, issued, case, findings, causes_of(plan, findings, substituted))
 
 

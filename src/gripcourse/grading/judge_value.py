@@ -7,6 +7,7 @@ from dataclasses import replace
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
+from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.bands import band
 from gripcourse.slips.model import SlipId
@@ -25,11 +26,15 @@ def judge_value(comparison: Comparison) -> Judgement:
         best = found if best is None or found.credit > best.credit else best
         if best.credit >= 1:
             break
-    return best or _conclude(comparison, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(comparison))
+    return (
+        best
+        or judge_rough(comparison)
+        or _conclude(comparison, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(comparison))
+    )
 
 
 def _matches(comparison: Comparison) -> Iterator[Judgement]:
-    if comparison.fits(comparison.reference):
+    if comparison.fits(comparison.reference) and not _contradicts_itself(comparison):
         yield _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, message("Correct."))
     if _follows(comparison, comparison.follows):
         yield _conclude(
@@ -40,6 +45,13 @@ def _matches(comparison: Comparison) -> Iterator[Judgement]:
             message("Follows from your own earlier numbers."),
         )
     yield from _printed(comparison)
+
+
+def _contradicts_itself(comparison: Comparison) -> bool:
+    """Tell whether a verdict is not that of the numbers which the student compared."""
+    if comparison.quantity.kind is not Kind.VERDICT or math.isnan(comparison.expected):
+        return False
+    return not _follows(comparison, comparison.follows)
 
 
 def _follows(comparison: Comparison, expected: ExpectedRange) -> bool:
@@ -97,7 +109,7 @@ def _judge_wrong_unit(comparison: Comparison) -> Judgement:
 
 def _wrong(comparison: Comparison) -> Message:
     if comparison.quantity.kind is Kind.VERDICT:
-        return message("The numbers say the opposite.")
+        return message("Your numbers say the opposite.")
     if comparison.quantity.kind is Kind.PICK:
         return message("The table gives another value for your size.")
     return message("Does not follow from the formula with your numbers.")

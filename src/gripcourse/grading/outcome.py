@@ -30,6 +30,8 @@ class OutcomeTraits:
         follows: whether it follows from the student's own earlier numbers, or from one root.
         mistake: whether something was done wrongly in this very answer.
         named: whether the wrong method is known.
+        withheld: whether it would count if what it rests on did.
+        calculated: whether it shows that somebody calculated: chance does not lead there.
         said_elsewhere: whether the word, or the list of next steps, says all about it already.
         counted: whether statistics have a column for it, in the order of the outcomes.
     """
@@ -47,6 +49,8 @@ class OutcomeTraits:
     follows: bool
     mistake: bool
     named: bool
+    withheld: bool
+    calculated: bool
     said_elsewhere: bool
     counted: bool
 
@@ -79,6 +83,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=True,
             said_elsewhere=False,
             counted=True,
         ),
@@ -99,6 +105,30 @@ class Outcome(StrEnum):
             follows=True,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=True,
+            said_elsewhere=False,
+            counted=True,
+        ),
+    )
+    ROUGH = (
+        "rough",
+        OutcomeTraits(
+            sign="≋",
+            word=message("too rough"),
+            meaning=message("right, but rounded too far"),
+            style="carried",
+            waits=False,
+            by_rubric=False,
+            typed=True,
+            missing=False,
+            right=True,
+            equals_reference=False,
+            follows=False,
+            mistake=False,
+            named=False,
+            withheld=False,
+            calculated=False,
             said_elsewhere=False,
             counted=True,
         ),
@@ -119,6 +149,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=True,
             named=True,
+            withheld=False,
+            calculated=False,
             said_elsewhere=False,
             counted=True,
         ),
@@ -139,6 +171,30 @@ class Outcome(StrEnum):
             follows=False,
             mistake=True,
             named=False,
+            withheld=False,
+            calculated=False,
+            said_elsewhere=False,
+            counted=True,
+        ),
+    )
+    UNSUPPORTED = (
+        "unsupported",
+        OutcomeTraits(
+            sign="○",
+            word=message("not supported"),
+            meaning=message("fits, but rests on numbers that are neither right nor explained"),
+            style="fault",
+            waits=False,
+            by_rubric=False,
+            typed=True,
+            missing=False,
+            right=False,
+            equals_reference=False,
+            follows=False,
+            mistake=False,
+            named=False,
+            withheld=True,
+            calculated=False,
             said_elsewhere=False,
             counted=True,
         ),
@@ -159,6 +215,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=False,
             said_elsewhere=True,
             counted=True,
         ),
@@ -179,6 +237,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=False,
             said_elsewhere=True,
             counted=True,
         ),
@@ -199,6 +259,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=False,
             said_elsewhere=False,
             counted=True,
         ),
@@ -219,6 +281,8 @@ class Outcome(StrEnum):
             follows=False,
             mistake=False,
             named=False,
+            withheld=False,
+            calculated=False,
             said_elsewhere=True,
             counted=False,
         ),

@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 
 # Values that are read from a table or a series differ only by how floating point writes them.
 _EXACT = 1e-6
+# Most that a floor by unit may be of a value that cannot be zero.
+FLOOR_SHARE = 0.02
 # An answer exactly on the edge of the band passes, whatever the last bit says.
 SLACK = 1 + 1e-9
 
@@ -23,7 +25,8 @@ def band(quantity: Quantity, expected: float, policy: Policy) -> float:
     The wider of a relative and an absolute part counts: near zero a relative band is empty. A
     quantity's own tolerance in the policy goes before its declaration, that before the default.
     """
-    return _half_width(expected, _tolerance_of_kind(quantity, policy))
+    tolerance = _tolerance_of_kind(quantity, policy)
+    return max(abs(expected) * tolerance.relative, _absolute(quantity, expected, tolerance, policy))
 
 
 def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
@@ -31,19 +34,41 @@ def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
 
     For a decision it is that of the value which the decision must not be below.
     """
-    return _half_width(expected, tolerance_of(quantity, policy))
-
-
-def _half_width(expected: float, tolerance: Tolerance) -> float:
-    return max(abs(expected) * tolerance.relative, tolerance.absolute)
+    tolerance = tolerance_of(quantity, policy)
+    return max(abs(expected) * tolerance.relative, _absolute(quantity, expected, tolerance, policy))
 
 
 def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
     """Return the half widths round many expected values, SI, in their shape."""
     tolerance = _tolerance_of_kind(quantity, policy)
-    return np.maximum(
-        np.abs(expected) * tolerance.relative, tolerance.absolute * factor(quantity.unit)
-    )
+    size = np.abs(expected)
+    absolute = np.asarray(tolerance.absolute * factor(quantity.unit))
+    if _is_floor(quantity, policy) and _has_one_sign(quantity):
+        absolute = np.minimum(absolute, FLOOR_SHARE * size)
+    widths: Array = np.maximum(size * tolerance.relative, absolute)
+    return widths
+
+
+def _absolute(quantity: Quantity, expected: float, tolerance: Tolerance, policy: Policy) -> float:
+    """Return the absolute part: a floor by unit stays small beside a value that cannot be zero.
+
+    A floor of 0.01 mm is for differences that come near zero. It must not accept 0.006 mm for a
+    deflection of 0.015 mm.
+    """
+    if _is_floor(quantity, policy) and _has_one_sign(quantity):
+        return min(tolerance.absolute, FLOOR_SHARE * abs(expected))
+    return tolerance.absolute
+
+
+def _is_floor(quantity: Quantity, policy: Policy) -> bool:
+    """Tell whether the absolute part is the default of the unit, not one of the quantity's own."""
+    own = policy.tolerances.get(quantity.id) or quantity.tolerance
+    return own is None or not own.absolute
+
+
+def _has_one_sign(quantity: Quantity) -> bool:
+    low, high = quantity.bounds
+    return low > 0 or high < 0
 
 
 def tolerance_of(quantity: Quantity, policy: Policy) -> Tolerance:

@@ -75,6 +75,9 @@ POLICY: Final = Shape(
                 ),
                 "wrong_unit": number("Of the right number with a unit that does not fit.", 0, 1,
                                      required=True),
+                "rough": number("Of the right number, rounded until it leaves its band.", 0, 1),
+                "calculated": number("Of a work's computed answers: so many must be right or "
+                                     "follow, for what rests on the others to count.", 0, 1),
             },
             required=True,
         ),

@@ -62,6 +62,8 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         carried_credit=credit.share("carried"),
         printed_credit=None if credit.values.get("printed") is False else credit.share("printed"),
         wrong_unit_credit=credit.share("wrong_unit"),
+        rough_credit=credit.share("rough", 0.5),
+        calculated_share=credit.share("calculated", 0.65),
         last_digit=rounding.at_least("last_digit", 0.0),
         figures=int(rounding.at_least("figures", 1.0)),
         habits=_habits(rounding, course),

@@ -90,6 +90,9 @@ class Policy:
         carried_credit: share of the points for what follows from the student's own numbers.
         printed_credit: share for an answer as a source prints it; None refuses it.
         wrong_unit_credit: share for the right number with a unit that does not fit it.
+        rough_credit: share for the right number, rounded so far that it leaves its band.
+        calculated_share: of a work's computed answers that are right, follow or are unexplained,
+            the share that must not be unexplained for what follows from those to count.
         last_digit: how much further from zero than typed a number in a calculator may be, in units
             of the last typed digit: 0.5 where people round, 1 where they cut off as well.
         figures: significant figures that a typed number counts as written with, at least.
@@ -113,6 +116,8 @@ class Policy:
     carried_credit: float
     printed_credit: float | None
     wrong_unit_credit: float
+    rough_credit: float
+    calculated_share: float
     last_digit: float
     figures: int
     habits: Mapping[str, tuple[float, ...]]

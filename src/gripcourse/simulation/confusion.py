@@ -27,7 +27,9 @@ class Said(StrEnum):
     NAMED = "named"  # a slip, the one that was made
     TIED = "tied"  # two slips, one of them the one that was made
     MISNAMED = "misnamed"  # a slip that was not made
+    ROUGH = "rough"
     WRONG = "wrong"
+    UNSUPPORTED = "unsupported"
     BLANK = "blank"
     UNREADABLE = "unreadable"
     NOT_JUDGED = "not_judged"

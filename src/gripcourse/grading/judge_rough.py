@@ -1,0 +1,48 @@
+"""Judging a number that is right but rounded too far: whole millimetres where tenths matter."""
+
+import math
+
+from gripcourse.grading.comparison import Comparison, Judgement, conclude
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.text.words import message
+
+# Beyond this share of the value a rounded number says too little to earn anything.
+ROUGHEST = 0.05
+
+
+def judge_rough(comparison: Comparison) -> Judgement | None:
+    """Conclude that a number is the expected one, rounded or cut off where it was typed to end.
+
+    Args:
+        comparison: of an answer that lies in no band.
+
+    Returns:
+        What is concluded; None where the last typed digit does not explain the difference, or the
+        answer is one that is taken as it stands.
+    """
+    quantity, value = comparison.quantity, comparison.value
+    half_unit = comparison.answer.half_unit
+    if quantity.exact or quantity.integer or value == 0 or half_unit == 0:
+        return None
+    own = comparison.follows.nearest(value)
+    for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
+        off = abs(value - target)
+        cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
+        if math.isfinite(target) and off <= max(half_unit, cut):
+            earns = off <= ROUGHEST * abs(target)
+            credit = comparison.policy.rough_credit if earns else 0.0
+            said = message(
+                "Right, but rounded too far: give at least {figures} significant figures.",
+                figures=_figures(comparison, target),
+            )
+            return conclude(comparison, Outcome.ROUGH, against, credit, said)
+    return None
+
+
+def _figures(comparison: Comparison, target: float) -> int:
+    """Return how many significant figures keep a rounded number in its band."""
+    figures = comparison.policy.figures
+    while figure_half_unit(target, figures) > comparison.band_round(target):
+        figures += 1
+    return figures

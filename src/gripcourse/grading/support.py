@@ -1,0 +1,114 @@
+"""What answers rest on: credit that comes from one's own numbers needs numbers that were earned.
+
+An answer that follows from the student's own numbers earns its points, because one mistake costs
+once. That is fair as long as somebody calculated: zeros follow from zeros, the smallest size suits
+the smallest number, and "yes" is right half of the time. So a work is looked at as a whole. Where
+most of its computed answers are right, follow, or are understood, every consequence counts. Where
+most are neither, an answer counts only if what it rests on does.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from gripcourse.course.quantity import Kind
+from gripcourse.grading.model import Outcome
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.policy.bands import within
+from gripcourse.solver.plan import Plan
+from gripcourse.text.words import message
+
+
+def withhold_unsupported(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
+    """Take the credit from answers that rest on numbers which nobody earned.
+
+    Args:
+        case: the submission.
+        judged: every answer, with all that is known about it.
+
+    Returns:
+        The same in the same order.
+    """
+    if is_calculated(case, judged):
+        return list(judged)
+    by_id = {one.quantity.id: one for one in judged}
+    earned: dict[str, bool] = {}
+    for name in case.plan.quantities:
+        if name in by_id and by_id[name].judgement.outcome.traits.typed:
+            earned[name] = _is_earned(case, by_id[name], earned)
+    return [
+        _withheld(case, one, earned) if not earned.get(one.quantity.id, True) else one
+        for one in judged
+    ]
+
+
+def is_calculated(case: GradingCase, judged: Sequence[JudgedAnswer]) -> bool:
+    """Tell whether enough of the computed answers of a work are right or follow.
+
+    Zeros that follow from zeros, rough numbers and known slips speak neither for nor against it.
+    """
+    computed = [
+        one.judgement.outcome.traits
+        for one in judged
+        if one.quantity.kind is Kind.FORMULA and one.comparison is not None and not _is_nothing(one)
+    ]
+    calculated = sum(one.calculated for one in computed)
+    unexplained = sum(one.mistake and not one.named for one in computed)
+    needed = case.policy.calculated_share * (calculated + unexplained)
+    return calculated > 0 and calculated >= needed
+
+
+def _is_nothing(judged: JudgedAnswer) -> bool:
+    """Tell whether an answer is a zero that only follows from others."""
+    comparison, traits = judged.comparison, judged.judgement.outcome.traits
+    if comparison is None or traits.equals_reference or not traits.calculated:
+        return False
+    return within(comparison.value, 0.0, comparison.band_round(0.0))
+
+
+def _is_earned(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool]) -> bool:
+    traits = judged.judgement.outcome.traits
+    if not (traits.calculated or traits.named) or _is_nothing(judged):
+        return False
+    if traits.equals_reference and not judged.quantity.exact:
+        return True  # nobody meets a computed number within its band by guessing
+    basis = list(_basis(case.plan, judged.quantity.id, earned))
+    return bool(basis) and all(earned[name] for name in basis)
+
+
+def _basis(plan: Plan, name: str, answered: Mapping[str, bool]) -> Iterator[str]:
+    """Yield the answers that an answer rests on, through steps that were not written down."""
+    waiting, seen = list(plan.inputs[name]), set[str]()
+    while waiting:
+        one = waiting.pop()
+        if one in seen:
+            continue
+        seen.add(one)
+        if one in answered:
+            yield one
+        else:
+            waiting += plan.inputs[one]
+
+
+def _withheld(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool]) -> JudgedAnswer:
+    judgement = judged.judgement
+    if not judgement.credit:
+        return judged
+    if judgement.outcome.traits.mistake:
+        return replace(judged, judgement=replace(judgement, credit=0.0))
+    roots = tuple(
+        name for name in _basis(case.plan, judged.quantity.id, earned) if not earned[name]
+    )
+    said = message(
+        "This counts with the numbers that it rests on: most of the computed answers are neither "
+        "right nor explained."
+    )
+    return replace(
+        judged,
+        judgement=replace(
+            judgement,
+            outcome=Outcome.UNSUPPORTED,
+            credit=0.0,
+            roots=tuple(one for one in case.plan.quantities if one in roots),
+            message=said,
+        ),
+    )

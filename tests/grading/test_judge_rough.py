@@ -1,0 +1,57 @@
+"""A number that is right but rounded too far is neither wrong nor a slip."""
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.grading.outcome import Outcome
+from gripcourse.submission.model import Answer, Reading
+
+if TYPE_CHECKING:
+    from conftest import Case
+
+
+def typed(name: str, value: float, last_digit: float) -> Answer:
+    return Answer(name, Reading.READ, value, f"{value:g}", "", last_digit / 2, "", True, ())
+
+
+@pytest.fixture
+def case(hydraulic: "Case") -> "Case":
+    return hydraulic.without_errata
+
+
+def test_two_figures_where_three_are_needed_are_rough(case: "Case") -> None:
+    right = case.reference["arm_angle_open"]
+    whole = float(round(right / 10) * 10)
+    assert not right * 0.99 < whole < right * 1.01, "the example must be rough"
+    answers = {**case.answers, "arm_angle_open": typed("arm_angle_open", whole, 10)}
+    finding = case.findings(answers)["arm_angle_open"]
+    assert finding.outcome is Outcome.ROUGH
+    assert str(finding.message).startswith("Right, but rounded too far: give at least 3")
+
+
+def test_what_was_computed_from_the_number_in_the_calculator_still_counts(case: "Case") -> None:
+    wrong = case.following(lifting_load=1.09 * case.reference["lifting_load"])
+    rough = typed("grip_force", 1.04 * wrong["grip_force"], 0.1 * wrong["grip_force"])
+    findings = case.findings({**wrong, "grip_force": rough})
+    assert findings["grip_force"].outcome is Outcome.ROUGH
+    assert findings["drive_force"].outcome is Outcome.CARRIED
+
+
+def test_a_number_with_all_its_digits_is_not_rough(case: "Case") -> None:
+    value = 1.04 * case.reference["arm_angle_open"]
+    finding = case.findings({**case.answers, "arm_angle_open": value})["arm_angle_open"]
+    assert finding.outcome is not Outcome.ROUGH
+
+
+def test_a_very_coarse_number_is_said_to_be_rough_and_earns_nothing(case: "Case") -> None:
+    right = case.reference["arm_angle_open"]
+    coarse = typed("arm_angle_open", right * 0.8, right)
+    finding = case.findings({**case.answers, "arm_angle_open": coarse})["arm_angle_open"]
+    assert (finding.outcome, finding.points) == (Outcome.ROUGH, 0.0)
+
+
+def test_a_size_of_a_series_is_taken_as_it_stands(case: "Case") -> None:
+    size = typed("bore", case.reference["bore"] * 1.03, 100)
+    finding = case.findings({**case.answers, "bore": size})["bore"]
+    assert finding.outcome is not Outcome.ROUGH

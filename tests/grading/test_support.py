@@ -1,0 +1,74 @@
+"""Credit that rests on one's own numbers needs numbers that were earned."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from gripcourse.course.quantity import Kind
+from gripcourse.grading.outcome import Outcome
+
+if TYPE_CHECKING:
+    from conftest import Case
+
+
+def nothing_computed(case: "Case", number: float | None) -> dict[str, float]:
+    """One number everywhere, "yes" to every question, the smallest size of every series."""
+    answers = {}
+    for one in case.plan.answered:
+        if one.kind is Kind.VERDICT:
+            answers[one.id] = 1.0
+        elif one.kind is Kind.CHOICE:
+            answers[one.id] = min(case.reference[one.id], one.bounds[0] * 1000)
+        else:
+            answers[one.id] = one.bounds[0] if number is None else number
+    return answers
+
+
+@pytest.mark.parametrize("number", [None, 0.0, 0.01, 1.0], ids=["least", "0", "0.01", "1"])
+def test_who_computes_nothing_earns_next_to_nothing(hydraulic: "Case", number: float) -> None:
+    report = hydraulic.judge(nothing_computed(hydraulic, number))
+    assert report.score <= 0.05 * (report.max_score - report.open_points)
+
+
+def test_right_numbers_blurred_by_a_third_earn_next_to_nothing(hydraulic: "Case") -> None:
+    blur = np.random.default_rng(4)
+    answers = {
+        name: value * (1.0 if one.exact else float(np.exp(blur.choice([-1, 1]) * 0.3)))
+        for name, value in hydraulic.answers.items()
+        for one in [hydraulic.plan.quantities[name]]
+    }
+    report = hydraulic.judge(answers)
+    assert report.score <= 0.05 * (report.max_score - report.open_points)
+
+
+def test_a_lone_yes_is_not_supported(hydraulic: "Case") -> None:
+    finding = hydraulic.findings({"bearing_ok": hydraulic.reference["bearing_ok"]})["bearing_ok"]
+    assert (finding.outcome, finding.points) == (Outcome.UNSUPPORTED, 0.0)
+    assert "most of the computed answers" in str(finding.message)
+
+
+def test_what_is_not_supported_says_which_numbers_it_rests_on(hydraulic: "Case") -> None:
+    wrong = {
+        one.id: 1.37 * hydraulic.reference[one.id]
+        for one in hydraulic.plan.answered
+        if one.kind is Kind.FORMULA
+    }
+    finding = hydraulic.findings({**hydraulic.answers, **wrong})["bearing_ok"]
+    assert finding.outcome is Outcome.UNSUPPORTED
+    assert "bearing_stress" in finding.roots
+
+
+def test_one_unexplained_mistake_anywhere_costs_once(hydraulic: "Case") -> None:
+    for one in hydraulic.plan.answered:
+        if one.kind is Kind.FORMULA:
+            value = 1.0937 * hydraulic.reference[one.id]
+            lost = hydraulic.lost(hydraulic.following(**{one.id: value}))
+            assert len(lost) <= 1, one.id
+
+
+def test_a_work_of_one_right_section_keeps_what_it_earned(hydraulic: "Case") -> None:
+    section = {one.id for one in hydraulic.plan.answered if one.section == "scheme"}
+    answers = {name: value for name, value in hydraulic.answers.items() if name in section}
+    findings = hydraulic.findings(answers)
+    assert all(findings[name].outcome is Outcome.CORRECT for name in section)
