@@ -49,6 +49,15 @@ _SAID = {
     "unreadable": message("unreadable"),
     "not_judged": message("not judged"),
 }
+_STRATEGIES = {
+    "least": message("the least that each cell lets through"),
+    "zero": message("0 everywhere"),
+    "hundredth": message("0.01 everywhere"),
+    "one": message("1 everywhere"),
+    "smallest": message("the smallest sizes, and yes"),
+    "another": message("the numbers of another variant"),
+    "blurred": message("right numbers, a third off"),
+}
 _DONE = {
     "right": message("the right method"),
     "follows": message("the right method after something wrong"),
@@ -80,6 +89,7 @@ def evaluation_text(found: "GraderEvaluation", policy: "Policy", words: Words) -
         _confusion(found, words),
         _rates(found, words),
         _kinds(found, policy, words),
+        *_strategies(found, words),
         words.say(
             message(
                 "Of {tried} places tried for slips {hidden} change the answer too little for "
@@ -135,6 +145,30 @@ def _kinds(found: "GraderEvaluation", policy: "Policy", words: Words) -> str:
     }
     rows = [(named[kind], *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
     return table_text([words.say(one) for one in heads], rows, right={1, 2, 3})
+
+
+def _strategies(found: "GraderEvaluation", words: Words) -> Iterator[str]:
+    """Yield the table of what works earn that compute nothing, where some were judged."""
+    if not found.strategies:
+        return
+    heads = (
+        message("works that compute nothing"), message("works"), message("points, %"),
+        message("at most, %"), message("required"), "",
+    )  # fmt: skip
+    allowed = found.earned_at_most
+    rows = [
+        (
+            words.say(_STRATEGIES[one.strategy.value]),
+            str(one.works),
+            _percent(one.mean, words),
+            _percent(one.most, words),
+            f"≤ {_percent(allowed, words)}",
+            "✓" if one.mean <= allowed else "✗",
+        )
+        for one in found.strategies
+    ]
+    named = [one if isinstance(one, str) else words.say(one) for one in heads]
+    yield table_text(named, rows, right={1, 2, 3, 4})
 
 
 def _numbers(rate: "Rate", words: Words) -> Iterator[str]:

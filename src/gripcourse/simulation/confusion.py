@@ -8,6 +8,7 @@ from enum import StrEnum
 from gripcourse.grading.model import Finding, Report
 from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix, Required, SimulatedWork
 from gripcourse.simulation.rates import Rate
+from gripcourse.simulation.strategies import StrategyScore, missed
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,8 @@ class GraderEvaluation:
         misses: answers that the grader says something wrong about, and the reason.
         tried, hidden: places that were tried for slips, and those whose effect nobody could see.
         incidents: traces of what failed on our side.
+        strategies: what works earn that compute nothing; none where only files were graded.
+        earned_at_most: that each may earn on average.
     """
 
     students: int
@@ -71,19 +74,25 @@ class GraderEvaluation:
     tried: int
     hidden: int
     incidents: tuple[str, ...]
+    strategies: tuple[StrategyScore, ...]
+    earned_at_most: float
 
     @property
     def missed(self) -> tuple[str, ...]:
         """Names of the required rates that are not reached."""
-        return tuple(name for name, rate in self.rates.items() if not rate.reached)
+        paying = (one.strategy.value for one in missed(self.strategies, self.earned_at_most))
+        return (*(name for name, rate in self.rates.items() if not rate.reached), *paying)
 
 
-def evaluate(judged: Sequence[JudgedWork], mix: Mix) -> GraderEvaluation:
+def evaluate(
+    judged: Sequence[JudgedWork], mix: Mix, strategies: Sequence[StrategyScore] = ()
+) -> GraderEvaluation:
     """Set what was done against what was said.
 
     Args:
         judged: every student's work and report.
         mix: what the grader is held to, and which flags mean copying.
+        strategies: what works earn that compute nothing.
     """
     verdicts = [one for each in judged for one in _verdicts(each)]
     return GraderEvaluation(
@@ -95,6 +104,8 @@ def evaluate(judged: Sequence[JudgedWork], mix: Mix) -> GraderEvaluation:
         tried=sum(one.work.tried for one in judged),
         hidden=sum(one.work.hidden for one in judged),
         incidents=tuple(one.incident for one in judged if one.incident),
+        strategies=tuple(strategies),
+        earned_at_most=mix.required.strategy_earned,
     )
 
 

@@ -133,7 +133,12 @@ class SimulatedWork:
 
 @dataclass(frozen=True, slots=True)
 class Required:
-    """What the grader is held to: shares, 0…1."""
+    """What the grader is held to: shares, 0…1.
+
+    Attributes:
+        strategy_earned: of the points that no person gives, for works that compute nothing, on
+            average of each strategy.
+    """
 
     honest_refused: float
     slip_accepted: float
@@ -141,6 +146,7 @@ class Required:
     slip_misnamed: float
     copy_flagged: float
     honest_flagged: float
+    strategy_earned: float
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
 from gripcourse.simulation.on_disk import grade_cohort, register_of, write_cohort
+from gripcourse.simulation.strategies import scores_of
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
@@ -105,7 +106,8 @@ def evaluate_in_memory(
     """
     mix = load_mix(course)
     room = make_classroom(course, policy, mix, cohort.count, cohort.seed, cohort.scheme)
-    found = evaluate(judge_in_memory(room, workers, on_done), mix)
+    judged = judge_in_memory(room, workers, on_done)
+    found = evaluate(judged, mix, scores_of(room.context, workers, cohort.seed))
     if misses is not None:
         _write_misses(misses, found, room.context.register)
     return found
