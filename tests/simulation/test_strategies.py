@@ -15,7 +15,7 @@ from gripcourse.simulation.strategies import Strategy, StrategyScore, missed, sc
 @pytest.fixture(scope="module")
 def scores(course: Course, policy: Policy) -> tuple[StrategyScore, ...]:
     mix = load_mix(course)
-    room = make_classroom(course, policy, mix, 4, 3, "pinion_racks")
+    room = make_classroom(course, policy, mix, 2, 3, "pinion_racks")
     return scores_of(room.context, 1, 3)
 
 
