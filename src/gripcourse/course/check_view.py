@@ -145,6 +145,7 @@ def _part_places(part: ViewPart) -> Iterator[Place]:
     yield from _lengths(part.file, f"{part.key}.mark", part.mark)
     if part.count is not None:
         yield part.file, f"{part.key}.count", part.count, _COUNT
+    yield from _lengths(part.file, f"{part.key}.depth", part.depth)
     for shape in part.shapes:
         for name, expressions in shape.needs.items():
             unit = _ANGLE if SHAPES[shape.kind][name] is Need.ANGLES else _LENGTH

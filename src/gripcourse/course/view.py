@@ -93,8 +93,8 @@ class ViewShape:
         repeats: in rows and columns, or round a point.
         body: whether it is solid, where it has an inside; else it is only drawn.
         void: whether it is cut out of the solid shapes of its part at the same depth.
-        depth: from and to, from the plane of the main view, on both sides of it; empty where the
-            shape reaches through all of the view.
+        depth: from and to, from the plane of the main view, on both sides of it; empty for that of
+            its part.
         key: where it is declared, for messages.
     """
 
@@ -126,6 +126,7 @@ class ViewPart:
         moves: whether the other position of the view shows it too.
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
         positions: of the kinematics, in which it is there; empty for all.
+        depth: of those of its shapes that declare none; empty for all of the view.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -142,6 +143,7 @@ class ViewPart:
     meets: tuple[str, ...]
     positions: tuple[str, ...]
     placed_at: str
+    depth: tuple[Expression, ...]
     shapes: tuple[ViewShape, ...]
     file: str
     key: str

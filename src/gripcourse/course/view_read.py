@@ -99,8 +99,8 @@ def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
 def _part(table: Table) -> ViewPart:
     table.known_keys()
     nameless = table.flag("nameless")
-    depth, body = _depth(table), table.flag("body", default=True)
-    shapes = tuple(_shape(one, depth, body=body) for one in table.tables("shape"))
+    body = table.flag("body", default=True)
+    shapes = tuple(_shape(one, body=body) for one in table.tables("shape"))
     if not shapes:
         table.add("shape", message("This key is missing."), message("Write the shapes."))
     return ViewPart(
@@ -114,6 +114,7 @@ def _part(table: Table) -> ViewPart:
         meets=table.strings("meets"),
         positions=table.strings("positions"),
         placed_at=table.text("placed_at", ""),
+        depth=_depth(table),
         shapes=shapes,
         file=table.file,
         key=table.key,
@@ -124,7 +125,7 @@ def _depth(table: Table) -> tuple[Expression, ...]:
     return _expressions(table, "depth", Need.RANGE) if table.has("depth") else ()
 
 
-def _shape(table: Table, depth: tuple[Expression, ...], *, body: bool) -> ViewShape:
+def _shape(table: Table, *, body: bool) -> ViewShape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
@@ -142,7 +143,7 @@ def _shape(table: Table, depth: tuple[Expression, ...], *, body: bool) -> ViewSh
         repeats=tuple(_repeat(one) for one in table.tables("repeat")),
         body=table.flag("body", default=is_solid),
         void=table.flag("void"),
-        depth=_depth(table) or depth,
+        depth=_depth(table),
         key=table.key,
     )
 

@@ -40,7 +40,7 @@ class Piece:
         points: its corners, or the middle line of a bar, shape (n, k, 2).
         half: half the width of a bar, shape (n,); None for what has corners.
         low, high: between which distances from the plane of the view it lies, on both sides of the
-            plane, shape (n,) or ().
+            plane, shape (n,).
         voids: what is cut out of it.
         is_fixed: whether it stands where it stands in every position.
         box: left, bottom, right and top of it, shape (4, n).
@@ -52,8 +52,8 @@ class Piece:
     side: int
     points: Array
     half: Array | None
-    low: Array
-    high: Array
+    low: Array | float
+    high: Array | float
     voids: tuple["Piece", ...]
     is_fixed: bool
     box: Array
@@ -130,14 +130,17 @@ def pieces_of(part: ViewPart, scene: Scene) -> Iterator[Piece]:
         voids = {shape.key: list(_copies(part, shape, scene, side)) for shape in main if shape.void}
         for shape in main:
             if shape.body and not shape.void:
-                cut = [one for other in main if other.void and _same_depth(shape, other)
+                depth = _written(part, shape)
+                cut = [one for other in main if other.void and _written(part, other) == depth
                        for one in voids[other.key]]  # fmt: skip
                 yield from _copies(part, shape, scene, side, tuple(cut))
 
 
 def names_of(part: ViewPart) -> set[str]:
     """Return the names that the solid shapes of a part are computed from."""
-    return {name for shape in part.shapes if shape.face is Face.MAIN for name in _names(shape)}
+    depth = {name for one in part.depth if one is not None for name in one.names}
+    shapes = (shape for shape in part.shapes if shape.face is Face.MAIN)
+    return depth.union(*(_names(shape) for shape in shapes))
 
 
 def _names(shape: ViewShape) -> set[str]:
@@ -147,8 +150,8 @@ def _names(shape: ViewShape) -> set[str]:
     return {name for one in written if one is not None for name in one.names}
 
 
-def _same_depth(first: ViewShape, second: ViewShape) -> bool:
-    return [one and one.text for one in first.depth] == [one and one.text for one in second.depth]
+def _written(part: ViewPart, shape: ViewShape) -> list[str]:
+    return ["0" if one is None else one.text for one in shape.depth or part.depth]
 
 
 def _copies(
@@ -159,8 +162,8 @@ def _copies(
     if needs is None or (rings and side < 0):  # what stands round a point is not mirrored
         return
     points, half = _FIGURES[shape.kind](needs), _half(needs) if shape.kind == "bar" else None
-    depth = scene.arrays(shape.depth) if shape.depth else None
-    low, high = (np.zeros(()), np.full((), np.inf)) if depth is None else depth.T
+    depth = scene.arrays(shape.depth or part.depth)
+    low, high = (0.0, np.inf) if depth is None or not depth.size else depth.T
     fixed = scene.moving.isdisjoint(_names(shape)) or bool(part.placed_at)
     for moves in product(*(_moves(one, scene) for one in shape.repeats)):
         moved = points
