@@ -193,6 +193,8 @@ class View:
     Attributes:
         position: of the kinematics, in which it is drawn.
         upright: whether the axis stands upright in the main face; else it lies.
+        bodies: whether the parts are bodies that must not go through one another; else they are a
+            picture only.
         other: position that moving parts are shown in by thin lines too; empty for none.
         measures: by name.
         parts, dimensions, labels: in order.
@@ -202,6 +204,7 @@ class View:
 
     position: str
     upright: bool
+    bodies: bool
     other: str
     measures: Mapping[str, Measure]
     parts: tuple[ViewPart, ...]

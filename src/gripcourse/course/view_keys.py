@@ -115,6 +115,7 @@ VIEW: Final = Shape(
         "before": strings("Files in `variants/drawing` that lie before this one."),
         "position": text("Of the kinematics, in which it is drawn."),
         "upright": flag("Whether the axis stands upright."),
+        "bodies": flag("Whether its parts are bodies that must not go through one another."),
         "other": text("Position that moving parts are shown in by thin lines too."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,

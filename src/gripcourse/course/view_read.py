@@ -39,6 +39,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
     view = View(
         position=table.text("position", ""),
         upright=table.flag("upright"),
+        bodies=table.flag("bodies"),
         other=table.text("other", ""),
         measures={name: one for view in views for name, one in view.measures.items()},
         parts=tuple(one for view in views for one in view.parts),
@@ -70,6 +71,7 @@ def _read(table: Table) -> View:
     return View(
         position="",
         upright=False,
+        bodies=False,
         other="",
         measures=_measures(table),
         parts=tuple(_part(one) for one in table.tables("part")),

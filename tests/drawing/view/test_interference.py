@@ -43,7 +43,15 @@ TEXTS = Texts({"en": "scheme"})
 
 def scheme_of(view: str) -> Scheme:
     problems: list[Problem] = []
-    found = read_view(Table(tomllib.loads(view), "view.toml", "", problems), {})
+    found = read_view(
+        Table(
+            tomllib.loads(view if view.startswith("bodies") else f"bodies = true\n{view}"),
+            "view.toml",
+            "",
+            problems,
+        ),
+        {},
+    )
     motion = read_kinematics(Table(tomllib.loads(MOTION), "scheme.toml", "kinematics", problems))
     assert not problems, problems
     return Scheme("scheme", TEXTS, TEXTS, (), (), {}, {}, motion, None, found, None, "scheme.toml")
@@ -164,6 +172,10 @@ def test_an_outline_that_crosses_itself_is_named() -> None:
     [(place, wrong)] = crossed_outlines(scheme, {}, values).items()
     assert place == ("view.toml", "part[1].shape[1]")
     assert wrong.tolist() == [True, True]
+
+
+def test_a_view_that_is_a_picture_only_has_no_bodies() -> None:
+    assert not found_in("bodies = false\n" + WALL + part("slide", SLIDE), size=15).pairs
 
 
 def test_a_scheme_without_a_view_has_no_bodies() -> None:

@@ -84,14 +84,14 @@ def interference(scheme: Scheme, columns: Mapping[str, Column], values: Values) 
     """Find the bodies that go through one another in variants of one scheme.
 
     Args:
-        scheme: of the variants; one without a view has no bodies.
+        scheme: of the variants; one whose view does not say that it shows bodies has none.
         columns: catalogue columns in SI.
         values: of quantities in SI, single numbers or arrays of shape (n,). Variants may have
             different options: what one of them does not have is NaN (`together`).
     """
     size = _size(values)
     found: dict[Pair, Array] = {}
-    for start in range(0, size if scheme.view is not None else 0, _CHUNK):
+    for start in range(0, size, _CHUNK):
         rows = slice(start, min(start + _CHUNK, size))
         part = {name: one[rows] if np.ndim(one) else one for name, one in values.items()}
         for pair, depth in _pairs(_scenes(scheme, columns, part)):
@@ -161,7 +161,7 @@ def _scenes(
 ) -> Mapping[str, Sequence[Piece]]:
     """Return the pieces of a scheme's view in each position."""
     view, motion = scheme.view, scheme.kinematics
-    if view is None:
+    if view is None or not view.bodies:
         return {}
     size, moving = _size(values), _moving(scheme, view)
     positions = tuple(motion.at) if motion is not None else ("",)
