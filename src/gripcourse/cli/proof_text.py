@@ -12,6 +12,7 @@ _KINDS = {
     ProofKind.VIRTUAL_WORK: message("virtual work"),
     ProofKind.MOTION: message("motion"),
     ProofKind.TRAVEL: message("travel"),
+    ProofKind.INTERFERENCE: message("interference"),
     ProofKind.IDENTITY: message("identity"),
     ProofKind.INEQUALITY: message("inequality"),
     ProofKind.OPERATORS: message("flipped operators"),

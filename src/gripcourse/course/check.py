@@ -99,8 +99,14 @@ def _check_scheme(
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
     yield from check_diagram_use(scheme)
     if _units_known(every.values()):
-        yield from check_view(scheme, every, tables.dimensions)
+        yield from check_view(scheme, every, tables.dimensions, _view_parts(course))
     yield from check_example(course, scheme)
+
+
+def _view_parts(course: Course) -> set[str]:
+    """Return the ids of the parts of all general views."""
+    views = (scheme.view for scheme in course.schemes.values() if scheme.view is not None)
+    return {part.id for view in views for part in view.parts}
 
 
 def _check_pictures(

@@ -24,6 +24,7 @@ def check_view(
     scheme: Scheme,
     quantities: Mapping[str, Quantity],
     columns: Mapping[str, tuple[Dimension, Dimension]],
+    parts: Collection[str],
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme's view.
 
@@ -31,6 +32,7 @@ def check_view(
         scheme: whose view it is.
         quantities: of all its options together: a part may belong to one of them only.
         columns: dimensions of the sizes and of the values of each catalogue's column.
+        parts: ids of the parts of all views together.
     """
     view = scheme.view
     if view is None:
@@ -42,9 +44,10 @@ def check_view(
         for one in scheme.kinematics.coordinates:
             known[one.id] = dimension(one.unit)
         yield from _unknown_positions(view, scheme.kinematics.at)
-    elif view.position or view.other:
+    elif view.position or view.other or any(part.positions for part in view.parts):
         what = message("The scheme has no positions: it declares no kinematics.")
         yield Problem(view.file, "position", what, message("Remove the key."))
+    yield from _unknown_parts(view, parts)
     for name, measure in view.measures.items():
         if name in known:
             what = message("'{name}' is declared more than once.", name=name)
@@ -57,10 +60,24 @@ def check_view(
 
 
 def _unknown_positions(view: View, positions: Collection[str]) -> Iterator[Problem]:
-    for key, name in (("position", view.position), ("other", view.other)):
+    named = [(view.file, "position", view.position), (view.file, "other", view.other)]
+    for part in view.parts:
+        named += [(part.file, f"{part.key}.positions", name) for name in part.positions]
+        named.append((part.file, f"{part.key}.placed_at", part.placed_at))
+    for file, key, name in named:
         if name and name not in positions:
             what = message("The name '{name}' is not known.", name=name)
-            yield Problem(view.file, key, what, did_you_mean(name, positions))
+            yield Problem(file, key, what, did_you_mean(name, positions))
+
+
+def _unknown_parts(view: View, parts: Collection[str]) -> Iterator[Problem]:
+    """Yield what is met but is not there; a shared part may meet what other views have."""
+    own = {part.id for part in view.parts}
+    for part in view.parts:
+        for name in part.meets:
+            if name not in (own if part.file == view.file else parts):
+                what = message("The view has no part '{name}'.", name=name)
+                yield Problem(part.file, f"{part.key}.meets", what, did_you_mean(name, own))
 
 
 def _reference_faults(
@@ -128,10 +145,12 @@ def _part_places(part: ViewPart) -> Iterator[Place]:
     yield from _lengths(part.file, f"{part.key}.mark", part.mark)
     if part.count is not None:
         yield part.file, f"{part.key}.count", part.count, _COUNT
+    yield from _lengths(part.file, f"{part.key}.depth", part.depth)
     for shape in part.shapes:
         for name, expressions in shape.needs.items():
             unit = _ANGLE if SHAPES[shape.kind][name] is Need.ANGLES else _LENGTH
             yield from _lengths(part.file, f"{shape.key}.{name}", expressions, unit)
+        yield from _lengths(part.file, f"{shape.key}.depth", shape.depth)
         for repeat in shape.repeats:
             key = f"{shape.key}.repeat"
             yield part.file, f"{key}.count", repeat.count, _COUNT

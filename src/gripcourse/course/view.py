@@ -54,7 +54,10 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
     # half way along a bar: its cross-section, turned into the view (GOST 2.305)
     "section": {"through": Need.POINTS, "width": Need.LENGTH, "length": Need.LENGTH},
 }
+# Shapes with an inside: the bodies of a view are made of these.
+CLOSED = frozenset({"box", "circle", "pin", "bar", "polygon", "sector"})
 HATCHES = ("", "right", "left")
+SOLID_LINES = frozenset({"outline", "phantom"})  # of a body, unless declared otherwise
 LINES = ("outline", "thin", "centre", "hidden", "phantom")
 
 Expression = Formula | None  # None: nothing, zero
@@ -88,6 +91,10 @@ class ViewShape:
         hidden_edges: whether what other parts cover of it is shown by dashed lines.
         face: the view that shows it.
         repeats: in rows and columns, or round a point.
+        body: whether it is solid, where it has an inside; else it is only drawn.
+        void: whether it is cut out of the solid shapes of its part at the same depth.
+        depth: from and to, from the plane of the main view, on both sides of it; empty for that of
+            its part.
         key: where it is declared, for messages.
     """
 
@@ -98,6 +105,9 @@ class ViewShape:
     hidden_edges: bool
     face: Face
     repeats: tuple[Repeat | Ring, ...]
+    body: bool
+    void: bool
+    depth: tuple[Expression, ...]
     key: str
 
 
@@ -114,6 +124,10 @@ class ViewPart:
         sizes: quantities that the parts list shows.
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
+        meets: parts that it may overlap: a pin in its hole, teeth in mesh.
+        positions: of the kinematics, in which it is there; empty for all.
+        depth: of those of its shapes that declare none; empty for all of the view.
+        placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
         file, key: where it is declared.
@@ -126,6 +140,10 @@ class ViewPart:
     sizes: tuple[str, ...]
     mark: tuple[Expression, ...]
     moves: bool
+    meets: tuple[str, ...]
+    positions: tuple[str, ...]
+    placed_at: str
+    depth: tuple[Expression, ...]
     shapes: tuple[ViewShape, ...]
     file: str
     key: str
@@ -175,6 +193,8 @@ class View:
     Attributes:
         position: of the kinematics, in which it is drawn.
         upright: whether the axis stands upright in the main face; else it lies.
+        bodies: whether the parts are bodies that must not go through one another; else they are a
+            picture only.
         other: position that moving parts are shown in by thin lines too; empty for none.
         measures: by name.
         parts, dimensions, labels: in order.
@@ -184,6 +204,7 @@ class View:
 
     position: str
     upright: bool
+    bodies: bool
     other: str
     measures: Mapping[str, Measure]
     parts: tuple[ViewPart, ...]

@@ -33,6 +33,11 @@ _MEASURE: Final = other(
     "A formula; of several, the first whose names are known.",
     {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
 )
+_DEPTH: Final = other(
+    "Where it lies: from and to, lengths from the plane of the main view, on both sides of it;"
+    " absent: all through.",
+    _TWO,
+)
 _REPEAT: Final = Shape(
     {
         "count": text("Formula: how often.", required=True),
@@ -48,6 +53,9 @@ SHAPE: Final = Shape(
         "hidden_edges": flag("Whether what other parts cover is shown by dashed lines."),
         "face": _FACE,
         "repeat": tables("Again and again, in a row or round a point.", _REPEAT),
+        "body": flag("Whether it is solid: absent is true for what has an inside."),
+        "void": flag("Whether it is cut out of the solid shapes of its part at the same depth."),
+        "depth": _DEPTH,
     },
     by="kind",
     kinds={
@@ -64,6 +72,11 @@ _PART: Final = Shape(
         "sizes": strings("Quantities that the parts list shows."),
         "mark": other("Where the leader of its position ends.", _TWO),
         "moves": flag("Whether the other position of the view shows it too."),
+        "meets": strings("Parts that it may overlap: a pin in its hole, teeth in mesh."),
+        "body": flag("Whether its figures are solid: absent is true for those with an inside."),
+        "depth": _DEPTH,
+        "positions": strings("Positions of the kinematics in which it is there; absent: all."),
+        "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
     }
 )
@@ -102,6 +115,7 @@ VIEW: Final = Shape(
         "before": strings("Files in `variants/drawing` that lie before this one."),
         "position": text("Of the kinematics, in which it is drawn."),
         "upright": flag("Whether the axis stands upright."),
+        "bodies": flag("Whether its parts are bodies that must not go through one another."),
         "other": text("Position that moving parts are shown in by thin lines too."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,

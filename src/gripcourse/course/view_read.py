@@ -4,9 +4,11 @@ from collections.abc import Iterator, Mapping
 
 from gripcourse.course.toml_table import Table
 from gripcourse.course.view import (
+    CLOSED,
     HATCHES,
     LINES,
     SHAPES,
+    SOLID_LINES,
     Expression,
     Face,
     Measure,
@@ -37,6 +39,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
     view = View(
         position=table.text("position", ""),
         upright=table.flag("upright"),
+        bodies=table.flag("bodies"),
         other=table.text("other", ""),
         measures={name: one for view in views for name, one in view.measures.items()},
         parts=tuple(one for view in views for one in view.parts),
@@ -68,6 +71,7 @@ def _read(table: Table) -> View:
     return View(
         position="",
         upright=False,
+        bodies=False,
         other="",
         measures=_measures(table),
         parts=tuple(_part(one) for one in table.tables("part")),
@@ -97,7 +101,8 @@ def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
 def _part(table: Table) -> ViewPart:
     table.known_keys()
     nameless = table.flag("nameless")
-    shapes = tuple(_shape(one) for one in table.tables("shape"))
+    body = table.flag("body", default=True)
+    shapes = tuple(_shape(one, body=body) for one in table.tables("shape"))
     if not shapes:
         table.add("shape", message("This key is missing."), message("Write the shapes."))
     return ViewPart(
@@ -108,27 +113,56 @@ def _part(table: Table) -> ViewPart:
         sizes=table.strings("sizes"),
         mark=() if nameless else _expressions(table, "mark", Need.POINT),
         moves=table.flag("moves"),
+        meets=table.strings("meets"),
+        positions=table.strings("positions"),
+        placed_at=table.text("placed_at", ""),
+        depth=_depth(table),
         shapes=shapes,
         file=table.file,
         key=table.key,
     )
 
 
-def _shape(table: Table) -> ViewShape:
+def _depth(table: Table) -> tuple[Expression, ...]:
+    return _expressions(table, "depth", Need.RANGE) if table.has("depth") else ()
+
+
+def _shape(table: Table, *, body: bool) -> ViewShape:
     kind = _one_of(table, "kind", tuple(SHAPES), None)
     needs = SHAPES.get(kind, {})
     if needs:
         table.known_keys()
+    _check_inside(table, kind)
+    line = _one_of(table, "line", LINES, LINES[0])
+    is_solid = body and kind in CLOSED and line in SOLID_LINES
     return ViewShape(
         kind=kind,
         needs={name: _expressions(table, name, need) for name, need in needs.items()},
-        line=_one_of(table, "line", LINES, LINES[0]),
+        line=line,
         hatch=_one_of(table, "hatch", HATCHES, ""),
         hidden_edges=table.flag("hidden_edges"),
         face=Face(_one_of(table, "face", tuple(Face), Face.MAIN)),
         repeats=tuple(_repeat(one) for one in table.tables("repeat")),
+        body=table.flag("body", default=is_solid),
+        void=table.flag("void"),
+        depth=_depth(table),
         key=table.key,
     )
+
+
+def _check_inside(table: Table, kind: str) -> None:
+    """Note a shape without an inside that is to be solid or cut out."""
+    open_kind = kind and kind not in CLOSED
+    corners = table.values.get("corners")
+    is_flat = kind == "polygon" and isinstance(corners, list) and len(corners) == _TWO
+    for key in ("body", "void"):
+        if (open_kind and table.flag(key)) or (is_flat and key == "body"):
+            what = message("The outline is not closed: a '{kind}' has no inside.", kind=kind)
+            known = ", ".join(sorted(CLOSED))
+            remedy = message(
+                "Take a closed shape with three corners or more: {kinds}.", kinds=known
+            )
+            table.add(key if open_kind else "corners", what, remedy)
 
 
 def _repeat(table: Table) -> Repeat | Ring:

@@ -15,6 +15,7 @@ class ProofKind(StrEnum):
     VIRTUAL_WORK = "virtual_work"  # a force ratio against the motion of the links
     MOTION = "motion"  # what describes a position against the coordinates there
     TRAVEL = "travel"  # a path against the coordinates at its ends
+    INTERFERENCE = "interference"  # the bodies of the general view against one another
     IDENTITY = "identity"  # two formulas of the author's that must agree
     INEQUALITY = "inequality"  # a condition of the author's that must hold
     OPERATORS = "operators"  # one operator flipped must break one of the above

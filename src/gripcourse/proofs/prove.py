@@ -14,6 +14,7 @@ from gripcourse.proofs.calculations import (
 from gripcourse.proofs.check_declared import load_declared_proofs
 from gripcourse.proofs.declared import DeclaredProofs
 from gripcourse.proofs.declared_trials import proof_of, prove_declared
+from gripcourse.proofs.interference import prove_interference
 from gripcourse.proofs.kinematics import prove_motion, prove_ratios
 from gripcourse.proofs.model import ProofKind, ProofResult
 from gripcourse.proofs.printed_lines import prove_printed_lines
@@ -152,6 +153,12 @@ def _motion(subject: Subject, trials: _Trials) -> Iterator[ProofResult]:
             yield prove_motion(subject.course.schemes[scheme], own)
 
 
+def _interference(subject: Subject, trials: _Trials) -> Iterator[ProofResult]:
+    for scheme, own in trials.items():
+        if subject.course.schemes[scheme].view is not None:
+            yield prove_interference(subject.course, subject.course.schemes[scheme], own)
+
+
 def _declared(subject: Subject, kind: ProofKind) -> Iterator[ProofResult]:
     for one in subject.declared.proofs:
         if proof_of(one).kind is kind and (
@@ -211,6 +218,7 @@ _STEPS: Final[tuple[tuple[ProofKind, Callable[[Subject, _Trials], Iterator[Proof
     (ProofKind.VIRTUAL_WORK, _ratios),
     (ProofKind.MOTION, _motion),
     (ProofKind.TRAVEL, _travels),
+    (ProofKind.INTERFERENCE, _interference),
     (ProofKind.IDENTITY, _identities),
     (ProofKind.INEQUALITY, _inequalities),
     (ProofKind.PRINTED_LINES, _printed_lines),

@@ -114,7 +114,8 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     """Put a variant's values, in declared units, into the view of its scheme."""
     main = numbers_at(plan, view, solved, view.position)
     other = numbers_at(plan, view, solved, view.other) if view.other else main
-    drawn = [(part, list(shown(part, main))) for part in view.parts]
+    there = [part for part in view.parts if not part.positions or view.position in part.positions]
+    drawn = [(part, list(shown(part, main))) for part in there]
     shapes = [one for _, found in drawn for one in found]
     return Figure(
         upright=view.upright,

@@ -7,8 +7,10 @@ from graphlib import TopologicalSorter
 
 import numpy as np
 
+from gripcourse.course.model import Scheme
 from gripcourse.course.view import Expression, View
 from gripcourse.drawing.paper.text import Point
+from gripcourse.formula.evaluate import Array, Column
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.motion import coordinates, drive_at
@@ -54,18 +56,41 @@ def numbers_at(plan: Plan, view: View, solved: Mapping[str, float], position: st
     """
     finite = {name: value for name, value in solved.items() if math.isfinite(value)}
     known = {name: np.asarray(one) for name, one in to_si(plan, finite).items()}
-    motion = plan.scheme.kinematics
+    found = values_at(plan.scheme, plan.columns, view, known, position)
+    return Numbers(
+        {name: one for name, one in found.items() if name in known or np.isfinite(one).all()}, plan
+    )
+
+
+def values_at(
+    scheme: Scheme, columns: Mapping[str, Column], view: View, known: Values, position: str
+) -> dict[str, Array]:
+    """Add to known values the coordinates of a position and the measures of a view.
+
+    Args:
+        scheme: of the variants.
+        columns: catalogue columns in SI.
+        view: of the scheme.
+        known: by name in SI, single numbers or arrays of shape (n,).
+        position: one that the scheme has; empty where the scheme has none.
+
+    Returns:
+        All of them in SI; NaN where something cannot be computed. A measure whose formulas all
+        need a name that is not known is absent.
+    """
+    found = dict(known)
+    motion = scheme.kinematics
     if motion is not None and position:
-        drive = drive_at(motion, known, position)
-        known |= {**coordinates(motion, known, drive), motion.drive: drive}
-    numbers = Numbers(known, plan)
+        drive = drive_at(motion, found, position)
+        found |= {**coordinates(motion, found, drive), motion.drive: drive}
     for name in _in_order(view):
-        measure = view.measures[name]
-        found = (numbers.number(one, measure.unit) for one in measure.formulas)
-        value = next((one for one in found if one is not None), None)
-        if value is not None:
-            known[name] = np.asarray(value * factor(measure.unit))
-    return numbers
+        for formula in view.measures[name].formulas:
+            if found.keys() >= set(formula.names):
+                unit = view.measures[name].unit
+                new = evaluate_formula(formula, unit, found, columns)
+                before = found.get(name, new)
+                found[name] = np.where(np.isnan(before), new, before)
+    return found
 
 
 def _in_order(view: View) -> tuple[str, ...]:
