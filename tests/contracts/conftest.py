@@ -98,13 +98,15 @@ def all_spaces() -> tuple[Space, ...]:
     return tuple(load_spaces(reference_course()))
 
 
-def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
-    """Choose few combinations of options that hold every choice of every option.
+@cache
+def covering_sets(scheme_id: str) -> tuple[dict[str, str], ...]:
+    """Choose few combinations of options that hold every choice of every option, once.
 
     The first is the worked example's; then always the one with the most choices still missing,
     and of those the one whose other choices were tried least, so that they come in new company.
     There are numbers only for what variants are drawn from, and near the worked example.
     """
+    scheme = reference_course().schemes[scheme_id]
     usual = {} if scheme.example is None else scheme.example.options
     candidates = [
         options
@@ -139,7 +141,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         keys = [
             (scheme.id, tuple(sorted(options.items())))
             for scheme in schemes.values()
-            for options in covering_sets(scheme)
+            for options in covering_sets(scheme.id)
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
