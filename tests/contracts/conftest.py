@@ -185,6 +185,38 @@ def trials(subject: Subject) -> dict[str, tuple[Trial, ...]]:
 
 
 @pytest.fixture(scope="session")
+def few_trials(trials: dict[str, tuple[Trial, ...]]) -> dict[str, tuple[Trial, ...]]:
+    """As few of the trials as hold every quantity with each of its formulas, one of every scheme.
+
+    What schemes share is tried in one of them; first come the trials with most that is new.
+    """
+    contents = {
+        (scheme, place): _formulas_of(trial.plan)
+        for scheme, own in trials.items()
+        for place, trial in enumerate(own)
+    }
+    chosen = {(scheme, 0) for scheme, own in trials.items() if own}
+    left = frozenset[object]().union(*contents.values())
+    left -= frozenset[object]().union(*(contents[one] for one in chosen))
+    while left:
+        best = max(contents, key=lambda one: len(contents[one] & left))
+        chosen.add(best)
+        left -= contents[best]
+    return {
+        scheme: tuple(trial for place, trial in enumerate(own) if (scheme, place) in chosen)
+        for scheme, own in trials.items()
+    }
+
+
+def _formulas_of(plan: Plan) -> frozenset[object]:
+    """Name every quantity of a plan with the formula that computes it, if any."""
+    found = ((one, plan.reference_formula(one.id)) for one in plan.quantities.values())
+    return frozenset(
+        (one.file, one.id, None if formula is None else formula.text) for one, formula in found
+    )
+
+
+@pytest.fixture(scope="session")
 def course() -> Course:
     """The reference course, the same that the collection has loaded."""
     return reference_course()
