@@ -30,7 +30,7 @@ from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
 RUBRICS = "grader/rubric"  # items that persons mark name a file there
-_READ = frozenset({".toml", ".csv"})
+_READ = ("**/*.toml", "catalogues/*.csv")  # not the roster and the tables: a course has no people
 
 
 def load_course(root: Path) -> Course:
@@ -64,9 +64,9 @@ def load_course(root: Path) -> Course:
 def _digest(root: Path) -> str | None:
     """Digest all that a course is loaded from and checked with; None: some cannot be read."""
     try:
-        below = (path for folder in (VARIANTS, RUBRICS) for path in (root / folder).rglob("*"))
-        files = [path for path in below if path.suffix in _READ and path.is_file()]
-        return digest_of(root, files)
+        folders = (root / VARIANTS, root / RUBRICS)
+        below = (path for folder in folders for pattern in _READ for path in folder.glob(pattern))
+        return digest_of(root, [path for path in below if path.is_file()])
     except OSError:
         return None
 
