@@ -45,7 +45,7 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
-    digest = _digest(root)
+    digest = course_digest(root)
     kept = None if digest is None else _kept(digest)
     if kept is not None:
         return replace(kept, root=root)
@@ -55,13 +55,13 @@ def load_course(root: Path) -> Course:
     if course is None or problems:
         raise CourseError(problems)
     # What changed while it was read is not kept under the digest of what was there before.
-    if digest is not None and digest == _digest(root):
+    if digest is not None and digest == course_digest(root):
         keep(digest, course)
         _kept.cache_clear()  # it remembers that there was none
     return course
 
 
-def _digest(root: Path) -> str | None:
+def course_digest(root: Path) -> str | None:
     """Digest all that a course is loaded from and checked with; None: some cannot be read."""
     try:
         folders = (root / VARIANTS, root / RUBRICS)
