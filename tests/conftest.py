@@ -13,6 +13,7 @@ from gripcourse.course.model import Course, WorkedExample
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
+from support.classroom import classroom, issued
 
 REPOSITORY = Path(__file__).parents[1]
 SCHEME = "rack_parallelogram"

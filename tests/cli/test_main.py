@@ -2,10 +2,13 @@
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
+from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -39,21 +42,24 @@ class Run:
 Command = Callable[..., Run]
 
 
+def call(home: Path, *arguments: object, system: str = "C") -> Run:
+    """Call the command line in a folder."""
+    out, err = StringIO(), StringIO()
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
+        patch.chdir(home)
+        patch.setenv("LC_ALL", system)
+        patch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
+        with pytest.raises(SystemExit) as left:
+            cli.main()
+    return Run(int(left.value.code or 0), out.getvalue(), err.getvalue())
+
+
 @pytest.fixture
-def gripcourse(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> Command:
+def gripcourse(tmp_path: Path) -> Command:
     """Call the command line in an empty folder, speaking English."""
 
     def run(*arguments: object, home: Path = tmp_path, system: str = "C") -> Run:
-        monkeypatch.chdir(home)
-        monkeypatch.setenv("LC_ALL", system)
-        monkeypatch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
-        capsys.readouterr()
-        with pytest.raises(SystemExit) as left:
-            cli.main()
-        printed = capsys.readouterr()
-        return Run(int(left.value.code or 0), printed.out, printed.err)
+        return call(home, *arguments, system=system)
 
     return run
 
@@ -65,6 +71,44 @@ def course(gripcourse: Command, tmp_path: Path) -> Path:
     assert gripcourse("init", root).code == 0
     (root / "variants" / "roster.csv").write_text(ROSTER, encoding="utf-8")
     return root
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """A folder with a course, its handed out assignments and one graded work, and what was said."""
+
+    folder: Path
+    issued: Run
+    graded: Run
+
+    def again(self, folder: Path) -> "Term":
+        """Copy the folder for a story of its own."""
+        shutil.copytree(self.folder, folder, dirs_exist_ok=True)
+        return Term(folder, self.issued, self.graded)
+
+    @property
+    def own(self) -> Path:
+        """The workbook that was handed out to the first student."""
+        return self.folder / "assignments" / "s01" / "s01.xlsx"
+
+    @property
+    def place(self) -> tuple[object, ...]:
+        return ("--course", self.folder / "course", "--workers", 1, "--date", "2026-09-07")
+
+
+@pytest.fixture(scope="module")
+def term(tmp_path_factory: pytest.TempPathFactory) -> Term:
+    """Issue to two students and grade a workbook in which nothing is written, once."""
+    folder = tmp_path_factory.mktemp("term")
+    assert call(folder, "init", folder / "course").code == 0
+    roster = folder / "course" / "variants" / "roster.csv"
+    roster.write_text(ROSTER, encoding="utf-8")
+    nothing = Run(0, "", "")
+    begun = Term(folder, nothing, nothing)
+    out = folder / "assignments"
+    issued = call(folder, "issue", *begun.place, "--roster", roster, "--out", out)
+    graded = call(folder, "grade", *begun.place, begun.own, "--out", folder / "graded", "--json")
+    return Term(folder, issued, graded)
 
 
 def table_with(course: Path, column: str, value: str) -> Path:
@@ -390,30 +434,27 @@ class TestOurMistakes:
         assert "ZeroDivisionError" in log.read_text(encoding="utf-8")
 
 
-def test_a_course_from_issue_to_grades(gripcourse: Command, course: Path, tmp_path: Path) -> None:
+def test_a_course_from_issue_to_grades(gripcourse: Command, term: Term, tmp_path: Path) -> None:
     """Issue, check, grade: the codes say whether somebody must look."""
-    handed_out, graded = tmp_path / "assignments", tmp_path / "graded"
-    place = ("--course", course, "--workers", 1, "--date", "2026-09-07")
-    roster = course / "variants" / "roster.csv"
-    issued = gripcourse("issue", *place, "--roster", roster, "--out", handed_out)
-    assert issued.code == cli.DONE
-    assert str(handed_out) in issued.out
+    assert term.issued.code == cli.DONE
+    assert str(term.folder / "assignments") in term.issued.out
 
-    own = handed_out / "s01" / "s01.xlsx"
-    checked = gripcourse("check", own, "--course", course, "--language", "uk")
-    assert checked.code == cli.DONE
-    assert "зусилля затискання" in checked.out
-
-    done = gripcourse("grade", *place, own, "--out", graded, "--json")
-    assert done.code == cli.DONE
-    (report,) = json.loads(done.out)["reports"]
+    assert term.graded.code == cli.DONE
+    (report,) = json.loads(term.graded.out)["reports"]
     assert report["student"] == "s01"
     assert report["score"] == 0
     assert {one["outcome"] for one in report["findings"]} == {"blank", "manual"}
 
+    story = term.again(tmp_path)
+    checked = gripcourse(
+        "check", story.own, "--course", story.folder / "course", "--language", "uk"
+    )
+    assert checked.code == cli.DONE
+    assert "зусилля затискання" in checked.out
+
     other = tmp_path / "s02.xlsx"
-    other.write_bytes(own.read_bytes())
-    looked_at = gripcourse("grade", *place, other, "--out", graded)
+    other.write_bytes(story.own.read_bytes())
+    looked_at = gripcourse("grade", *story.place, other, "--out", tmp_path / "graded")
     assert looked_at.code == cli.NEEDS_PERSON
     assert "issued to another" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
@@ -440,16 +481,11 @@ def test_what_is_no_number_cannot_be_traced(gripcourse: Command) -> None:
     assert "exclude each other" in both.err
 
 
-def test_a_drawing_from_waiting_to_marked(
-    gripcourse: Command, course: Path, tmp_path: Path
-) -> None:
+def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_path: Path) -> None:
     """Grade, look what waits, mark, grade again: the codes say whether somebody must look."""
-    handed_out, graded = tmp_path / "assignments", tmp_path / "graded"
-    place = ("--course", course, "--workers", 1)
-    roster = course / "variants" / "roster.csv"
-    gripcourse("issue", *place, "--roster", roster, "--out", handed_out)
-    own = handed_out / "s01" / "s01.xlsx"
-    assert gripcourse("grade", *place, own, "--out", graded).code == cli.DONE
+    story = term.again(tmp_path)
+    course, own, place = story.folder / "course", story.own, story.place
+    graded = tmp_path / "graded"
 
     listed = gripcourse("mark", "--list", "--course", course)
     assert listed.code == cli.NEEDS_PERSON

@@ -98,13 +98,15 @@ def all_spaces() -> tuple[Space, ...]:
     return tuple(load_spaces(reference_course()))
 
 
-def covering_sets(scheme: Scheme) -> tuple[dict[str, str], ...]:
-    """Choose few combinations of options that hold every choice of every option.
+@cache
+def covering_sets(scheme_id: str) -> tuple[dict[str, str], ...]:
+    """Choose few combinations of options that hold every choice of every option, once.
 
     The first is the worked example's; then always the one with the most choices still missing,
     and of those the one whose other choices were tried least, so that they come in new company.
     There are numbers only for what variants are drawn from, and near the worked example.
     """
+    scheme = reference_course().schemes[scheme_id]
     usual = {} if scheme.example is None else scheme.example.options
     candidates = [
         options
@@ -139,7 +141,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         keys = [
             (scheme.id, tuple(sorted(options.items())))
             for scheme in schemes.values()
-            for options in covering_sets(scheme)
+            for options in covering_sets(scheme.id)
             if not only_guide or _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
@@ -180,6 +182,38 @@ def subject(course: Course, policy: Policy) -> Subject:
 def trials(subject: Subject) -> dict[str, tuple[Trial, ...]]:
     """Numbers to try each scheme with."""
     return subject.trials()
+
+
+@pytest.fixture(scope="session")
+def few_trials(trials: dict[str, tuple[Trial, ...]]) -> dict[str, tuple[Trial, ...]]:
+    """As few of the trials as hold every quantity with each of its formulas, one of every scheme.
+
+    What schemes share is tried in one of them; first come the trials with most that is new.
+    """
+    contents = {
+        (scheme, place): _formulas_of(trial.plan)
+        for scheme, own in trials.items()
+        for place, trial in enumerate(own)
+    }
+    chosen = {(scheme, 0) for scheme, own in trials.items() if own}
+    left = frozenset[object]().union(*contents.values())
+    left -= frozenset[object]().union(*(contents[one] for one in chosen))
+    while left:
+        best = max(contents, key=lambda one: len(contents[one] & left))
+        chosen.add(best)
+        left -= contents[best]
+    return {
+        scheme: tuple(trial for place, trial in enumerate(own) if (scheme, place) in chosen)
+        for scheme, own in trials.items()
+    }
+
+
+def _formulas_of(plan: Plan) -> frozenset[object]:
+    """Name every quantity of a plan with the formula that computes it, if any."""
+    found = ((one, plan.reference_formula(one.id)) for one in plan.quantities.values())
+    return frozenset(
+        (one.file, one.id, None if formula is None else formula.text) for one, formula in found
+    )
 
 
 @pytest.fixture(scope="session")

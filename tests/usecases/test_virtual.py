@@ -38,9 +38,12 @@ def own(tmp_path: Path) -> Course:
     return load_course(tmp_path / "course")
 
 
-@pytest.fixture
-def narrow(own: Course) -> tuple[Course, Policy, ToleranceAudit]:
-    """An audit of the issued variants under a policy that refuses honest answers."""
+@pytest.fixture(scope="module")
+def narrow(tmp_path_factory: pytest.TempPathFactory) -> tuple[Course, Policy, ToleranceAudit]:
+    """An audit of issued variants under a policy that refuses honest answers, once."""
+    root = tmp_path_factory.mktemp("narrow") / "course"
+    init_course(root, bytes(range(32)), Words("en"))
+    own = load_course(root)
     path = policy_path(own.root)
     text = path.read_text(encoding="utf-8").replace("relative = 0.01\n", "relative = 0.0001\n", 1)
     path.write_text(text, encoding="utf-8")

@@ -36,13 +36,12 @@ def draw(
     language: LanguageOption = None,
 ) -> None:
     """Draw the general view of a variant, as DXF for a CAD program and as SVG."""
-    from gripcourse.course.load import load_course
     from gripcourse.usecases.draw import write_general_view
     from gripcourse.usecases.solve import solve_from_table
-    from gripcourse.variants.table import read_table
+    from gripcourse.variants.kept_table import load_with_table
 
-    loaded = load_course(course_folder(course))
-    variants = read_table(table or main_table(loaded.root), loaded)
+    root = course_folder(course)
+    loaded, variants = load_with_table(root, table or main_table(root))
     solved = solve_from_table(loaded, variants, variant, None)
     words = Words(document_language(language, loaded.language))
     for path in write_general_view(solved, out, student, words):

@@ -101,18 +101,19 @@ def solve(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.usecases import solve as command
 
-    loaded = load_course(course_folder(course))
+    root = course_folder(course)
     wanted = cli_text.chosen_convention(convention)
     if (variant is None) == (scheme is None):
         raise cli_text.misuse(message("Name a variant of the table, or a scheme with --scheme."))
     if variant is not None:
         if settings or options:
             raise cli_text.misuse(message("--set and --option go with --scheme."))
-        from gripcourse.variants.table import read_table
+        from gripcourse.variants.kept_table import load_with_table
 
-        variants = read_table(table or main_table(loaded.root), loaded)
+        loaded, variants = load_with_table(root, table or main_table(root))
         solved = command.solve_from_table(loaded, variants, variant, wanted)
     else:
+        loaded = load_course(root)
         shape = message("Write name=value.")
         given = dict(read_pairs("--set", settings or (), shape))
         chosen = dict(read_pairs("--option", options or (), shape))

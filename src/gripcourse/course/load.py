@@ -30,7 +30,7 @@ from gripcourse.text.words import LANGUAGES, message
 
 VARIANTS = "variants"
 RUBRICS = "grader/rubric"  # items that persons mark name a file there
-_READ = frozenset({".toml", ".csv"})
+_READ = ("**/*.toml", "catalogues/*.csv")  # not the roster and the tables: a course has no people
 
 
 def load_course(root: Path) -> Course:
@@ -45,7 +45,7 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
-    digest = _digest(root)
+    digest = course_digest(root)
     kept = None if digest is None else _kept(digest)
     if kept is not None:
         return replace(kept, root=root)
@@ -55,18 +55,18 @@ def load_course(root: Path) -> Course:
     if course is None or problems:
         raise CourseError(problems)
     # What changed while it was read is not kept under the digest of what was there before.
-    if digest is not None and digest == _digest(root):
+    if digest is not None and digest == course_digest(root):
         keep(digest, course)
         _kept.cache_clear()  # it remembers that there was none
     return course
 
 
-def _digest(root: Path) -> str | None:
+def course_digest(root: Path) -> str | None:
     """Digest all that a course is loaded from and checked with; None: some cannot be read."""
     try:
-        below = (path for folder in (VARIANTS, RUBRICS) for path in (root / folder).rglob("*"))
-        files = [path for path in below if path.suffix in _READ and path.is_file()]
-        return digest_of(root, files)
+        folders = (root / VARIANTS, root / RUBRICS)
+        below = (path for folder in folders for pattern in _READ for path in folder.glob(pattern))
+        return digest_of(root, [path for path in below if path.is_file()])
     except OSError:
         return None
 

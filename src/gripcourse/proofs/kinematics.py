@@ -50,6 +50,19 @@ def prove_ratios(scheme: Scheme, trials: tuple[Trial, ...]) -> Iterator[ProofRes
         yield concluded(proof, sum(len(one.variants) for one in trials), tuple(problems))
 
 
+def names_of(motion: Kinematics) -> frozenset[str]:
+    """Return the quantities that a declared motion reads, and those that it is compared with."""
+    formulas = (
+        motion.outputs,
+        *motion.at.values(),
+        *(one.formula for one in motion.coordinates),
+    )
+    named = {name for formula in formulas for name in formula.names}
+    states = (name for state in motion.state.values() for name in state)
+    own = {motion.drive, *(one.id for one in motion.coordinates)}
+    return frozenset({*(named - own), *motion.ratio.values(), *states})
+
+
 def ratio_differs(trial: Trial, plan: Plan, motion: Kinematics, position: str) -> NDArray[np.bool_]:
     """Tell for which sets of numbers a force ratio is not the virtual work of the links.
 

@@ -12,7 +12,7 @@ from gripcourse.formula.parse import caret
 from gripcourse.proofs.calculations import PrintedCalculation
 from gripcourse.proofs.declared import DeclaredProof, DeclaredProofs, Unshown, names_used
 from gripcourse.proofs.declared_trials import compare, trials_for
-from gripcourse.proofs.kinematics import ratio_differs, state_differs
+from gripcourse.proofs.kinematics import names_of, ratio_differs, state_differs
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, short_name
 from gripcourse.proofs.operators import (
     Columns,
@@ -166,7 +166,7 @@ def _has(plan: Plan, formula: FlippedFormula) -> bool:
 
 def _breaks_motion(trial: Trial, formula: FlippedFormula) -> bool:
     motion = trial.plan.scheme.kinematics
-    if motion is None:
+    if motion is None or formula.quantity.id not in _upstream(trial.plan, names_of(motion)):
         return False
     plan = with_formula(trial.plan, formula)
     return state_differs(trial, plan, motion) or any(
