@@ -184,7 +184,7 @@ def by_grip_model(course: Course) -> dict[str, dict[str, Quantity]]:
 
 def test_every_combination_of_options_is_known(course: Course) -> None:
     found = list(option_sets(course.schemes["rack_parallelogram"]))
-    assert len(found) == 2 * 5 * 6 * 5 * 3 * 2
+    assert len(found) == 2 * 6 * 6 * 5 * 3 * 2
     assert len({tuple(options.items()) for options in found}) == len(found)
     assert {options["drive"] for options in found} == {"hydraulic", "pneumatic"}
 

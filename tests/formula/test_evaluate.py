@@ -35,6 +35,8 @@ def _value(text: str, **values: float) -> float:
         ("2*pi", 2 * np.pi),
         ("sqrt(9) + cbrt(-27)", 0.0),
         ("hypot(3, 4)", 5.0),
+        ("exceeds(2, 1)", 1.0),
+        ("exceeds(1, 1)", 0.0),
         ("sin(pi/6)", 0.5),
         ("cos(pi/3)", 0.5),
         ("tan(pi/4)", 1.0),

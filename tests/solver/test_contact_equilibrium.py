@@ -178,10 +178,18 @@ def _check_equal(values: Values, angle: float) -> None:
 
 
 def on_finger(values: Values, point: int) -> Array:
-    """Return the force of the object on a finger at a point: its friction along its side of Y."""
-    friction = -against(values, point, (0.0, Y_SIDES[point]))
+    """Return the force of the object on a finger at a point.
+
+    Friction of each component of the load acts against the slip that this component would cause:
+    ahead, to the right, and along the object, which has no part in the plane of gripping.
+    """
     pressure = -inward(values, point)
-    return values[f"contact_force_{point}"] * (pressure + values["friction"] * friction)
+    total = values[f"contact_binormal_{point}"] * pressure
+    for component, slip in (("axial", (0.0, 1.0)), ("normal", (1.0, 0.0))):
+        force = values.get(f"contact_{component}_{point}")
+        if force is not None:
+            total = total + force * (pressure - values["friction"] * against(values, point, slip))
+    return total
 
 
 @pytest.mark.parametrize(("side", "points"), [("right", (1, 3)), ("left", (2, 4))])
@@ -231,8 +239,7 @@ def test_a_jaw_on_parallel_arms_is_balanced_by_virtual_work(
     ends = ("at_min", "at_max")
     forces = [translating(values, points, values[f"arm_angle_{end}"]) for end in ends]
     pull = values[f"finger_pull_{side}"]
-    assert np.any(pull < 0)
-    assert np.any(pull > 0)
+    assert np.all(pull >= 0)
     np.testing.assert_allclose(values[f"finger_force_{side}"], np.max(forces, axis=0), rtol=1e-9)
 
 
@@ -331,6 +338,30 @@ def test_a_prism_that_tilts_by_five_degrees_needs_a_fifth_more_at_most(course: C
     assert most == sorted(most)
     assert most[-2] == pytest.approx(1)
     assert most[-1] < 1.2
+
+
+def test_the_object_is_in_equilibrium_between_equal_prisms_and_nowhere_slips(plan: Plan) -> None:
+    """Sums of forces and the moment about its axis vanish; friction stays within Coulomb's cone."""
+    values = solve(plan, **{f"contact_angle_{point}": 60.0 for point in X_SIDES})
+    fingers = {point: on_finger(values, point) for point in X_SIDES}
+    across, along = np.sum(list(fingers.values()), axis=0)
+    np.testing.assert_allclose(across, values["load_normal"], rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(along, values["load_axial"], rtol=1e-9, atol=1e-6)
+    turning_moment = np.zeros(COUNT)
+    for point, force in fingers.items():
+        radius = -inward(values, point)
+        turning_moment += radius[0] * force[1] - radius[1] * force[0]
+        tangential = radius[0] * force[1] - radius[1] * force[0]
+        lengthwise = values["friction"] * values[f"contact_binormal_{point}"]
+        limit = values["friction"] * values[f"contact_force_{point}"]
+        assert np.all(np.hypot(tangential, lengthwise) <= limit * (1 + 1e-9))
+    np.testing.assert_allclose(turning_moment / values["load"], 0, atol=1e-9)
+
+
+def test_the_finger_that_a_normal_load_presses_on_carries_all_of_it(plan: Plan) -> None:
+    even = {f"contact_angle_{point}": 60.0 for point in X_SIDES}
+    values = solve(plan, load_angle=90.0, load_elevation=0.0, friction=0.3, **even)
+    np.testing.assert_allclose(values["finger_opening_right"], values["load"], rtol=1e-9)
 
 
 def test_the_grip_force_is_the_worse_finger_with_its_safety(values: Values) -> None:

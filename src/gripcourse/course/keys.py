@@ -3,6 +3,7 @@
 from typing import Final
 
 from gripcourse.course.diagram_keys import DIAGRAM, SHARED_DIAGRAM
+from gripcourse.course.equations import EQUATIONS
 from gripcourse.course.kinematics import KINEMATICS, POSITION
 from gripcourse.course.note import NOTE
 from gripcourse.course.quantity import Convention
@@ -63,7 +64,10 @@ COURSE: Final = Shape(
         ),
         "work": by_name(
             "Works that declarations cite, by id.",
-            table("A work.", {"title": texts("As it is cited.", required=True)}),
+            table(
+                "A work.",
+                {"title": texts("As it is cited.", required=True), "equations": EQUATIONS},
+            ),
         ),
         "constant": by_name("Numbers of the course, by id.", table("A constant.", CONSTANT)),
         "position": by_name(

@@ -10,6 +10,7 @@ from gripcourse.course.check import check_course
 from gripcourse.course.compose import inherited
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
+from gripcourse.course.equations import read_equations
 from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
@@ -230,7 +231,8 @@ def _section(table: Table) -> Section:
 
 def _works(table: Table) -> dict[str, Work]:
     return {
-        name: Work(name, inner.texts("title")) for name, inner in table.named_tables("work").items()
+        name: Work(name, inner.texts("title"), read_equations(inner.table("equations")))
+        for name, inner in table.named_tables("work").items()
     }
 
 

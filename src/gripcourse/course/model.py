@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.diagram import Diagram
+from gripcourse.course.equations import Equations
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import JointPosition, Kinematics
 from gripcourse.course.note import CourseNote
@@ -120,10 +121,12 @@ class Work:
     Attributes:
         id: short name in declarations.
         title: of a published work the same in every language, which is the work's own.
+        equations: its numbered equations, none where the course does not list them.
     """
 
     id: str
     title: Texts
+    equations: Equations
 
 
 @dataclass(frozen=True, slots=True)

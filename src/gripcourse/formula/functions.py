@@ -90,6 +90,12 @@ def _direction(rise: Array, run: Array) -> Array:
     return np.where((rise == 0) & (run == 0), np.nan, np.arctan2(rise, run))
 
 
+def _exceeds(one: Array, other: Array) -> Array:
+    """Return 1 where one number is above the other and 0 where it is not; NaN where one is NaN."""
+    known = np.isfinite(one) & np.isfinite(other)
+    return np.where(known, np.greater(one, other).astype(np.float64), np.nan)
+
+
 def at_least(arguments: tuple[Array, ...], column: Column | None) -> Array:
     """Return the size of the first row whose value is not below the argument, NaN above the last.
 
@@ -204,6 +210,10 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
             Function(
                 "max", 2, _MANY, False, _folded(np.maximum), _SAME, boxes.word("max"),
                 "MAX({arguments})",
+            ),
+            Function(
+                "exceeds", 2, 2, False, _of(_exceeds), _ANGLE, boxes.word("exceeds", "превышает"),
+                "IF({0}>{1},1,0)",
             ),
             Function(
                 "at_least", 1, 1, True, at_least, rules.size_of_value,

@@ -6,6 +6,7 @@ from itertools import islice
 from pathlib import Path
 
 from gripcourse.course.check import check_course
+from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
@@ -41,7 +42,7 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
     if course is None:
         return problems
     problems = [*problems, *check_course(course, thorough=thorough), *read_policy(course)[1]]
-    problems += _mix_problems(course)
+    problems += [*check_equations(course), *_mix_problems(course)]
     problems += register_problems(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.

@@ -28,7 +28,12 @@ def test_a_page_is_a_file_that_leads_home_where_there_is_one(
     scheme = course.schemes["rack_parallelogram"]
     only = replace(course, schemes={scheme.id: scheme})
     written = write_reference(only, tmp_path / "made", Words("en"), home="../index.html")
-    assert {path.name for path in written} == {RACK, "errata.html", "index.html"}
+    assert {path.name for path in written} == {
+        RACK,
+        "equations.html",
+        "errata.html",
+        "index.html",
+    }
     assert all('href="../index.html"' in path.read_text(encoding="utf-8") for path in written)
 
 

@@ -10,6 +10,7 @@ from typing import Final
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.documents.pdf import Document, render_html
+from gripcourse.documents.reference.coverage import coverage_of
 from gripcourse.documents.reference.diagram import diagram_of
 from gripcourse.documents.reference.entry import (
     BringingOption,
@@ -37,7 +38,9 @@ from gripcourse.text.words import Texts, Words
 
 STYLE: Final = "reference.css"
 INDEX: Final = "reference.html.j2"
-_SCHEME, _ERRATA = (f"reference{name}.html.j2" for name in ("_scheme", "_errata"))
+_SCHEME, _ERRATA, _COVERAGE = (
+    f"reference{name}.html.j2" for name in ("_scheme", "_errata", "_coverage")
+)
 _TABULATED: Final = frozenset({Kind.GIVEN, Kind.CONSTANT})
 
 
@@ -121,6 +124,7 @@ def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Do
         "home": home,
         "schemes": [_listed(content, words.language) for content in contents],
         "errata": len(course.errata),
+        "equations": sum(len(work.equations.numbers) for work in course.works.values()),
     }
 
     def page(template: str, values: Mapping[str, object]) -> Document:
@@ -131,6 +135,9 @@ def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Do
         for content in contents
     }
     made["index.html"] = page(INDEX, index_values(course, words))
+    covered = coverage_of(course, contents, words)
+    if covered:
+        made["equations.html"] = page(_COVERAGE, {"covered": covered})
     if course.errata:
         made["errata.html"] = page(_ERRATA, {"faults": faults_of(course, contents, words)})
     return made
