@@ -12,6 +12,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula, names
@@ -35,6 +36,8 @@ class RefusalCause(StrEnum):
     VERDICT = "verdict"
     CONDITION = "condition"
     CONSTRAINT = "constraint"
+    OPTIONS = "options"  # choices that a rule does not let go together
+    SAME = "same"  # givens that a rule binds to one number differ
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +46,16 @@ class Reason:
 
     Attributes:
         cause: what is wrong.
-        quantity: the quantity it is wrong with; empty for a constraint.
-        formula: the rule that is broken; None for bounds and missing values.
+        quantity: the quantity it is wrong with; empty for a constraint. Of a rule among options the
+            option whose choice is forbidden, or the given that differs from the first.
+        formula: what does not hold; None for bounds and missing values.
+        rule: the rule among options that is broken; None where it is no such rule.
     """
 
     cause: RefusalCause
     quantity: str
     formula: Formula | None = field(hash=False)  # its units are a mapping, which has no hash
+    rule: OptionRule | None = field(default=None, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +96,8 @@ def reasons_infeasible(
     found: dict[Reason, Mask] = {}
     for quantity in plan.quantities.values():
         found |= _reasons_of(batch, quantity)
+    for rule in plan.scheme.rules:
+        found |= _broken_rule(batch, rule)
     for formula in constraints:
         found[Reason(RefusalCause.CONSTRAINT, "", formula)] = _broken(batch, formula)
     refused = {reason: where for reason, where in found.items() if where.any()}
@@ -136,6 +144,22 @@ def _reasons_of(batch: _Batch, quantity: Quantity) -> dict[Reason, Mask]:
     if quantity.choice is not None and quantity.choice.condition is not None:
         condition = quantity.choice.condition
         found[Reason(RefusalCause.CONDITION, quantity.id, condition)] = _broken(batch, condition)
+    return found
+
+
+def _broken_rule(batch: _Batch, rule: OptionRule) -> dict[Reason, Mask]:
+    options = batch.plan.options
+    if not rule.counts(options):
+        return {}
+    found: dict[Reason, Mask] = {}
+    forbidden = rule.broken_by(options)
+    if forbidden:
+        reason = Reason(RefusalCause.OPTIONS, forbidden, None, rule)
+        found[reason] = np.ones(batch.size, dtype=np.bool_)
+    for other in rule.same[1:] if set(rule.same) <= batch.plan.quantities.keys() else ():
+        first, second = batch.values(rule.same[0]), batch.values(other)
+        differ = np.abs(first - second) > _SLACK * np.maximum(np.abs(first), np.abs(second))
+        found[Reason(RefusalCause.SAME, other, None, rule)] = differ
     return found
 
 
