@@ -36,6 +36,7 @@ from gripcourse.variants.fair import (
 )
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
+from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlaps_of
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
 from gripcourse.variants.space import Space
@@ -53,6 +54,8 @@ class CheckedScheme:
         broken: what does not hold.
         slips: quantity and id of the slips that give nearly the right result.
         edges: the decisions whose size lies at the edge of its step.
+        overlap: the worst pair of bodies that stand in each other; None for none, or where nobody
+            looked.
         nearest: what its student would get with the answers that bring most; None for one that
             shares nothing with any other.
         above: whether that is more than a limit allows, whole or in a section.
@@ -62,13 +65,14 @@ class CheckedScheme:
     broken: tuple[Message, ...]
     slips: tuple[tuple[str, str], ...]
     edges: tuple[str, ...]
+    overlap: Overlap | None
     nearest: Pair | None
     above: bool
 
     @property
     def passed(self) -> bool:
         """Whether there is nothing to look at."""
-        return not (self.broken or self.slips or self.edges or self.above)
+        return not (self.broken or self.slips or self.edges or self.overlap or self.above)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +105,7 @@ class VariantAudit:
         margins: decisions, and how often a size lies at the edge of its step.
         spreads: answers to computed quantities, scheme by scheme.
         verdicts: how often each comes out as yes, scheme by scheme.
+        overlaps: variants with bodies that stand in each other; None where nobody looked.
         apart: how far the variants are apart.
         beside: what counts for no limit.
         pairs: those that are farthest above a limit; without any, the nearest there are.
@@ -115,6 +120,7 @@ class VariantAudit:
     margins: tuple[Margin, ...]
     spreads: tuple[DifficultySpread, ...]
     verdicts: tuple[VerdictShare, ...]
+    overlaps: int | None
     apart: Apartness
     beside: Beside
     pairs: tuple[Pair, ...]
@@ -149,7 +155,11 @@ class VariantAudit:
 
 
 def audit(
-    course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
+    course: Course,
+    policy: Policy,
+    variants: Sequence[Variant],
+    spaces: Sequence[Space] = (),
+    check: OverlapCheck | None = None,
 ) -> VariantAudit:
     """Audit a table.
 
@@ -158,6 +168,7 @@ def audit(
         policy: the rules for variants, bands and points.
         variants: the table.
         spaces: whose constraints the variants must satisfy as well.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
     """
     groups = solve_groups(course, variants, spaces)
     size, sections = len(variants), len(course.sections)
@@ -175,17 +186,19 @@ def audit(
     counted = _sample(variants)
     steps = steps_of(groups)
     edges = [near_steps(group, policy.variants.step_margin) for group in groups]
+    overlaps = _overlaps(groups, check)
     return VariantAudit(
         rules=policy.variants,
-        variants=_checked(variants, groups, edges, policy, apart,
+        variants=_checked(variants, tuple(zip(groups, edges, strict=True)), overlaps, policy, apart,
                           dict(zip(nearest, pairs, strict=False))),
         slips=count_slips(solve_groups(course, counted), policy),
         slips_counted=len(counted),
         steps=steps,
         ratio=steps_ratio(steps),
-        margins=_margins(edges),
+        margins=_margins(groups, edges),
         spreads=spreads_of(groups, answered.computed),
         verdicts=verdicts_of(groups, answered.verdicts),
+        overlaps=None if check is None else len(overlaps),
         apart=apart,
         beside=Beside(*(mean_share(items, size) for items in (
             answered.computed, answered.sizes, answered.verdicts, answered.given))),
@@ -212,8 +225,8 @@ def _closest(apart: Apartness) -> tuple[tuple[int, int], ...]:
 
 def _checked(
     variants: Sequence[Variant],
-    groups: Sequence[Group],
-    edges: Sequence[Mapping[str, Mask]],
+    solved: Sequence[tuple[Group, Mapping[str, Mask]]],
+    overlaps: Mapping[int, Overlap],
     policy: Policy,
     apart: Apartness,
     nearest: Mapping[int, Pair],
@@ -223,28 +236,45 @@ def _checked(
     for section in apart.sections:
         above |= section.share > limits.section * SLACK
     found: dict[int, CheckedScheme] = {}
-    for group, near in zip(groups, edges, strict=True):
+    for group, near in solved:
         slips = too_near(group, policy)
         for place, row in enumerate(group.rows):
+            broken = [one for one, at in group.refused.items() if at[place]]
+            plan = group.family.plan(place) if broken else None
             found[int(row)] = CheckedScheme(
                 variants[row],
-                tuple(in_short(group.plan, one) for one, at in group.refused.items() if at[place]),
+                tuple(in_short(plan, one) for one in broken if plan is not None),
                 tuple(key for key, at in slips.items() if at[place]),
                 tuple(quantity for quantity, at in near.items() if at[place]),
+                overlaps.get(int(row)),
                 nearest.get(int(row)),
                 bool(above[row]),
             )
     return tuple(found[row] for row in range(len(variants)))
 
 
-def _margins(edges: Sequence[Mapping[str, Mask]]) -> tuple[Margin, ...]:
+def _overlaps(groups: Sequence[Group], check: OverlapCheck | None) -> dict[int, Overlap]:
+    """Return by position the variants whose bodies stand in each other."""
+    if check is None:
+        return {}
+    return {
+        int(group.rows[place]): one
+        for group in groups
+        for place, one in overlaps_of(group, range(group.family.size), check)
+    }
+
+
+def _margins(groups: Sequence[Group], edges: Sequence[Mapping[str, Mask]]) -> tuple[Margin, ...]:
     counts: dict[str, Margin] = {}
-    for near in edges:
-        for quantity, where in near.items():
-            before = counts.get(quantity, Margin(quantity, 0, 0))
-            counts[quantity] = Margin(
-                quantity, before.near + int(where.sum()), before.variants + len(where)
-            )
+    for group, near in zip(groups, edges, strict=True):
+        for one in group.family.answered:
+            id_ = one.quantity.id
+            if id_ in near:
+                before = counts.get(id_, Margin(id_, 0, 0))
+                where = one.of(near[id_])
+                counts[id_] = Margin(
+                    id_, before.near + int(where.sum()), before.variants + len(where)
+                )
     return tuple(sorted(counts.values(), key=lambda one: (-one.near / one.variants, one.quantity)))
 
 

@@ -36,12 +36,14 @@ class Space:
         scheme: its id.
         weight: its share among the schemes.
         cases: the combinations of options; every choice of an option is equally frequent.
+        constraints: what each variant satisfies that has all quantities of one.
         file: where it is declared, for messages.
     """
 
     scheme: str
     weight: float
     cases: Cases
+    constraints: tuple[Formula, ...]
     file: str
 
 
@@ -85,7 +87,7 @@ def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Spa
     """Make the space of a scheme that leaves everything to the ranges beside its givens."""
     file = f"variants/spaces/{scheme.id}.toml"
     table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
-    return Space(scheme.id, 1.0, _cases(course, table, scheme), file)
+    return Space(scheme.id, 1.0, _cases(course, table, scheme, ()), (), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -113,7 +115,9 @@ def _space(course: Course, table: Table) -> Space | None:
     weight = table.number("weight", 1.0)
     if not 0 < weight < float("inf"):
         table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
-    return Space(id_, weight, _cases(course, table, course.schemes[id_]), table.file)
+    read = read_constraints(table)
+    cases = _cases(course, table, course.schemes[id_], read)
+    return Space(id_, weight, cases, tuple(one for _, one in read), table.file)
 
 
 def _mixed(scheme: Scheme, table: Table) -> Scheme:
@@ -142,7 +146,9 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
     return tuple(choice for choice in known if choice in listed or not listed)
 
 
-def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
+def _cases(
+    course: Course, table: Table, scheme: Scheme, constraints: Sequence[tuple[Table, Formula]]
+) -> Cases:
     """Read the ranges and constraints of a scheme; thousands of combinations share them.
 
     Any two choices of two options are looked at together. A combination is composed when it is
@@ -167,7 +173,6 @@ def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
                 did_you_mean(id_, givens),
             )
     options = {option.id: {choice.id for choice in option.choices} for option in mixed.options}
-    constraints = read_constraints(table)
     for line, constraint in constraints:
         check_constraint(line, constraint, (*plans, *_plans_with(course, mixed, plans, constraint)))
     reader = RangeReader(course, givens, options)
