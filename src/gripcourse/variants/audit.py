@@ -36,12 +36,14 @@ from gripcourse.variants.fair import (
 )
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
+from gripcourse.variants.monotony import EndShare, SizeSpread, ends_of, sizes_of
 from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlaps_of
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
 from gripcourse.variants.space import Space
 
 CLOSEST = 20  # pairs that are told of a table that keeps its limits
+FEW = 4  # variants of a scheme: of fewer nothing is said to be always the same
 COUNTED = 64  # variants that slips of all kinds are counted in, evenly taken from a larger table
 
 
@@ -105,6 +107,8 @@ class VariantAudit:
         margins: decisions, and how often a size lies at the edge of its step.
         spreads: answers to computed quantities, scheme by scheme.
         verdicts: how often each comes out as yes, scheme by scheme.
+        sizes: how they are spread, scheme by scheme.
+        ends: which of two values formulas take, scheme by scheme.
         overlaps: variants with bodies that stand in each other; None where nobody looked.
         apart: how far the variants are apart.
         beside: what counts for no limit.
@@ -120,6 +124,8 @@ class VariantAudit:
     margins: tuple[Margin, ...]
     spreads: tuple[DifficultySpread, ...]
     verdicts: tuple[VerdictShare, ...]
+    sizes: tuple[SizeSpread, ...]
+    ends: tuple[EndShare, ...]
     overlaps: int | None
     apart: Apartness
     beside: Beside
@@ -141,6 +147,32 @@ class VariantAudit:
             quantity
             for quantity, shares in yes.items()
             if sum(one.yes for one in shares) in {0, sum(one.variants for one in shares)}
+        )
+
+    @property
+    def same_sizes(self) -> tuple[SizeSpread, ...]:
+        """Sizes that are picked and come out the same too often, the commonest first."""
+        same = (one for one in self.sizes if one.is_picked and one.share > self.rules.same_size)
+        enough = (one for one in same if one.variants >= FEW)
+        return tuple(sorted(enough, key=lambda one: (-one.share, one.scheme, one.quantity)))
+
+    @property
+    def same_ends(self) -> tuple[EndShare, ...]:
+        """Formulas of which the same of two values is taken too often."""
+        return tuple(
+            one for one in self.ends if one.same > self.rules.same_end and one.variants >= FEW
+        )
+
+    @property
+    def lopsided_verdicts(self) -> tuple[VerdictShare, ...]:
+        """Verdicts that may come out either way and hardly do, scheme by scheme."""
+        low, high = self.rules.verdict_no
+        return tuple(
+            one
+            for one in self.verdicts
+            if not one.must_hold
+            and one.variants >= FEW
+            and not low <= 1 - one.yes / one.variants <= high
         )
 
     @property
@@ -198,6 +230,8 @@ def audit(
         margins=_margins(groups, edges),
         spreads=spreads_of(groups, answered.computed),
         verdicts=verdicts_of(groups, answered.verdicts),
+        sizes=sizes_of(groups),
+        ends=ends_of(groups),
         overlaps=None if check is None else len(overlaps),
         apart=apart,
         beside=Beside(*(mean_share(items, size) for items in (
