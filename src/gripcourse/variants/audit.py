@@ -151,10 +151,21 @@ class VariantAudit:
 
     @property
     def same_sizes(self) -> tuple[SizeSpread, ...]:
-        """Sizes that are picked and come out the same too often, the commonest first."""
-        same = (one for one in self.sizes if one.is_picked and one.share > self.rules.same_size)
-        enough = (one for one in same if one.variants >= FEW)
-        return tuple(sorted(enough, key=lambda one: (-one.share, one.scheme, one.quantity)))
+        """Sizes that are picked and come out the same too often, the commonest first.
+
+        What is read from a table by such a size is not named again.
+        """
+        same = {
+            (one.scheme, one.quantity): one
+            for one in self.sizes
+            if one.is_picked and one.share > self.rules.same_size and one.variants >= FEW
+        }
+        roots = (
+            one
+            for (scheme, _), one in same.items()
+            if not any((scheme, name) in same for name in one.rests_on)
+        )
+        return tuple(sorted(roots, key=lambda one: (-one.share, one.scheme, one.quantity)))
 
     @property
     def same_ends(self) -> tuple[EndShare, ...]:

@@ -32,6 +32,7 @@ class SizeSpread:
         is_picked: whether it is taken from a series or read from a table, and not computed.
         variants: how many have it.
         low, median, high: 5, 50 and 95 % of the values lie at or below, in `unit`.
+        rests_on: ids that it is taken for or read by.
         commonest: the value that most variants have, in `unit`.
         share: share of the variants that have it, 0 to 1.
     """
@@ -40,6 +41,7 @@ class SizeSpread:
     quantity: str
     unit: str
     is_picked: bool
+    rests_on: frozenset[str]
     variants: int
     low: float
     median: float
@@ -114,6 +116,7 @@ def _spread(member: Member, values: Array) -> SizeSpread:
         quantity.id,
         quantity.unit,
         quantity.kind is not Kind.FORMULA,
+        frozenset(member.inputs),
         len(values),
         low,
         median,
