@@ -16,9 +16,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gripcourse.course.compose import option_sets
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course, Scheme
+from gripcourse.course.option_sets import option_sets
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import PrintedCalculation, calculations

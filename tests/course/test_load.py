@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.compose import compose, option_sets, pair_option_sets, part_ids
+from gripcourse.course.compose import compose, part_ids
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import default_options

@@ -2,8 +2,8 @@
 
 import pytest
 
-from gripcourse.course.compose import pair_option_sets
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of

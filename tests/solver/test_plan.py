@@ -2,8 +2,8 @@
 
 import pytest
 
-from gripcourse.course.compose import option_sets
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import option_sets
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, default_options, make_plan

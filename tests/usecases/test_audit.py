@@ -25,6 +25,8 @@ def test_a_table_that_was_drawn_by_the_rules_passes(course: Course, tmp_path: Pa
         "variants.csv",
         "pairs.csv",
         "quantities.csv",
+        "sizes.csv",
+        "ends.csv",
         "slips.csv",
         "verdicts.csv",
         CERTIFICATE,

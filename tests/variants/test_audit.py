@@ -161,8 +161,8 @@ def test_slips_of_every_kind_are_counted(
     named = {(one.quantity, one.slip) for one in near_slips(group, policy)}
     assert named == {
         (quantity.id, str(one.id))
-        for quantity in group.plan.answered
-        for one in candidates_of(group.plan, quantity.id, policy.slips)
+        for quantity in group.family.plan(0).answered
+        for one in candidates_of(group.family.plan(0), quantity.id, policy.slips)
     }
 
 
@@ -174,9 +174,9 @@ def test_a_size_is_at_an_edge_exactly_when_it_changes_with_its_answer(
         near = near_steps(group, policy.variants.step_margin)
         for place in range(len(group.rows)):
             required = group.values["pin_diameter_required"][place] if "pin_diameter" in near else 0
-            if not required:
+            if not np.nan_to_num(required):
                 continue
-            sizes = group.plan.columns["pin.diameter"].sizes
+            sizes = group.family.plan(place).columns["pin.diameter"].sizes
             chosen = [sizes[np.searchsorted(sizes, required * scale)] for scale in (0.99, 1.01)]
             assert near["pin_diameter"][place] == (chosen[0] != chosen[1])
             seen.add(bool(near["pin_diameter"][place]))
@@ -189,7 +189,8 @@ def test_a_size_that_rests_on_sizes_alone_is_never_at_an_edge(
     for group in solve_groups(course, raw):
         near = near_steps(group, 0.05)
         if "rod" in near:
-            assert group.plan.inputs["rod"] == ("bore",)
+            rods = [one for one in group.family.members if one.quantity.id == "rod"]
+            assert {one.inputs for one in rods} == {("bore",)}
             assert not near["rod"].any()
 
 

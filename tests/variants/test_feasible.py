@@ -8,7 +8,7 @@ import pytest
 from gripcourse.course.model import Course
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
-from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.solver.plan import Plan, default_options, make_plan, usual_values
 from gripcourse.text.words import Words
 from gripcourse.variants.explain import in_short, why_infeasible
 from gripcourse.variants.feasible import RefusalCause, reasons_infeasible
@@ -100,3 +100,16 @@ def test_a_reason_is_told_in_the_readers_language(plan: Plan) -> None:
     (sentence,) = why_infeasible(plan, SOUND | {"mass": -60.5, "acceleration": 0.001})[:1]
     assert "масса объекта" in Words("ru").say(sentence)
     assert "−60,5 кг" in Words("ru").say(sentence)
+
+
+def test_choices_that_do_not_go_together_and_angles_that_differ_are_refused(
+    reference_course: Course,
+) -> None:
+    scheme = reference_course.schemes["screw"]
+    usual = {**default_options(scheme), "grip_model": "contact"}
+    plan = make_plan(reference_course, "screw", usual)
+    (said,) = (one for one in why_infeasible(plan, usual_values(plan)) if "go with" in str(one))
+    assert str(said).startswith("grip model: four points of contact: 'flat' of 'shape of the jaws'")
+    plan = make_plan(reference_course, "screw", {**usual, "jaw_shape": "prism"})
+    refused = [str(one) for one in why_infeasible(plan, usual_values(plan))]
+    assert any("(contact_angle_1) and angle of contact at point 3" in one for one in refused)

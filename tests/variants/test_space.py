@@ -159,3 +159,13 @@ def test_all_mistakes_are_told_at_once(small_with: Change, tmp_path: Path) -> No
 def test_the_spaces_of_the_reference_course_are_sound(reference_course: Course) -> None:
     spaces = load_spaces(reference_course)
     assert {space.scheme for space in spaces} == set(reference_course.schemes)
+
+
+def test_givens_that_a_rule_makes_one_number_are_drawn_alike(reference_course: Course) -> None:
+    (space,) = (one for one in load_spaces(reference_course) if one.scheme == "screw")
+    options = next(one for one in space.cases.combinations if one["grip_model"] == "contact")
+    case = space.cases.with_options(options)
+    assert case is not None
+    angles = [f"contact_angle_{number}" for number in (2, 3, 4)]
+    assert {case.followers[one].leader for one in (*angles, "jaw_angle")} == {"contact_angle_1"}
+    assert all(one == led for one, led in case.followers["jaw_angle"].values.items())

@@ -26,10 +26,12 @@ if TYPE_CHECKING:
     from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
     from gripcourse.usecases.solve import Solved
+    from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
 
 Step = Callable[[str, int | None], Callable[[], None]]
 WIDTH = 110
+_MOST_TOLD = 10
 
 
 def misuse(what: Message, remedy: Message | None = None) -> UsageError:
@@ -134,10 +136,12 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
                 count=sum(bool(one.edges) for one in found.variants)),
         message("{count} are too near to another variant.",
                 count=sum(one.above for one in found.variants)),
+        *_overlap_lines(found),
         message("At most {share} % of the points of computed quantities are shared.",
                 share=round(100 * share, 1)),
         message("The longest assignment has {ratio} times as many answers as the shortest.",
                 ratio=round(found.ratio, 2)),
+        *_monotony_lines(found),
     ]  # fmt: skip
     verdict = (
         message("The table keeps all rules.")
@@ -145,6 +149,37 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
         else message("The table does not keep all rules.")
     )
     return "\n".join([*(words.say(one) for one in (*said, verdict)), *map(str, audited.written)])
+
+
+def _overlap_lines(found: "VariantAudit") -> Iterator[Message]:
+    from gripcourse.variants.overlaps import overlap_text
+
+    if found.overlaps is None:
+        return
+    if not found.overlaps:
+        yield message("No bodies stand in each other in {count} variants.",
+                      count=len(found.variants))  # fmt: skip
+        return
+    yield message("{count} have bodies that stand in each other:", count=found.overlaps)
+    worst = [(one.variant.id, one.overlap) for one in found.variants if one.overlap is not None]
+    for variant, overlap in worst[:_MOST_TOLD]:
+        yield message("  {variant}: {what}", variant=variant, what=overlap_text(overlap))
+
+
+def _monotony_lines(found: "VariantAudit") -> Iterator[Message]:
+    same, ends, verdicts = found.same_sizes, found.same_ends, found.lopsided_verdicts
+    yield message("{count} sizes are one and the same in most variants of a scheme:"
+                  " {sizes}.", count=len(same), sizes="; ".join(
+                      f"{one.scheme} {one.quantity} {round(100 * one.share)} %"
+                      for one in same[:_MOST_TOLD]) or "—")  # fmt: skip
+    yield message("{count} verdicts hardly come out either way: {verdicts}.",
+                  count=len(verdicts), verdicts="; ".join(
+                      f"{one.scheme} {one.quantity} {one.yes}/{one.variants}"
+                      for one in verdicts[:_MOST_TOLD]) or "—")  # fmt: skip
+    yield message("{count} formulas always take the same of two values: {formulas}.",
+                  count=len(ends), formulas="; ".join(
+                      f"{one.scheme} {one.quantity}" for one in ends[:_MOST_TOLD]) or "—",
+                  )  # fmt: skip
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:

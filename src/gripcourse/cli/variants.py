@@ -78,9 +78,15 @@ def import_(
 
 
 @app.command("audit", cls=SpokenCommand)
-def audit(
+def audit(  # noqa: PLR0913 (one parameter per option)
     *,
     table: TableOption = None,
+    drawn: Annotated[
+        int | None,
+        typer.Option("--drawn", min=1, help="Audit so many freely drawn variants, and no table."),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Of what is drawn.")] = 1,
+    scheme: SchemeOption = None,
     out: OutOption = Path("audit"),
     on: DateOption = None,
     course: CourseOption = None,
@@ -88,10 +94,16 @@ def audit(
 ) -> None:
     """Check that a table's variants are far from slips, fair and apart; write a certificate."""
     from gripcourse.course.load import load_course
-    from gripcourse.usecases.audit import audit_table
+    from gripcourse.usecases.audit import audit_drawn, audit_table
 
+    if table is not None and drawn is not None:
+        raise cli_text.misuse(message("A table and --drawn were named: one of them is audited."))
     loaded = load_course(course_folder(course))
     document = Words(document_language(language, loaded.language))
-    audited = audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+    audited = (
+        audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+        if drawn is None
+        else audit_drawn(loaded, drawn, seed, scheme, out, document, day_of(on))
+    )
     confirm(cli_text.audit_text(audited, words_for(language)))
     raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)

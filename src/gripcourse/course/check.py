@@ -14,18 +14,12 @@ from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_notes import check_notes
+from gripcourse.course.check_options import check_option_names, check_option_rules
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_view import check_view
-from gripcourse.course.compose import (
-    all_part_ids,
-    compose,
-    declaring_files,
-    option_sets,
-    pair_option_sets,
-    part_ids,
-    used_names,
-)
+from gripcourse.course.compose import all_part_ids, compose, declaring_files, part_ids, used_names
 from gripcourse.course.model import Course, Scheme
+from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
@@ -46,7 +40,10 @@ def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
     tables = _Tables.of(course)
     found: list[Problem] = []
     seen: set[object] = set()
+    unknown = list(check_option_names(course))
+    found += unknown
     for scheme in course.schemes.values():
+        found += [] if unknown else check_option_rules(course, scheme)
         found += _check_parts(course, scheme)
         if all_part_ids(scheme).keys() <= course.parts.keys():
             # else all that uses the missing part would be reported too

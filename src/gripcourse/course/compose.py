@@ -1,18 +1,12 @@
 """Composing a scheme: its parts and those of a variant's options, with the scheme's own changes."""
 
-from collections.abc import Iterable, Iterator, Mapping
-from collections.abc import Set as AbstractSet
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import combinations, product
-from typing import TypeAlias
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.formula.tree import Formula
-
-_Pair: TypeAlias = tuple[tuple[int, int], tuple[int, int]]
-"""Two choices, each as the places of its option and of itself."""
 
 
 def part_ids(scheme: Scheme, options: Mapping[str, str]) -> tuple[str, ...]:
@@ -33,45 +27,6 @@ def all_part_ids(scheme: Scheme) -> dict[str, None]:
     """Return the parts that a scheme uses with any of its options, in order, each once."""
     optional = (part for one in scheme.options for choice in one.choices for part in choice.parts)
     return dict.fromkeys((*scheme.parts, *optional))
-
-
-def option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
-    """Yield every combination of options of a scheme."""
-    ids = [option.id for option in scheme.options]
-    for chosen in product(*(option.choices for option in scheme.options)):
-        yield dict(zip(ids, (choice.id for choice in chosen), strict=True))
-
-
-def pair_option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
-    """Yield combinations of options in which any two choices of two options occur together.
-
-    They are few where all combinations are thousands. What three options do to each other only is
-    not seen in them.
-    """
-    sizes = [range(len(option.choices)) for option in scheme.options]
-    ids = [[choice.id for choice in option.choices] for option in scheme.options]
-    names = [option.id for option in scheme.options]
-    open_pairs = {
-        ((one, first), (other, second))
-        for one, other in combinations(range(len(sizes)), 2)
-        for first in sizes[one]
-        for second in sizes[other]
-    }
-    if not open_pairs:
-        yield from option_sets(scheme)
-        return
-    while open_pairs:
-        row = dict(min(open_pairs))
-        for place, size in enumerate(sizes):
-            if place not in row:
-                row[place] = max(size, key=lambda c: len(_met({**row, place: c}, open_pairs)))
-        open_pairs -= _met(row, open_pairs)
-        yield {names[place]: ids[place][choice] for place, choice in sorted(row.items())}
-
-
-def _met(row: Mapping[int, int], open_pairs: AbstractSet[_Pair]) -> AbstractSet[_Pair]:
-    """Return the open pairs of choices that occur in a row."""
-    return open_pairs & set(combinations(sorted(row.items()), 2))
 
 
 def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[str, Quantity]:

@@ -83,6 +83,21 @@ PART: Final = Shape(
         "kinematics": table("How the links move.", KINEMATICS),
     }
 )
+_SEVERAL_CHOICES: Final = strings("Ids of choices.")
+OPTION_RULE: Final = Shape(
+    {
+        "when": by_name(
+            "Choices by option: the rule counts where each option has one of its own.",
+            _SEVERAL_CHOICES,
+            required=True,
+        ),
+        "requires": by_name(
+            "Choices by option: then each of these options has one of its own.", _SEVERAL_CHOICES
+        ),
+        "same": strings("Ids of givens that are then one number, drawn for the first of them."),
+        "note": texts("Why: it is told to whoever breaks the rule.", required=True),
+    }
+)
 OPTION: Final = Shape(
     {
         "id": text("Name of the option in variants.", required=True),
@@ -95,6 +110,9 @@ OPTION: Final = Shape(
                 "parts": strings("Ids of the parts that it brings."),
             },
         ),
+        "rule": tables(
+            "What its choices ask of other options, in the schemes that have these.", OPTION_RULE
+        ),
     }
 )
 SCHEME: Final = Shape(
@@ -105,6 +123,7 @@ SCHEME: Final = Shape(
         "title": texts("In full.", required=True),
         "task": texts("A sentence for the assignment.", required=True),
         "option": tables("Options of this scheme alone.", OPTION),
+        "option_rule": tables("Rules among the options of this scheme.", OPTION_RULE),
         "quantity": QUANTITIES,
         "override": OVERRIDES,
         "kinematics": table("How the links move.", KINEMATICS),

@@ -15,6 +15,7 @@ from gripcourse.course.equations import Equations
 from gripcourse.course.errata import Erratum
 from gripcourse.course.kinematics import JointPosition, Kinematics
 from gripcourse.course.note import CourseNote
+from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.quantity import Convention, Quantity, Source
 from gripcourse.course.view import View
 from gripcourse.text.words import Texts
@@ -31,11 +32,16 @@ class OptionChoice:
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """Something that a variant chooses, for example the drive; it selects among shared parts."""
+    """Something that a variant chooses, for example the drive; it selects among shared parts.
+
+    Its rules say which choices go with those of other options; they count in the schemes that have
+    all of these options.
+    """
 
     id: str
     title: Texts
     choices: tuple[OptionChoice, ...]
+    rules: tuple[OptionRule, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +82,7 @@ class Scheme:
         task: a sentence for the assignment.
         parts: ids of the parts that every variant has.
         options: what a variant chooses.
+        own_rules: rules among its options that it declares itself.
         quantities: its own declarations.
         overrides: declarations of parts as it changes them, by part and quantity.
         kinematics: how its links move, its own or that of a part; None where nothing moves.
@@ -88,6 +95,7 @@ class Scheme:
     task: Texts
     parts: tuple[str, ...]
     options: tuple[Option, ...]
+    own_rules: tuple[OptionRule, ...]
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Mapping[str, Quantity]]
     kinematics: Kinematics | None
@@ -95,6 +103,13 @@ class Scheme:
     view: View | None
     example: WorkedExample | None
     file: str
+
+    @property
+    def rules(self) -> tuple[OptionRule, ...]:
+        """The rules among its options: its own, and those that the options bring."""
+        mine = {option.id for option in self.options}
+        brought = (rule for option in self.options for rule in option.rules)
+        return (*self.own_rules, *(one for one in brought if mine.issuperset(one.options)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,13 @@ from pathlib import Path
 
 from gripcourse.course.keys import OPTION
 from gripcourse.course.model import Option, OptionChoice
+from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+
+_ONE_AND_ANOTHER = 2
 
 
 def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:
@@ -40,7 +43,30 @@ def read_option(table: Table) -> Option:
     choices = tuple(_choice(choice) for choice in table.tables("choice"))
     if not choices:
         table.add("choice", message("This key is missing."), message("Write the choices."))
-    return Option(table.text("id"), table.texts("title"), choices)
+    return Option(table.text("id"), table.texts("title"), choices, read_rules(table, "rule"))
+
+
+def read_rules(table: Table, name: str) -> tuple[OptionRule, ...]:
+    """Read the rules among options that a table holds under a key."""
+    return tuple(_rule(one) for one in table.tables(name))
+
+
+def _rule(table: Table) -> OptionRule:
+    table.known_keys()
+    when, requires = (_choices_by_option(table, name) for name in ("when", "requires"))
+    same = table.strings("same")
+    if not requires and len(same) < _ONE_AND_ANOTHER:
+        table.add(
+            "",
+            message("The rule asks for nothing."),
+            message('Write requires = {{ option = ["choice"] }}, or same = ["one", "other"].'),
+        )
+    return OptionRule(when, requires, same, table.texts("note"), table.file, table.key)
+
+
+def _choices_by_option(table: Table, name: str) -> dict[str, tuple[str, ...]]:
+    inside = table.table(name)
+    return {} if inside is None else {option: inside.strings(option) for option in inside.values}
 
 
 def _choice(table: Table) -> OptionChoice:

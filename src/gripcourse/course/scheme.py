@@ -9,7 +9,7 @@ from gripcourse.course.diagram import Element, read_diagram
 from gripcourse.course.keys import EXAMPLE, SCHEME
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import Option, Scheme, WorkedExample
-from gripcourse.course.options import scheme_options
+from gripcourse.course.options import read_rules, scheme_options
 from gripcourse.course.override import RawPart, read_overrides
 from gripcourse.course.quantity import Convention
 from gripcourse.course.toml_table import Table, read_toml
@@ -59,6 +59,7 @@ def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem
         task=table.texts("task"),
         parts=table.strings("parts"),
         options=options,
+        own_rules=read_rules(table, "option_rule"),
         quantities={
             name: declare(name, one) for name, one in table.named_tables("quantity").items()
         },

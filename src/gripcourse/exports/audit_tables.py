@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.text.words import Words
 from gripcourse.variants.audit import CheckedScheme, VariantAudit
+from gripcourse.variants.overlaps import overlap_text
 from gripcourse.variants.pairs import Pair
 
 _BESIDE = ("sizes", "verdicts", "given", "followed")
@@ -22,6 +23,8 @@ def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> 
         "variants.csv": _variants(audit, sections, words),
         "pairs.csv": _pairs(audit, sections),
         "quantities.csv": _quantities(audit),
+        "sizes.csv": _sizes(audit),
+        "ends.csv": _ends(audit),
         "verdicts.csv": _verdicts(audit),
         "slips.csv": _slips(audit),
     }
@@ -29,7 +32,17 @@ def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> 
 
 def _variants(audit: VariantAudit, sections: Sequence[str], words: Words) -> str:
     header = (
-        *("variant", "scheme", "options", "passed", "broken", "slips", "edges", "above_a_limit"),
+        *(
+            "variant",
+            "scheme",
+            "options",
+            "passed",
+            "broken",
+            "slips",
+            "edges",
+            "overlap",
+            "above_a_limit",
+        ),
         *("nearest", "share", *_headings(sections), *_BESIDE),
     )
     return table_text(header, (_variant(one, audit, len(sections), words)
@@ -45,6 +58,7 @@ def _variant(
         "; ".join(words.say(one) for one in checked.broken),
         "; ".join(f"{quantity}: {slip}" for quantity, slip in checked.slips),
         "; ".join(checked.edges),
+        "" if checked.overlap is None else words.say(overlap_text(checked.overlap)),
     )
     nearest = (
         ("",) * (2 + sections + len(_BESIDE))
@@ -102,8 +116,56 @@ def _quantities(audit: VariantAudit) -> str:
     ))  # fmt: skip
 
 
+def _sizes(audit: VariantAudit) -> str:
+    header = (
+        *("scheme", "quantity", "unit", "picked", "variants", "percent_5", "percent_50"),
+        *("percent_95", "commonest", "share", "same"),
+    )
+    same = set(audit.same_sizes)
+    return table_text(header, (
+        (
+            one.scheme,
+            one.quantity,
+            one.unit,
+            _yes(one.is_picked),
+            str(one.variants),
+            *map(number_cell, (one.low, one.median, one.high, one.commonest, one.share)),
+            _yes(one in same),
+        )
+        for one in audit.sizes
+    ))  # fmt: skip
+
+
+def _ends(audit: VariantAudit) -> str:
+    header = ("scheme", "quantity", "first", "second", "variants", "first_taken", "same")
+    same = set(audit.same_ends)
+    return table_text(header, (
+        (
+            one.scheme,
+            one.quantity,
+            one.first,
+            one.second,
+            str(one.variants),
+            number_cell(one.share),
+            _yes(one in same),
+        )
+        for one in audit.ends
+    ))  # fmt: skip
+
+
 def _verdicts(audit: VariantAudit) -> str:
-    header = ("scheme", "quantity", "variants", "points", "yes", "no", "must_hold", "weak")
+    header = (
+        "scheme",
+        "quantity",
+        "variants",
+        "points",
+        "yes",
+        "no",
+        "must_hold",
+        "weak",
+        "lopsided",
+    )
+    lopsided = set(audit.lopsided_verdicts)
     return table_text(header, (
         (
             one.scheme,
@@ -114,6 +176,7 @@ def _verdicts(audit: VariantAudit) -> str:
             str(one.variants - one.yes),
             _yes(one.must_hold),
             _yes(one.quantity in audit.weak_verdicts),
+            _yes(one in lopsided),
         )
         for one in audit.verdicts
     ))  # fmt: skip

@@ -5,6 +5,8 @@ from typing import Final
 from gripcourse.course.quantity import Kind
 from gripcourse.course.quantity_keys import TOLERANCE
 from gripcourse.course.shape import (
+    Key,
+    KeySort,
     Shape,
     by_name,
     number,
@@ -134,6 +136,12 @@ POLICY: Final = Shape(
                                       1000, required=True),
                 "weak_item": number("Share of pairs in which a quantity is equal.", 0, 1,
                                     required=True),
+                "same_size": number("Share of a scheme's variants with one and the same size.",
+                                    0, 1, required=True),
+                "same_end": number("Share of them in which the same of two values is the greater.",
+                                   0, 1, required=True),
+                "verdict_no": Key(KeySort.PAIR, "Least and greatest share of 'no' to a verdict.",
+                                  required=True),
             },
             required=True,
         ),

@@ -35,6 +35,12 @@ class VariantRules:
             ask for.
         weak_item: a computed quantity that is equal in a larger share of the pairs of variants
             of a scheme is named as weak.
+        same_size: a size that is one and the same in a larger share of the variants of a scheme is
+            named.
+        same_end: where a formula takes the greater or the lesser of two values, and it is the same
+            one in a larger share of the variants of a scheme, this is named.
+        verdict_no: a verdict that may come out either way is named where the share of "no" in the
+            variants of a scheme is less than the first or greater than the second.
     """
 
     shared_points: float
@@ -44,6 +50,9 @@ class VariantRules:
     step_margin: float
     steps_ratio: float
     weak_item: float
+    same_size: float
+    same_end: float
+    verdict_no: tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,14 +15,15 @@ def points_of(plan: Plan, policy: Policy) -> Mapping[str, float]:
     marked = (*plan.answered, *plan.manual)
     totals: dict[str, float] = {}
     for quantity in marked:
-        totals[quantity.section] = totals.get(quantity.section, 0.0) + _weight(quantity, policy)
+        totals[quantity.section] = totals.get(quantity.section, 0.0) + weight_of(quantity, policy)
     return {
         quantity.id: policy.section_points[quantity.section]
-        * _weight(quantity, policy)
+        * weight_of(quantity, policy)
         / (totals[quantity.section] or 1.0)
         for quantity in marked
     }
 
 
-def _weight(quantity: Quantity, policy: Policy) -> float:
+def weight_of(quantity: Quantity, policy: Policy) -> float:
+    """Return the weight of a quantity in its section: its own, else its kind's."""
     return policy.weights.get(quantity.id, policy.kind_weights[quantity.kind])

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 
-from gripcourse.course.compose import compose, pair_option_sets
+from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Scheme
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import CourseError, Problem
 from gripcourse.formula.dimension import is_condition, measured_by

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gripcourse.course.compose import reference_formula
 from gripcourse.course.quantity import Choice, Convention, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Call, Formula, Name
@@ -52,7 +53,7 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
     for name, quantity in plan.quantities.items():
         if quantity.kind is Kind.MANUAL:
             continue
-        computed[name] = _compute(plan, quantity, values)
+        computed[name] = compute(plan, quantity, values)
         if name in known:
             values[name] = _supplied(np.asarray(known[name], dtype=np.float64), computed[name])
         else:
@@ -94,6 +95,28 @@ def from_si(plan: Plan, values: Mapping[str, NDArray[np.float64] | float]) -> di
     }
 
 
+def compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float64]:
+    """Compute one quantity at given values of its inputs.
+
+    Args:
+        plan: that the quantity belongs to.
+        quantity: what is computed.
+        values: SI values of its inputs, by id.
+
+    Returns:
+        SI; NaN for a given number, which nothing computes.
+    """
+    if quantity.value is not None:
+        return np.asarray(quantity.value * factor(quantity.unit))
+    formula = reference_formula(quantity, plan.convention)
+    if formula is None:
+        return np.asarray(np.nan)
+    result = evaluate_formula(formula, quantity.unit, values, plan.columns)
+    if quantity.choice is None:
+        return result
+    return choose(result, quantity.choice, reference_rounding(quantity, plan.convention), plan)
+
+
 def choose(
     required: NDArray[np.float64], choice: Choice, rounding: Rounding, plan: Plan
 ) -> NDArray[np.float64]:
@@ -101,18 +124,6 @@ def choose(
     function = "at_least" if rounding is Rounding.UP else "nearest"
     call = Formula("", Call(function, (Name("required"),), choice.column), {})
     return evaluate_formula(call, "", {"required": required}, plan.columns)
-
-
-def _compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float64]:
-    if quantity.value is not None:
-        return np.asarray(quantity.value * factor(quantity.unit))
-    formula = plan.reference_formula(quantity.id)
-    if formula is None:
-        return np.asarray(np.nan)
-    result = evaluate_formula(formula, quantity.unit, values, plan.columns)
-    if quantity.choice is None:
-        return result
-    return choose(result, quantity.choice, reference_rounding(quantity, plan.convention), plan)
 
 
 def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:

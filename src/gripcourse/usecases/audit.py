@@ -4,6 +4,7 @@ import hashlib
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Course
 from gripcourse.exports.audit_tables import audit_tables
@@ -11,11 +12,17 @@ from gripcourse.machine.content import Readable, content_of, pure_path, shown_na
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
+from gripcourse.usecases.variants import draw_variants
 from gripcourse.variants.audit import VariantAudit, audit
+from gripcourse.variants.overlaps import OverlapCheck
 from gripcourse.variants.space import load_spaces
-from gripcourse.variants.table import read_table
+from gripcourse.variants.table import read_table, write_table
+
+if TYPE_CHECKING:
+    from gripcourse.documents.report.certificate import CertificateSource
 
 CERTIFICATE = "certificate.pdf"
+DRAWN = "drawn.csv"
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +35,12 @@ class WrittenAudit:
 
 
 def audit_table(
-    course: Course, table: Readable, out: Path, words: Words, today: date
+    course: Course,
+    table: Readable,
+    out: Path,
+    words: Words,
+    today: date,
+    check: OverlapCheck | None = None,
 ) -> WrittenAudit:
     """Audit a table and write the certificate and its numbers into a folder.
 
@@ -38,6 +50,7 @@ def audit_table(
         out: folder to write to.
         words: the language of the certificate.
         today: the day that it bears.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
 
     Raises:
         GripcourseError: the table cannot be read, or holds variants that cannot be solved; every
@@ -45,19 +58,73 @@ def audit_table(
     """
     from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
         CertificateSource,
-        certificate,
     )
 
-    policy = load_policy(course)
-    found = audit(course, policy, read_table(table, course), load_spaces(course))
     digest = hashlib.sha256(content_of(table)).hexdigest()
     source = CertificateSource(pure_path(table).name, digest)
+    found = audit(
+        course, load_policy(course), read_table(table, course), load_spaces(course), check
+    )
+    return WrittenAudit(
+        shown_name(table), found, _written(course, found, source, out, words, today)
+    )
+
+
+def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goes)
+    course: Course,
+    count: int,
+    seed: int,
+    scheme: str | None,
+    out: Path,
+    words: Words,
+    today: date,
+    check: OverlapCheck | None = None,
+) -> WrittenAudit:
+    """Audit variants that are drawn freely: what the spaces give before the rules choose.
+
+    Args:
+        course: whose variants are drawn.
+        count: how many.
+        seed: the same seed gives the same variants.
+        scheme: only this one; None for all.
+        out: folder to write to; the variants are written there too.
+        words: the language of the certificate.
+        today: the day that it bears.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
+
+    Raises:
+        GripcourseError: there is no such scheme, or its space gives too few variants.
+    """
+    from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
+        CertificateSource,
+    )
+
+    variants = draw_variants(course, count, seed, scheme, freely=True).variants
+    path = out / DRAWN
+    write_table(path, variants, course)
+    source = CertificateSource(DRAWN, hashlib.sha256(path.read_bytes()).hexdigest())
+    found = audit(course, load_policy(course), variants, load_spaces(course), check)
+    files = _written(course, found, source, out, words, today)
+    return WrittenAudit(str(path), found, (path, *files))
+
+
+def _written(
+    course: Course,
+    found: VariantAudit,
+    source: "CertificateSource",
+    out: Path,
+    words: Words,
+    today: date,
+) -> tuple[Path, ...]:
+    """Write the certificate and its numbers; return the files."""
+    from gripcourse.documents.report.certificate import certificate  # noqa: PLC0415 (matplotlib)
+
     sections = [section.id for section in course.sections]
     files = {
         name: text.encode("utf-8-sig")
         for name, text in audit_tables(found, sections, words).items()
     }
-    files[CERTIFICATE] = certificate(found, source, course, policy, words, today)
+    files[CERTIFICATE] = certificate(found, source, course, load_policy(course), words, today)
     for name, content in files.items():
         write_bytes(out / name, content)
-    return WrittenAudit(shown_name(table), found, tuple(out / name for name in files))
+    return tuple(out / name for name in files)

@@ -9,13 +9,20 @@ from gripcourse.policy.load import load_policy
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.draw import Drawn, draw
+from gripcourse.variants.overlaps import OverlapCheck
 from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
 
 
 def draw_variants(
-    course: Course, count: int, seed: int, scheme: str | None, *, freely: bool = False
+    course: Course,
+    count: int,
+    seed: int,
+    scheme: str | None,
+    *,
+    freely: bool = False,
+    check: OverlapCheck | None = None,
 ) -> Drawn:
     """Draw variants.
 
@@ -26,6 +33,7 @@ def draw_variants(
         scheme: only this one; None for all.
         freely: whether to leave the policy's rules for variants aside: what is drawn can be solved,
             but nothing keeps it apart.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -36,7 +44,7 @@ def draw_variants(
         known = [one.scheme for one in load_spaces(course)]
         remedy = did_you_mean(scheme or "", known)
         raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
-    rules = None if freely else sifter(load_policy(course), len(course.sections))
+    rules = None if freely else sifter(load_policy(course), len(course.sections), check)
     return draw(course, spaces, count, seed, rules)
 
 

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.policy.bands import SLACK
-from gripcourse.variants.answers import AnswerItem, Rows, section_totals
+from gripcourse.solver.family import Rows
+from gripcourse.variants.answers import AnswerItem, section_totals
 from gripcourse.variants.apart import ApartLimits
 from gripcourse.variants.feasible import Array
 

@@ -3,45 +3,64 @@
 Variants of different schemes and options share a quantity where both have the same id.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
-from gripcourse.course.quantity import Kind, Quantity
-from gripcourse.formula.tree import Formula
+from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
-from gripcourse.policy.points import points_of
-from gripcourse.solver.plan import Plan, plan_of
-from gripcourse.variants.cases import Cases
-from gripcourse.variants.feasible import Array, Feasibility, Mask, Reason, reasons_infeasible
+from gripcourse.policy.points import weight_of
+from gripcourse.solver.family import Family, Member, Rows, families_of
+from gripcourse.variants.feasible import Array, Mask, Reason, judge
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
-
-Rows = NDArray[np.intp]
 
 _SAME = 1e-9  # relative; given numbers differ only by how floating point writes them
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Group:
-    """Variants of one scheme with the same options, solved together.
+    """Variants of one scheme, solved together.
 
     Attributes:
-        plan: that they share.
-        rows: their positions in the table, ascending, shape (k,).
-        values: of every quantity by id, SI, each of shape (k,).
-        refused: why variants cannot be handed out, by reason; of shape (k,).
+        family: what they are, each with its options.
+        rows: their positions in the table, ascending, shape (n,).
+        values: of every quantity by id, SI, each of shape (n,); NaN for a variant without it.
+        refused: why variants cannot be handed out, by reason; of shape (n,).
     """
 
-    plan: Plan
+    family: Family
     rows: Rows
     values: Mapping[str, Array]
     refused: Mapping[Reason, Mask]
+
+    def restricted(self, places: Rows) -> "Group":
+        """Return the group of some of the variants, at these ascending places."""
+        return Group(
+            self.family.restricted(places),
+            np.arange(len(places)),
+            {id_: values[places] for id_, values in self.values.items()},
+            {reason: where[places] for reason, where in self.refused.items()},
+        )
+
+    def points(self, policy: Policy) -> Iterator[tuple[Member, Array]]:
+        """Yield each marked quantity with its points, one number for each variant that has it."""
+        marked = [
+            one
+            for one in self.family.members
+            if one.quantity.kind.answered or one.quantity.kind is Kind.MANUAL
+        ]
+        totals: dict[str, Array] = {}
+        for one in marked:
+            total = totals.setdefault(one.quantity.section, np.zeros(self.family.size))
+            total[one.at] += weight_of(one.quantity, policy)
+        for one in marked:
+            section = one.quantity.section
+            share = weight_of(one.quantity, policy) / one.of(totals[section])
+            yield one, policy.section_points[section] * np.where(np.isfinite(share), share, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,51 +119,23 @@ def count_fitting(item: AnswerItem) -> Rows:
 def solve_groups(
     course: Course, variants: Sequence[Variant], spaces: Sequence[Space] = ()
 ) -> tuple[Group, ...]:
-    """Solve a table, all variants with the same scheme and options in one evaluation.
+    """Solve a table, all variants of a scheme in one evaluation.
 
     Args:
         course: whose variants they are.
         variants: the table.
         spaces: whose constraints the variants must satisfy as well.
     """
-    together: dict[Composition, list[int]] = {}
-    for row, variant in enumerate(variants):
-        together.setdefault(variant.composition, []).append(row)
-    by_scheme = {space.scheme: space.cases for space in spaces}
+    constraints = {space.scheme: space.constraints for space in spaces}
     groups = []
-    for composition, rows in together.items():
-        plan = plan_of(course, composition)
+    for rows, family in families_of(course, [one.composition for one in variants]):
         given = {
-            quantity.id: np.array([variants[row].given[quantity.id] for row in rows])
-            for quantity in plan.givens
+            id_: np.array([variants[row].given.get(id_, np.nan) for row in rows])
+            for id_ in dict.fromkeys(one.quantity.id for one in family.givens)
         }
-        judged = reasons_infeasible(plan, given, _constraints(by_scheme, composition))
-        groups.append(group_of(plan, judged, np.arange(len(rows)), np.array(rows, dtype=np.intp)))
+        judged = judge(family, given, constraints.get(family.scheme, ()))
+        groups.append(Group(family, rows, judged.evaluation.values, judged.refused))
     return tuple(groups)
-
-
-def _constraints(by_scheme: Mapping[str, Cases], composition: Composition) -> tuple[Formula, ...]:
-    cases = by_scheme.get(composition.scheme)
-    case = None if cases is None else cases.with_options(composition.options)
-    return () if case is None else case.constraints
-
-
-def group_of(plan: Plan, judged: Feasibility, positions: Rows, rows: Rows) -> Group:
-    """Make a group of some of the variants that were judged together.
-
-    Args:
-        plan: that they share.
-        judged: all of them.
-        positions: of those that are wanted, shape (k,).
-        rows: positions that these have in the table, shape (k,).
-    """
-    shape = judged.feasible.shape
-    values = {
-        id_: np.broadcast_to(values, shape)[positions]
-        for id_, values in judged.evaluation.values.items()
-    }
-    refused = {reason: where[positions] for reason, where in judged.refused.items()}
-    return Group(plan, rows, values, refused)
 
 
 def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[AnswerItem, ...]:
@@ -152,10 +143,11 @@ def items_of(groups: Sequence[Group], policy: Policy, *kinds: Kind) -> tuple[Ans
     parts: dict[str, list[AnswerItem]] = {}
     schemes = {id_: number for number, id_ in enumerate(scheme_ids(groups))}
     for group in groups:
-        points = points_of(group.plan, policy)
-        for quantity in group.plan.answered:
+        for member, points in group.points(policy):
+            quantity = member.quantity
             if quantity.kind in kinds:
-                part = _part(group, quantity, points, policy, schemes[group.plan.scheme.id])
+                widths = bands(quantity, member.of(group.values[quantity.id]), policy)
+                part = _item(group, member, points, widths, schemes[group.family.scheme])
                 parts.setdefault(quantity.id, []).append(part)
     return tuple(_joined(found) for found in parts.values())
 
@@ -165,11 +157,11 @@ def given_items(groups: Sequence[Group]) -> tuple[AnswerItem, ...]:
     parts: dict[str, list[AnswerItem]] = {}
     schemes = {id_: number for number, id_ in enumerate(scheme_ids(groups))}
     for group in groups:
-        scheme = schemes[group.plan.scheme.id]
-        for quantity in group.plan.givens:
-            values = group.values[quantity.id]
-            part = _item(group, quantity, 1.0, np.abs(values) * _SAME, scheme)
-            parts.setdefault(quantity.id, []).append(part)
+        scheme = schemes[group.family.scheme]
+        for member in group.family.givens:
+            values = member.of(group.values[member.quantity.id])
+            part = _item(group, member, np.ones(len(values)), np.abs(values) * _SAME, scheme)
+            parts.setdefault(member.quantity.id, []).append(part)
     return tuple(_joined(found) for found in parts.values())
 
 
@@ -187,7 +179,7 @@ def mean_share(items: Sequence[AnswerItem], size: int) -> float:
 
 def scheme_ids(groups: Sequence[Group]) -> tuple[str, ...]:
     """Return the schemes of a table, each once; `AnswerItem.schemes` counts in this order."""
-    return tuple(dict.fromkeys(group.plan.scheme.id for group in groups))
+    return tuple(dict.fromkeys(group.family.scheme for group in groups))
 
 
 def section_totals(items: Sequence[AnswerItem], size: int, sections: int) -> Array:
@@ -207,27 +199,20 @@ def section_totals(items: Sequence[AnswerItem], size: int, sections: int) -> Arr
     return totals
 
 
-def _part(
-    group: Group, quantity: Quantity, points: Mapping[str, float], policy: Policy, scheme: int
-) -> AnswerItem:
-    half_widths = bands(quantity, group.values[quantity.id], policy)
-    return _item(group, quantity, points[quantity.id], half_widths, scheme)
-
-
 def _item(
-    group: Group, quantity: Quantity, points: float, half_widths: Array, scheme: int
+    group: Group, member: Member, points: Array, half_widths: Array, scheme: int
 ) -> AnswerItem:
-    values = group.values[quantity.id]
+    values = member.of(group.values[member.quantity.id])
     there = np.isfinite(values)
-    rows = group.rows[there]
-    sections = [section.id for section in group.plan.course.sections]
+    rows = member.of(group.rows)[there]
+    sections = [section.id for section in member.plan.course.sections]
     return AnswerItem(
-        quantity.id,
+        member.quantity.id,
         rows,
         values[there],
         half_widths[there],
-        np.full(rows.shape, points),
-        np.full(rows.shape, sections.index(quantity.section), dtype=np.intp),
+        points[there],
+        np.full(rows.shape, sections.index(member.quantity.section), dtype=np.intp),
         np.full(rows.shape, scheme, dtype=np.intp),
     )
 

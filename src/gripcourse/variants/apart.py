@@ -13,7 +13,8 @@ import numpy as np
 
 from gripcourse.policy.bands import SLACK
 from gripcourse.policy.model import Policy
-from gripcourse.variants.answers import AnswerItem, Rows, Windows, windows_of
+from gripcourse.solver.family import Rows
+from gripcourse.variants.answers import AnswerItem, Windows, windows_of
 from gripcourse.variants.feasible import Array
 
 # scipy.sparse costs 100 ms to import: only an audit pays.
@@ -22,7 +23,7 @@ from gripcourse.variants.feasible import Array
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-BUDGET = 2_000_000  # coincidences that are held at once, about 100 MB
+BUDGET = 500_000  # coincidences that are held at once, about 30 MB
 MOST_TOLD = 200  # pairs above a limit that are kept with their names; all are counted
 _BINS = 100  # of a histogram of shares: whole percents
 

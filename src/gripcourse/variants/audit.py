@@ -36,11 +36,14 @@ from gripcourse.variants.fair import (
 )
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
+from gripcourse.variants.monotony import EndShare, SizeSpread, ends_of, sizes_of
+from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlaps_of
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
 from gripcourse.variants.space import Space
 
 CLOSEST = 20  # pairs that are told of a table that keeps its limits
+FEW = 4  # variants of a scheme: of fewer nothing is said to be always the same
 COUNTED = 64  # variants that slips of all kinds are counted in, evenly taken from a larger table
 
 
@@ -53,6 +56,8 @@ class CheckedScheme:
         broken: what does not hold.
         slips: quantity and id of the slips that give nearly the right result.
         edges: the decisions whose size lies at the edge of its step.
+        overlap: the worst pair of bodies that stand in each other; None for none, or where nobody
+            looked.
         nearest: what its student would get with the answers that bring most; None for one that
             shares nothing with any other.
         above: whether that is more than a limit allows, whole or in a section.
@@ -62,13 +67,14 @@ class CheckedScheme:
     broken: tuple[Message, ...]
     slips: tuple[tuple[str, str], ...]
     edges: tuple[str, ...]
+    overlap: Overlap | None
     nearest: Pair | None
     above: bool
 
     @property
     def passed(self) -> bool:
         """Whether there is nothing to look at."""
-        return not (self.broken or self.slips or self.edges or self.above)
+        return not (self.broken or self.slips or self.edges or self.overlap or self.above)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +107,9 @@ class VariantAudit:
         margins: decisions, and how often a size lies at the edge of its step.
         spreads: answers to computed quantities, scheme by scheme.
         verdicts: how often each comes out as yes, scheme by scheme.
+        sizes: how they are spread, scheme by scheme.
+        ends: which of two values formulas take, scheme by scheme.
+        overlaps: variants with bodies that stand in each other; None where nobody looked.
         apart: how far the variants are apart.
         beside: what counts for no limit.
         pairs: those that are farthest above a limit; without any, the nearest there are.
@@ -115,6 +124,9 @@ class VariantAudit:
     margins: tuple[Margin, ...]
     spreads: tuple[DifficultySpread, ...]
     verdicts: tuple[VerdictShare, ...]
+    sizes: tuple[SizeSpread, ...]
+    ends: tuple[EndShare, ...]
+    overlaps: int | None
     apart: Apartness
     beside: Beside
     pairs: tuple[Pair, ...]
@@ -138,6 +150,43 @@ class VariantAudit:
         )
 
     @property
+    def same_sizes(self) -> tuple[SizeSpread, ...]:
+        """Sizes that are picked and come out the same too often, the commonest first.
+
+        What is read from a table by such a size is not named again.
+        """
+        same = {
+            (one.scheme, one.quantity): one
+            for one in self.sizes
+            if one.is_picked and one.share > self.rules.same_size and one.variants >= FEW
+        }
+        roots = (
+            one
+            for (scheme, _), one in same.items()
+            if not any((scheme, name) in same for name in one.rests_on)
+        )
+        return tuple(sorted(roots, key=lambda one: (-one.share, one.scheme, one.quantity)))
+
+    @property
+    def same_ends(self) -> tuple[EndShare, ...]:
+        """Formulas of which the same of two values is taken too often."""
+        return tuple(
+            one for one in self.ends if one.same > self.rules.same_end and one.variants >= FEW
+        )
+
+    @property
+    def lopsided_verdicts(self) -> tuple[VerdictShare, ...]:
+        """Verdicts that may come out either way and hardly do, scheme by scheme."""
+        low, high = self.rules.verdict_no
+        return tuple(
+            one
+            for one in self.verdicts
+            if not one.must_hold
+            and one.variants >= FEW
+            and not low <= 1 - one.yes / one.variants <= high
+        )
+
+    @property
     def alike_steps(self) -> bool:
         """Whether the longest assignment asks for no more than the rules allow."""
         return self.ratio <= self.rules.steps_ratio
@@ -149,7 +198,11 @@ class VariantAudit:
 
 
 def audit(
-    course: Course, policy: Policy, variants: Sequence[Variant], spaces: Sequence[Space] = ()
+    course: Course,
+    policy: Policy,
+    variants: Sequence[Variant],
+    spaces: Sequence[Space] = (),
+    check: OverlapCheck | None = None,
 ) -> VariantAudit:
     """Audit a table.
 
@@ -158,6 +211,7 @@ def audit(
         policy: the rules for variants, bands and points.
         variants: the table.
         spaces: whose constraints the variants must satisfy as well.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
     """
     groups = solve_groups(course, variants, spaces)
     size, sections = len(variants), len(course.sections)
@@ -175,17 +229,21 @@ def audit(
     counted = _sample(variants)
     steps = steps_of(groups)
     edges = [near_steps(group, policy.variants.step_margin) for group in groups]
+    overlaps = _overlaps(groups, check)
     return VariantAudit(
         rules=policy.variants,
-        variants=_checked(variants, groups, edges, policy, apart,
+        variants=_checked(variants, tuple(zip(groups, edges, strict=True)), overlaps, policy, apart,
                           dict(zip(nearest, pairs, strict=False))),
         slips=count_slips(solve_groups(course, counted), policy),
         slips_counted=len(counted),
         steps=steps,
         ratio=steps_ratio(steps),
-        margins=_margins(edges),
+        margins=_margins(groups, edges),
         spreads=spreads_of(groups, answered.computed),
         verdicts=verdicts_of(groups, answered.verdicts),
+        sizes=sizes_of(groups),
+        ends=ends_of(groups),
+        overlaps=None if check is None else len(overlaps),
         apart=apart,
         beside=Beside(*(mean_share(items, size) for items in (
             answered.computed, answered.sizes, answered.verdicts, answered.given))),
@@ -212,8 +270,8 @@ def _closest(apart: Apartness) -> tuple[tuple[int, int], ...]:
 
 def _checked(
     variants: Sequence[Variant],
-    groups: Sequence[Group],
-    edges: Sequence[Mapping[str, Mask]],
+    solved: Sequence[tuple[Group, Mapping[str, Mask]]],
+    overlaps: Mapping[int, Overlap],
     policy: Policy,
     apart: Apartness,
     nearest: Mapping[int, Pair],
@@ -223,28 +281,45 @@ def _checked(
     for section in apart.sections:
         above |= section.share > limits.section * SLACK
     found: dict[int, CheckedScheme] = {}
-    for group, near in zip(groups, edges, strict=True):
+    for group, near in solved:
         slips = too_near(group, policy)
         for place, row in enumerate(group.rows):
+            broken = [one for one, at in group.refused.items() if at[place]]
+            plan = group.family.plan(place) if broken else None
             found[int(row)] = CheckedScheme(
                 variants[row],
-                tuple(in_short(group.plan, one) for one, at in group.refused.items() if at[place]),
+                tuple(in_short(plan, one) for one in broken if plan is not None),
                 tuple(key for key, at in slips.items() if at[place]),
                 tuple(quantity for quantity, at in near.items() if at[place]),
+                overlaps.get(int(row)),
                 nearest.get(int(row)),
                 bool(above[row]),
             )
     return tuple(found[row] for row in range(len(variants)))
 
 
-def _margins(edges: Sequence[Mapping[str, Mask]]) -> tuple[Margin, ...]:
+def _overlaps(groups: Sequence[Group], check: OverlapCheck | None) -> dict[int, Overlap]:
+    """Return by position the variants whose bodies stand in each other."""
+    if check is None:
+        return {}
+    return {
+        int(group.rows[place]): one
+        for group in groups
+        for place, one in overlaps_of(group, range(group.family.size), check)
+    }
+
+
+def _margins(groups: Sequence[Group], edges: Sequence[Mapping[str, Mask]]) -> tuple[Margin, ...]:
     counts: dict[str, Margin] = {}
-    for near in edges:
-        for quantity, where in near.items():
-            before = counts.get(quantity, Margin(quantity, 0, 0))
-            counts[quantity] = Margin(
-                quantity, before.near + int(where.sum()), before.variants + len(where)
-            )
+    for group, near in zip(groups, edges, strict=True):
+        for one in group.family.answered:
+            id_ = one.quantity.id
+            if id_ in near:
+                before = counts.get(id_, Margin(id_, 0, 0))
+                where = one.of(near[id_])
+                counts[id_] = Margin(
+                    id_, before.near + int(where.sum()), before.variants + len(where)
+                )
     return tuple(sorted(counts.values(), key=lambda one: (-one.near / one.variants, one.quantity)))
 
 

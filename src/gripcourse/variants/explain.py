@@ -5,6 +5,8 @@ from functools import reduce
 
 import numpy as np
 
+from gripcourse.course.model import Option, Scheme
+from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula, names
@@ -41,6 +43,8 @@ def explain(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> M
         reason: one of its reasons.
         row: position of the candidate in the batch.
     """
+    if reason.rule is not None:
+        return _broken_option_rule(plan, feasibility, reason, reason.rule, row)
     quantity = plan.quantities.get(reason.quantity)
     if quantity is None or reason.formula is not None:
         return _broken_rule(plan, feasibility, reason, row)
@@ -62,15 +66,15 @@ def explain(plan: Plan, feasibility: Feasibility, reason: Reason, row: int) -> M
 
 def in_short(plan: Plan, reason: Reason) -> Message:
     """Say what candidates are refused for, without values: for counting."""
+    if reason.rule is not None:
+        return _rule_in_short(plan, reason, reason.rule)
     quantity = plan.quantities.get(reason.quantity)
     if quantity is None:
         return message("{rule} does not hold", rule=reason.formula.text if reason.formula else "")
     named = _named(quantity)
     match reason.cause:
-        case RefusalCause.NO_VALUE if quantity.choice is not None:
-            return message("{quantity} is not in the catalogue", quantity=named)
         case RefusalCause.NO_VALUE:
-            return message("{quantity} has no value", quantity=named)
+            return _no_value_in_short(quantity)
         case RefusalCause.BOUNDS:
             return message("{quantity} is out of bounds", quantity=named)
         case RefusalCause.NOT_WHOLE:
@@ -78,6 +82,73 @@ def in_short(plan: Plan, reason: Reason) -> Message:
         case _:
             rule = reason.formula.text if reason.formula else ""
             return message("{quantity}: {rule} does not hold", quantity=named, rule=rule)
+
+
+def broken_option_rule(
+    scheme: Scheme, options: Mapping[str, str], rule: OptionRule, forbidden: str
+) -> Message:
+    """Say which choices do not go together, and why.
+
+    Args:
+        scheme: that has the options.
+        options: what was chosen.
+        rule: that the choices break.
+        forbidden: the option whose choice it does not allow.
+    """
+    by_id = {option.id: option for option in scheme.options}
+    return message(
+        "{choices}: '{choice}' of '{option}' does not go with this, only {allowed}. {note}",
+        choices=list_text(
+            message(
+                "{option}: {choice}",
+                option=by_id[one].title,
+                choice=_choice(by_id[one], options[one]),
+            )
+            for one in rule.when
+        ),
+        choice=_choice(by_id[forbidden], options[forbidden]),
+        option=by_id[forbidden].title,
+        allowed=list_text(
+            message("'{choice}'", choice=choice.title)
+            for choice in by_id[forbidden].choices
+            if choice.id in rule.requires[forbidden]
+        ),
+        note=rule.note,
+    )
+
+
+def _choice(option: Option, id_: str) -> Texts:
+    return next(choice.title for choice in option.choices if choice.id == id_)
+
+
+def _no_value_in_short(quantity: Quantity) -> Message:
+    if quantity.choice is not None:
+        return message("{quantity} is not in the catalogue", quantity=_named(quantity))
+    return message("{quantity} has no value", quantity=_named(quantity))
+
+
+def _rule_in_short(plan: Plan, reason: Reason, rule: OptionRule) -> Message:
+    if reason.cause is RefusalCause.SAME:
+        return message("{names} are not one number", names=_names(plan, reason, rule))
+    return broken_option_rule(plan.scheme, plan.options, rule, reason.quantity)
+
+
+def _broken_option_rule(
+    plan: Plan, feasibility: Feasibility, reason: Reason, rule: OptionRule, row: int
+) -> Message:
+    if reason.cause is not RefusalCause.SAME:
+        return broken_option_rule(plan.scheme, plan.options, rule, reason.quantity)
+    return message(
+        "{names} must be one number, but {values}. {note}",
+        names=_names(plan, reason, rule),
+        values=_values(plan, feasibility, (rule.same[0], reason.quantity), row),
+        note=rule.note,
+    )
+
+
+def _names(plan: Plan, reason: Reason, rule: OptionRule) -> Message:
+    first, other = plan.quantities[rule.same[0]], plan.quantities[reason.quantity]
+    return message("{first} and {other}", first=_named(first), other=_named(other))
 
 
 def list_text(said: Iterable[Message]) -> Message:

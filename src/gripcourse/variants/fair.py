@@ -1,17 +1,16 @@
 """Whether variants ask alike: steps of the calculation, sizes near a step of a series, spread."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gripcourse.course.composition import Composition
-from gripcourse.course.quantity import Kind, Quantity
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose, from_si, reference_rounding
+from gripcourse.course.quantity import Kind
+from gripcourse.solver.family import Family, Member, Rows
+from gripcourse.solver.solve import compute, from_si
 from gripcourse.variants.answers import AnswerItem, Group, count_fitting, scheme_ids
-from gripcourse.variants.feasible import Array, Mask
+from gripcourse.variants.feasible import Mask
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +93,8 @@ class VerdictShare:
 
 
 def steps_of(groups: Sequence[Group]) -> tuple[Steps, ...]:
-    """Count the answers that each group of variants is asked for."""
-    return tuple(_steps(group) for group in groups)
+    """Count the answers that the variants of each composition are asked for."""
+    return tuple(one for group in groups for one in _steps(group.family))
 
 
 def steps_ratio(steps: Sequence[Steps]) -> float:
@@ -116,11 +115,12 @@ def near_steps(group: Group, margin: float) -> dict[str, Mask]:
         group: solved variants.
         margin: how far an answer may move, 0 to 1.
     """
-    return {
-        quantity.id: _moves(group, quantity, margin)
-        for quantity in group.plan.answered
-        if quantity.kind is Kind.CHOICE
-    }
+    found: dict[str, Mask] = {}
+    for member in group.family.answered:
+        if member.quantity.kind is Kind.CHOICE:
+            near = found.setdefault(member.quantity.id, np.zeros(group.family.size, dtype=np.bool_))
+            near[member.at] = _moves(group, member, margin)
+    return found
 
 
 def spreads_of(
@@ -128,13 +128,13 @@ def spreads_of(
 ) -> tuple[DifficultySpread, ...]:
     """Describe the answers to each quantity, scheme by scheme."""
     ids = scheme_ids(groups)
-    plans = {
-        (group.plan.scheme.id, quantity.id): group.plan
+    declared = {
+        (group.family.scheme, member.quantity.id): member
         for group in groups
-        for quantity in group.plan.answered
+        for member in group.family.answered
     }
     return tuple(
-        _spread(_only(item, scheme), plans[ids[scheme], item.quantity])
+        _spread(_only(item, scheme), declared[ids[scheme], item.quantity])
         for item in items
         for scheme in np.unique(item.schemes)
     )
@@ -144,10 +144,10 @@ def verdicts_of(groups: Sequence[Group], items: Sequence[AnswerItem]) -> tuple[V
     """Count how the verdicts come out, scheme by scheme."""
     ids = scheme_ids(groups)
     demanded = {
-        (group.plan.scheme.id, quantity.id)
+        (group.family.scheme, member.quantity.id)
         for group in groups
-        for quantity in group.plan.answered
-        if quantity.must_hold
+        for member in group.family.answered
+        if member.quantity.must_hold
     }
     return tuple(
         VerdictShare(
@@ -164,52 +164,56 @@ def verdicts_of(groups: Sequence[Group], items: Sequence[AnswerItem]) -> tuple[V
     )
 
 
-def _steps(group: Group) -> Steps:
-    kinds = [quantity.kind for quantity in group.plan.answered]
-    computed, decided = kinds.count(Kind.FORMULA), kinds.count(Kind.CHOICE)
-    return Steps(
-        group.plan.composition,
-        len(group.rows),
-        computed,
-        decided,
-        len(kinds) - computed - decided,
-        _longest_chain(group.plan),
-    )
+def _steps(family: Family) -> Iterator[Steps]:
+    computed, decided, answered = (np.zeros(family.size, dtype=np.intp) for _ in range(3))
+    chain = np.zeros(family.size, dtype=np.intp)
+    depth: dict[str, Rows] = {}  # answers in the longest chain that ends with a quantity
+    for member in family.members:
+        kind, at = member.quantity.kind, member.at
+        own = np.zeros(len(chain[at]), dtype=np.intp)
+        for name in member.inputs:
+            own = np.maximum(own, member.of(depth[name]))
+        own = own + kind.answered
+        depth.setdefault(member.quantity.id, np.zeros(family.size, dtype=np.intp))[at] = own
+        chain[at] = np.maximum(chain[at], own)
+        answered[at] += kind.answered
+        computed[at] += kind is Kind.FORMULA
+        decided[at] += kind is Kind.CHOICE
+    counts = np.bincount(family.numbers, minlength=len(family.compositions))
+    _, first = np.unique(family.numbers, return_index=True)
+    for composition, count, place in zip(family.compositions, counts, first, strict=True):
+        calculated, chosen = int(computed[place]), int(decided[place])
+        read = int(answered[place]) - calculated - chosen
+        yield Steps(composition, int(count), calculated, chosen, read, int(chain[place]))
 
 
-def _longest_chain(plan: Plan) -> int:
-    depth: dict[str, int] = {}
-    for name, quantity in plan.quantities.items():
-        before = max((depth[one] for one in plan.inputs.get(name, ())), default=0)
-        depth[name] = before + quantity.kind.answered
-    return max(depth.values(), default=0)
-
-
-def _moves(group: Group, quantity: Quantity, margin: float) -> Mask:
-    computed = [
-        name
-        for name in group.plan.inputs[quantity.id]
-        if group.plan.quantities[name].kind is Kind.FORMULA
-    ]
-    chosen = group.values[quantity.id]
-    moved = np.zeros(group.rows.shape, dtype=np.bool_)
-    together = [computed] if len(computed) > 1 else []
-    for names in (*([name] for name in computed), *together):
-        for scale in (1 - margin, 1 + margin):
-            values = {name: group.values[name] * scale for name in names}
-            moved |= _choice(group, quantity, values) != chosen
+def _moves(group: Group, member: Member, margin: float) -> Mask:
+    inputs = {name: member.of(group.values[name]) for name in member.inputs}
+    chosen = member.of(group.values[member.quantity.id])
+    moved = np.zeros(chosen.shape, dtype=np.bool_)
+    for where, computed in _computed_inputs(group.family, member):
+        taken = {name: values[where] for name, values in inputs.items()}
+        together = [computed] if len(computed) > 1 else []
+        for names in (*((name,) for name in computed), *together):
+            for scale in (1 - margin, 1 + margin):
+                values = {**taken, **{name: taken[name] * scale for name in names}}
+                moved[where] |= compute(member.plan, member.quantity, values) != chosen[where]
     return moved
 
 
-def _choice(group: Group, quantity: Quantity, moved: dict[str, Array]) -> Array:
-    """Take a size with some answers moved; NaN where the series ends before it."""
-    plan = group.plan
-    formula = plan.reference_formula(quantity.id)
-    if formula is None or quantity.choice is None:
-        return group.values[quantity.id]
-    values = {**group.values, **moved}
-    required = evaluate_formula(formula, quantity.unit, values, plan.columns)
-    return choose(required, quantity.choice, reference_rounding(quantity, plan.convention), plan)
+def _computed_inputs(family: Family, member: Member) -> Iterator[tuple[Rows, tuple[str, ...]]]:
+    """Yield which inputs of a decision are computed, and for which of its variants they are.
+
+    What one composition computes may be given in another.
+    """
+    own = np.zeros((len(member.inputs), family.size), dtype=np.bool_)
+    for one in family.members:
+        if one.quantity.kind is Kind.FORMULA and one.quantity.id in member.inputs:
+            own[member.inputs.index(one.quantity.id), one.at] = True
+    patterns, which = np.unique(own[:, member.at], axis=1, return_inverse=True)
+    for number, pattern in enumerate(patterns.T):
+        names = tuple(name for name, is_one in zip(member.inputs, pattern, strict=True) if is_one)
+        yield np.flatnonzero(np.ravel(which) == number), names
 
 
 def _only(item: AnswerItem, scheme: int) -> AnswerItem:
@@ -226,19 +230,19 @@ def _only(item: AnswerItem, scheme: int) -> AnswerItem:
     )
 
 
-def _spread(item: AnswerItem, plan: Plan) -> DifficultySpread:
+def _spread(item: AnswerItem, member: Member) -> DifficultySpread:
     size = len(item.rows)
     pairs = size * (size - 1)
 
     def declared(value: float) -> float:
-        return from_si(plan, {item.quantity: value})[item.quantity]
+        return from_si(member.plan, {item.quantity: value})[item.quantity]
 
     return DifficultySpread(
         item.quantity,
-        plan.scheme.id,
+        member.plan.scheme.id,
         size,
         float(item.points.mean()),
-        plan.quantities[item.quantity].unit,
+        member.quantity.unit,
         declared(item.values.min()),
         declared(float(np.median(item.values))),
         declared(item.values.max()),

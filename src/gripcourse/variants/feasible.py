@@ -12,11 +12,13 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.course.option_rule import OptionRule
+from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import Formula
+from gripcourse.solver.family import Family, Member, Rows, evaluate_family, family_of
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, evaluate
+from gripcourse.solver.solve import Evaluation
 from gripcourse.text.units import factor
 
 Mask: TypeAlias = NDArray[np.bool_]
@@ -35,6 +37,8 @@ class RefusalCause(StrEnum):
     VERDICT = "verdict"
     CONDITION = "condition"
     CONSTRAINT = "constraint"
+    OPTIONS = "options"  # choices that a rule does not let go together
+    SAME = "same"  # givens that a rule binds to one number differ
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +47,16 @@ class Reason:
 
     Attributes:
         cause: what is wrong.
-        quantity: the quantity it is wrong with; empty for a constraint.
-        formula: the rule that is broken; None for bounds and missing values.
+        quantity: the quantity it is wrong with; empty for a constraint. Of a rule among options the
+            option whose choice is forbidden, or the given that differs from the first.
+        formula: what does not hold; None for bounds and missing values.
+        rule: the rule among options that is broken; None where it is no such rule.
     """
 
     cause: RefusalCause
     quantity: str
     formula: Formula | None = field(hash=False)  # its units are a mapping, which has no hash
+    rule: OptionRule | None = field(default=None, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,73 +77,115 @@ class Feasibility:
 def reasons_infeasible(
     plan: Plan, given: Mapping[str, Array], constraints: Sequence[Formula] = ()
 ) -> Feasibility:
-    """Judge a batch of candidates of one scheme in one evaluation.
+    """Judge a batch of candidates with the same options in one evaluation; see `judge`.
 
     Args:
         plan: of the scheme and its options.
         given: value of every given quantity in its declared unit, arrays of shape (n,).
         constraints: conditions that the candidates must satisfy as well.
+    """
+    size = max((len(np.atleast_1d(values)) for values in given.values()), default=1)
+    known = {id_: np.broadcast_to(values, (size,)) for id_, values in given.items()}
+    return judge(family_of(plan, size), known, constraints)
+
+
+def judge(
+    family: Family, given: Mapping[str, Array], constraints: Sequence[Formula] = ()
+) -> Feasibility:
+    """Judge candidates of one scheme, each with its own options, in one evaluation.
+
+    Args:
+        family: the candidates.
+        given: values of the given quantities in their declared units, shape (n,); NaN for
+            candidates that do not have the quantity.
+        constraints: conditions that the candidates that have all their quantities must satisfy as
+            well.
 
     Returns:
         The values, and who is refused for what.
     """
-    known = {
-        id_: np.asarray(values, dtype=np.float64) * factor(plan.quantities[id_].unit)
-        for id_, values in given.items()
-    }
-    evaluation = evaluate(plan, known)
-    size = max((len(np.atleast_1d(values)) for values in known.values()), default=1)
-    batch = _Batch(plan, evaluation, size)
-    found: dict[Reason, Mask] = {}
-    for quantity in plan.quantities.values():
-        found |= _reasons_of(batch, quantity)
+    known: dict[str, Array] = {}
+    for one in family.givens:
+        if one.quantity.id in given:  # givens of one id may have unlike units
+            own = one.of(np.asarray(given[one.quantity.id], np.float64))
+            found = known.setdefault(one.quantity.id, np.full(family.size, np.nan))
+            found[one.at] = own * factor(one.quantity.unit)
+    batch = _Batch(family, evaluate_family(family, known))
+    for member in family.members:
+        _judge_member(batch, member)
+    for rule in family.course.schemes[family.scheme].rules:
+        _judge_rule(batch, rule)
     for formula in constraints:
-        found[Reason(RefusalCause.CONSTRAINT, "", formula)] = _broken(batch, formula)
-    refused = {reason: where for reason, where in found.items() if where.any()}
-    infeasible = np.zeros(size, dtype=np.bool_)
-    for where in refused.values():
+        if set(formula.names) <= batch.evaluation.values.keys():
+            broken = _broken(batch, formula, batch.evaluation.values)
+            batch.add(Reason(RefusalCause.CONSTRAINT, "", formula), None, broken)
+    infeasible = np.zeros(family.size, dtype=np.bool_)
+    for where in batch.refused.values():
         infeasible |= where
-    return Feasibility(evaluation, refused, ~infeasible)
+    return Feasibility(batch.evaluation, batch.refused, ~infeasible)
 
 
 @dataclass(frozen=True, slots=True)
 class _Batch:
-    """A plan evaluated for `size` candidates."""
+    """A family evaluated, and who was refused for what so far."""
 
-    plan: Plan
+    family: Family
     evaluation: Evaluation
-    size: int
+    refused: dict[Reason, Mask] = field(default_factory=dict)
 
-    def values(self, quantity: str) -> Array:
-        """Return a quantity's values in SI, one per candidate."""
-        return np.broadcast_to(self.evaluation.values[quantity], (self.size,))
+    def add(self, reason: Reason, places: Rows | None, where: Mask) -> None:
+        """Refuse some of the candidates at these places, all where there are none named."""
+        if where.any():
+            found = self.refused.setdefault(reason, np.zeros(self.family.size, dtype=np.bool_))
+            found[slice(None) if places is None else places] |= where
 
 
-def _reasons_of(batch: _Batch, quantity: Quantity) -> dict[Reason, Mask]:
+def _judge_member(batch: _Batch, member: Member) -> None:
+    """Refuse the candidates for what is wrong with one of their quantities."""
+    quantity, places = member.quantity, member.places
     if quantity.kind is Kind.MANUAL:
-        return {}
-    values = batch.values(quantity.id)
-    finite = np.isfinite(values)
-    inputs = batch.plan.inputs.get(quantity.id, ())
-    found = {Reason(RefusalCause.NO_VALUE, quantity.id, None): ~finite & _all_finite(batch, inputs)}
+        return
+    names_used = {quantity.id, *member.inputs}
+    condition = None if quantity.choice is None else quantity.choice.condition
+    for rule in (quantity.valid, condition):
+        names_used.update(() if rule is None else rule.names)
+    values = {name: member.of(batch.evaluation.values[name]) for name in names_used}
+    own = values[quantity.id]
+    finite = np.isfinite(own)
+    missing = ~finite & _all_finite(values, member.inputs, own.shape)
+    batch.add(Reason(RefusalCause.NO_VALUE, quantity.id, None), places, missing)
     if quantity.kind is Kind.VERDICT:
         if quantity.must_hold:
-            found[Reason(RefusalCause.VERDICT, quantity.id, quantity.formula)] = values == 0.0
-        return found
-    in_unit = values / factor(quantity.unit)
-    found[Reason(RefusalCause.BOUNDS, quantity.id, None)] = finite & _outside(
-        in_unit, quantity.bounds
-    )
+            reason = Reason(RefusalCause.VERDICT, quantity.id, quantity.formula)
+            batch.add(reason, places, own == 0.0)
+        return
+    in_unit = own / factor(quantity.unit)
+    outside = finite & _outside(in_unit, quantity.bounds)
+    batch.add(Reason(RefusalCause.BOUNDS, quantity.id, None), places, outside)
     if quantity.integer:
         whole = np.abs(in_unit - np.round(in_unit)) <= _SLACK * np.maximum(np.abs(in_unit), 1.0)
-        found[Reason(RefusalCause.NOT_WHOLE, quantity.id, None)] = finite & ~whole
-    if quantity.valid is not None:
-        broken = _broken(batch, quantity.valid)
-        found[Reason(RefusalCause.GUARD, quantity.id, quantity.valid)] = broken
-    if quantity.choice is not None and quantity.choice.condition is not None:
-        condition = quantity.choice.condition
-        found[Reason(RefusalCause.CONDITION, quantity.id, condition)] = _broken(batch, condition)
-    return found
+        batch.add(Reason(RefusalCause.NOT_WHOLE, quantity.id, None), places, finite & ~whole)
+    for cause, rule in ((RefusalCause.GUARD, quantity.valid), (RefusalCause.CONDITION, condition)):
+        if rule is not None:
+            batch.add(Reason(cause, quantity.id, rule), places, _broken(batch, rule, values))
+
+
+def _judge_rule(batch: _Batch, rule: OptionRule) -> None:
+    """Refuse the candidates that break a rule among options."""
+    numbers = batch.family.numbers
+    for number, composition in enumerate(batch.family.compositions):
+        forbidden = rule.broken_by(composition.options)
+        if forbidden:
+            reason = Reason(RefusalCause.OPTIONS, forbidden, None, rule)
+            batch.add(reason, None, numbers == number)
+    if not rule.same or not set(rule.same) <= batch.evaluation.values.keys():
+        return
+    counting = [rule.counts(one.options) for one in batch.family.compositions]
+    where = np.array(counting)[numbers]
+    first, *others = (batch.evaluation.values[id_] for id_ in rule.same)
+    for id_, other in zip(rule.same[1:], others, strict=True):
+        differ = np.abs(first - other) > _SLACK * np.maximum(np.abs(first), np.abs(other))
+        batch.add(Reason(RefusalCause.SAME, id_, None, rule), None, where & differ)
 
 
 def _outside(values: Array, bounds: tuple[float, float]) -> Mask:
@@ -148,15 +197,18 @@ def _outside(values: Array, bounds: tuple[float, float]) -> Mask:
         )
 
 
-def _broken(batch: _Batch, condition: Formula) -> Mask:
+def _broken(batch: _Batch, condition: Formula, values: Mapping[str, Array]) -> Mask:
     """Whether a condition whose quantities all have values does not hold."""
-    holds = evaluate_formula(condition, "", batch.evaluation.values, batch.plan.columns)
-    broken = np.broadcast_to(holds, (batch.size,)) != 1.0
-    return np.asarray(broken & _all_finite(batch, names(condition.tree)), dtype=np.bool_)
+    used = condition.names
+    columns = batch.family.members[0].plan.columns
+    holds = evaluate_formula(condition, "", values, columns)
+    shape = values[used[0]].shape if used else holds.shape
+    broken = np.broadcast_to(holds, shape) != 1.0
+    return np.asarray(broken & _all_finite(values, used, shape), dtype=np.bool_)
 
 
-def _all_finite(batch: _Batch, ids: Sequence[str]) -> Mask:
-    finite = np.ones(batch.size, dtype=np.bool_)
+def _all_finite(values: Mapping[str, Array], ids: Sequence[str], shape: tuple[int, ...]) -> Mask:
+    finite = np.ones(shape, dtype=np.bool_)
     for id_ in ids:
-        finite &= np.isfinite(batch.values(id_))
+        finite &= np.isfinite(values[id_])
     return finite

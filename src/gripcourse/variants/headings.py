@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
-from gripcourse.course.compose import compose, pair_option_sets
+from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean

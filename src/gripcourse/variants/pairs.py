@@ -8,9 +8,8 @@ import numpy as np
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
-from gripcourse.policy.points import points_of
-from gripcourse.solver.solve import evaluate
-from gripcourse.variants.answers import AnswerItem, Group, Rows
+from gripcourse.solver.family import Rows, evaluate_family
+from gripcourse.variants.answers import AnswerItem, Group
 from gripcourse.variants.feasible import Array, Mask
 
 
@@ -145,33 +144,74 @@ def _followed(
     rows = {item.quantity: same for item, same in zip(answered.computed, equal, strict=True)}
     shares = np.zeros(len(own))
     for group in groups:
-        where = np.isin(own, group.rows)
-        if not where.any():
-            continue
-        place = np.searchsorted(group.rows, own[where])
-        copied = {quantity.id: typed[quantity.id][other[where]] for quantity in group.plan.answered}
-        known = {one.id: group.values[one.id][place] for one in group.plan.givens} | copied
-        computed = evaluate(group.plan, known).computed
-        points = points_of(group.plan, policy)
-        got = np.zeros(int(where.sum()))
-        total = 0.0
-        for quantity in group.plan.answered:
-            if quantity.kind is not Kind.FORMULA:
-                continue
-            reach = bands(quantity, computed[quantity.id], policy) * SLACK
-            with np.errstate(invalid="ignore"):
-                follows = np.abs(copied[quantity.id] - computed[quantity.id]) <= reach
-            got += points[quantity.id] * (follows | rows[quantity.id][where])
-            total += points[quantity.id]
-        shares[where] = got / total if total else 0.0
+        asked = np.flatnonzero(np.isin(own, group.rows))
+        if len(asked):
+            shares[asked] = _followed_in(group, own[asked], other[asked], typed, policy, {
+                id_: same[asked] for id_, same in rows.items()
+            })  # fmt: skip
     return shares
+
+
+def _followed_in(
+    group: Group,
+    own: Rows,
+    other: Rows,
+    typed: Mapping[str, Array],
+    policy: Policy,
+    equal: Mapping[str, Mask],
+) -> Array:
+    """Do the same for pairs whose own variants are of one group, as often as each is asked for."""
+    place = np.searchsorted(group.rows, own)
+    shares = np.zeros(len(own))
+    # A variant may be in several pairs: each round takes it once.
+    turn = _turns(place)
+    for number in range(int(turn.max()) + 1):
+        now = np.flatnonzero(turn == number)
+        at = place[now]
+        whose = np.full(group.family.size, -1, dtype=np.intp)
+        whose[at] = other[now]
+        known = {one.quantity.id: group.values[one.quantity.id] for one in group.family.givens}
+        copied = {
+            one.quantity.id: np.where(whose >= 0, typed[one.quantity.id][whose], np.nan)
+            for one in group.family.answered
+        }
+        computed = evaluate_family(group.family, known | copied).computed
+        same = {id_: np.zeros(group.family.size, dtype=np.bool_) for id_ in equal}
+        for id_, where in equal.items():
+            same[id_][at] = where[now]
+        got, total = np.zeros(group.family.size), np.zeros(group.family.size)
+        for member, points in group.points(policy):
+            if member.quantity.kind is not Kind.FORMULA:
+                continue
+            id_ = member.quantity.id
+            right = member.of(computed[id_])
+            reach = bands(member.quantity, right, policy) * SLACK
+            with np.errstate(invalid="ignore"):
+                follows = np.abs(member.of(copied[id_]) - right) <= reach
+            got[member.at] += points * (follows | member.of(same[id_]))
+            total[member.at] += points
+        share = np.divide(got, total, out=np.zeros(group.family.size), where=total > 0)
+        shares[now] = share[at]
+    return shares
+
+
+def _turns(places: Rows) -> Rows:
+    """Number how many times each place has come before."""
+    order = np.argsort(places, kind="stable")
+    ascending = places[order]
+    starts = np.flatnonzero(np.concatenate([[True], ascending[1:] != ascending[:-1]]))
+    first = np.repeat(starts, np.diff(np.concatenate([starts, [len(places)]])))
+    turns = np.zeros(len(places), dtype=np.intp)
+    turns[order] = np.arange(len(places)) - first
+    return turns
 
 
 def _table(groups: Sequence[Group], size: int) -> Mapping[str, Array]:
     """Return every answer of the table by quantity, shape (n,), NaN where a variant has none."""
     typed: dict[str, Array] = {}
     for group in groups:
-        for quantity in group.plan.answered:
-            column = typed.setdefault(quantity.id, np.full(size, np.nan))
-            column[group.rows] = group.values[quantity.id]
+        for member in group.family.answered:
+            id_ = member.quantity.id
+            column = typed.setdefault(id_, np.full(size, np.nan))
+            column[member.of(group.rows)] = member.of(group.values[id_])
     return typed

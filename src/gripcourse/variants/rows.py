@@ -7,13 +7,14 @@ import numpy as np
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.option_sets import broken_rules
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
-from gripcourse.variants.explain import explain, with_unit
+from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import TableColumn, plain
 from gripcourse.variants.model import Variant
@@ -62,6 +63,10 @@ class RowReader:
         options = self._options(row, scheme)
         if len(options) < len(scheme.options):
             return None
+        for rule, forbidden in broken_rules(scheme.rules, options):
+            what = broken_option_rule(scheme, options, rule, forbidden)
+            remedy = message("Change one of these choices.")
+            self._add(row, f"option:{forbidden}", what, remedy)
         plan = self._plan(scheme, options)
         given = {quantity.id: self._given(row, quantity, plan) for quantity in plan.givens}
         self._refuse_unused(row, plan)

@@ -6,48 +6,72 @@ import numpy as np
 
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.model import Policy
+from gripcourse.solver.family import Rows
 from gripcourse.text.words import message
 from gripcourse.variants.accepted import Accepted
-from gripcourse.variants.answers import group_of, items_of
+from gripcourse.variants.answers import Group, items_of
 from gripcourse.variants.apart import limits_of
-from gripcourse.variants.draw import Batch, Filter, Sifted
 from gripcourse.variants.fair import near_steps
 from gripcourse.variants.feasible import Mask
+from gripcourse.variants.overlaps import OverlapCheck, overlap_in_short, overlaps_of
+from gripcourse.variants.search import Batch, Filter, Sifted
 from gripcourse.variants.slip_distance import too_near
-from gripcourse.variants.tally import Refusal
+from gripcourse.variants.tally import Refusal, summed
+
+_AT_ONCE = 4  # candidates of a combination that are looked at closely, for each that is wanted
 
 
-def sifter(policy: Policy, sections: int) -> Filter:
+def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> Filter:
     """Make the filter of one drawing; it remembers what it let through.
+
+    What costs most comes last, and only for as many candidates as may be needed.
 
     Args:
         policy: the rules for variants.
         sections: how many sections the course has.
+        check: tells whether bodies stand in each other; None where nobody knows the bodies.
     """
     accepted = Accepted(limits_of(policy), sections)
 
-    def sift(batch: Batch, wanted: int) -> Sifted:
-        count = len(batch.positions)
-        group = group_of(batch.plan, batch.feasibility, batch.positions, np.arange(count))
+    def sift(batch: Batch) -> Sifted:
+        count = len(batch.cases)
+        group = Group(batch.family, np.arange(count), batch.evaluation.values, {})
         slips = _any(too_near(group, policy).values(), count)
         edges = _any(near_steps(group, policy.variants.step_margin).values(), count) & ~slips
-        answers = accepted.answers(items_of((group,), policy, Kind.FORMULA), count)
-        keep, alike = np.zeros((2, count), dtype=np.bool_)
-        seen = np.ones(count, dtype=np.bool_)
-        for place in np.flatnonzero(~slips & ~edges):
-            if keep.sum() >= wanted:
-                seen[place:] = False
-                break
-            keep[place] = accepted.take(answers, int(place))
-            alike[place] = not keep[place]
+        open_ = _first_of_each(batch, np.flatnonzero(~slips & ~edges))
+        overlaps = {} if check is None else dict(overlaps_of(group, open_, check))
+        open_ = [place for place in open_ if place not in overlaps]
+        close = group.restricted(np.array(open_, dtype=np.intp))
+        answers = accepted.answers(items_of((close,), policy, Kind.FORMULA), len(open_))
+        keep = np.zeros(count, dtype=np.bool_)
+        wanted, alike = dict(batch.wanted), 0
+        for number, place in enumerate(open_):
+            case = int(batch.cases[place])
+            if wanted[case]:
+                keep[place] = accepted.take(answers, number)
+                wanted[case] -= int(keep[place])
+                alike += int(not keep[place])
         refusals = (
-            Refusal(message("too near to another variant"), int(alike.sum())),
-            Refusal(message("a slip gives nearly the right result"), int((slips & seen).sum())),
-            Refusal(message("a size lies at the edge of its step"), int((edges & seen).sum())),
+            Refusal(message("too near to another variant"), alike),
+            Refusal(message("a slip gives nearly the right result"), int(slips.sum())),
+            Refusal(message("a size lies at the edge of its step"), int(edges.sum())),
+            *(Refusal(overlap_in_short(one), 1) for one in overlaps.values()),
         )
-        return Sifted(keep, refusals)
+        return Sifted(keep, summed(refusals))
 
     return sift
+
+
+def _first_of_each(batch: Batch, places: Rows) -> list[int]:
+    """Return the first few candidates of each combination."""
+    left = {case: _AT_ONCE * wanted for case, wanted in batch.wanted.items()}
+    found = []
+    for place in places:
+        case = int(batch.cases[place])
+        if left[case]:
+            left[case] -= 1
+            found.append(int(place))
+    return found
 
 
 def _any(masks: Iterable[Mask], count: int) -> Mask:

@@ -15,7 +15,8 @@ from gripcourse.policy.bands import bands
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.family import Family, Member, Rows
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import choose, reference_rounding
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array, Mask
@@ -31,14 +32,16 @@ class NearSlip:
         kind: of generic slip, or that of declared ones.
         is_size: whether the answer is a size taken from a series, where another method often leads
             to the same size; such a slip refuses nothing.
-        near: the variants in which it comes too near to the right result, shape (k,).
+        near: places of the variants of the group in which it comes too near to the right result.
+        variants: how many of the group have it.
     """
 
     quantity: str
     slip: str
     kind: str
     is_size: bool
-    near: Mask
+    near: Rows
+    variants: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,24 +71,31 @@ def near_slips(
         policy: bands, generic slips, and how many bands away is far enough.
         kinds: the kinds of slips to look at; None for all.
     """
-    for quantity in group.plan.answered:
-        right = group.values[quantity.id]
+    for member in group.family.answered:
+        quantity = member.quantity
+        right = member.of(group.values[quantity.id])
         reach = policy.variants.slip_bands * bands(quantity, right, policy)
-        for slip in _slips(group.plan, quantity, policy, kinds):
-            wrong = _value(group, quantity, slip)
-            with np.errstate(invalid="ignore"):  # a slip that gives no number misleads nobody
-                near = np.abs(wrong - right) < reach
-            yield NearSlip(quantity.id, str(slip.id), slip.kind, quantity.kind is Kind.CHOICE, near)
+        places = np.arange(group.family.size)[member.at]
+        for where, plan, slips in _slips(group.family, member, policy, kinds):
+            at = places[where]
+            for slip in slips:
+                wrong = _value(plan, quantity, slip, group, at)
+                with np.errstate(invalid="ignore"):  # a slip that gives no number misleads nobody
+                    near = np.abs(wrong - right[where]) < reach[where]
+                is_size = quantity.kind is Kind.CHOICE
+                yield NearSlip(quantity.id, str(slip.id), slip.kind, is_size, at[near], len(at))
 
 
 def too_near(group: Group, policy: Policy) -> dict[tuple[str, str], Mask]:
     """Return by quantity and slip which variants must be refused for it."""
-    kinds = policy.variants.keep_apart
-    return {
-        (one.quantity, one.slip): one.near
-        for one in near_slips(group, policy, kinds)
-        if not one.is_size and one.near.any()
-    }
+    found: dict[tuple[str, str], Mask] = {}
+    for one in near_slips(group, policy, policy.variants.keep_apart):
+        if not one.is_size and len(one.near):
+            near = found.setdefault(
+                (one.quantity, one.slip), np.zeros(group.family.size, dtype=np.bool_)
+            )
+            near[one.near] = True
+    return found
 
 
 def count_slips(groups: Sequence[Group], policy: Policy) -> tuple[SlipCount, ...]:
@@ -99,28 +109,46 @@ def count_slips(groups: Sequence[Group], policy: Policy) -> tuple[SlipCount, ...
                 one.slip,
                 one.kind,
                 one.is_size,
-                int(one.near.sum()) + (before.near if before else 0),
-                len(one.near) + (before.variants if before else 0),
+                len(one.near) + (before.near if before else 0),
+                one.variants + (before.variants if before else 0),
             )
     return tuple(sorted(counts.values(), key=lambda one: (-one.share, one.quantity, one.slip)))
 
 
 def _slips(
-    plan: Plan, quantity: Quantity, policy: Policy, kinds: Collection[str] | None
-) -> Iterator[Candidate]:
+    family: Family, member: Member, policy: Policy, kinds: Collection[str] | None
+) -> Iterator[tuple[Rows, Plan, tuple[Candidate, ...]]]:
+    """Yield slips of a quantity, and for which of the variants that have it they are.
+
+    Declared ones are the same in every composition. What the generic kinds make of a formula
+    depends on what else a composition has; compositions that are alike in this share it.
+    """
+    numbers = member.of(family.numbers)
     slips = policy.slips
     if kinds is not None:
         wanted = {kind: one for kind, one in slips.kinds.items() if kind in kinds}
         slips = replace(slips, kinds=wanted)
-    for one in candidates_of(plan, quantity.id, slips):
-        if kinds is None or one.kind in kinds:
-            yield one
+    if not slips.kinds:
+        made = candidates_of(member.plan, member.quantity.id, slips)
+        yield np.arange(len(numbers)), member.plan, _of_kinds(made, kinds)
+        return
+    alike: dict[int, tuple[Plan, tuple[Candidate, ...], list[int]]] = {}
+    for number in np.unique(numbers):
+        plan = plan_of(family.course, family.compositions[number])
+        made = candidates_of(plan, member.quantity.id, slips)
+        alike.setdefault(id(made), (plan, made, []))[2].append(int(number))
+    for plan, made, found in alike.values():
+        yield np.flatnonzero(np.isin(numbers, found)), plan, _of_kinds(made, kinds)
 
 
-def _value(group: Group, quantity: Quantity, slip: Candidate) -> Array:
-    """Compute what a slip gives, SI, shape (k,)."""
-    plan = group.plan
-    value = evaluate_formula(slip.formula, quantity.unit, group.values, plan.columns)
+def _of_kinds(made: tuple[Candidate, ...], kinds: Collection[str] | None) -> tuple[Candidate, ...]:
+    return tuple(one for one in made if kinds is None or one.kind in kinds)
+
+
+def _value(plan: Plan, quantity: Quantity, slip: Candidate, group: Group, at: Rows) -> Array:
+    """Compute what a slip gives, SI, at some places of a group."""
+    values = {name: group.values[name][at] for name in slip.formula.names}
+    value = evaluate_formula(slip.formula, quantity.unit, values, plan.columns)
     if quantity.choice is not None:
         value = choose(value, quantity.choice, reference_rounding(quantity, plan.convention), plan)
-    return np.broadcast_to(value, group.rows.shape)
+    return np.broadcast_to(value, at.shape)

@@ -11,8 +11,10 @@ nothing has to be rounded later.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from gripcourse.course.compose import all_part_ids, compose, option_sets, pair_option_sets
+from gripcourse.course.compose import all_part_ids, compose
 from gripcourse.course.model import Course, Option, Scheme
+from gripcourse.course.option_rule import OptionRule
+from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Quantity
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
@@ -23,7 +25,7 @@ from gripcourse.text.words import message
 from gripcourse.variants.cases import Cases, SpaceCase
 from gripcourse.variants.constraint import check_constraint, read_constraints
 from gripcourse.variants.keys import SPACE
-from gripcourse.variants.ranges import Follower, Range, RangeReader
+from gripcourse.variants.ranges import Allowed, Follower, Range, RangeReader
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,12 +36,14 @@ class Space:
         scheme: its id.
         weight: its share among the schemes.
         cases: the combinations of options; every choice of an option is equally frequent.
+        constraints: what each variant satisfies that has all quantities of one.
         file: where it is declared, for messages.
     """
 
     scheme: str
     weight: float
     cases: Cases
+    constraints: tuple[Formula, ...]
     file: str
 
 
@@ -83,7 +87,7 @@ def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Spa
     """Make the space of a scheme that leaves everything to the ranges beside its givens."""
     file = f"variants/spaces/{scheme.id}.toml"
     table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
-    return Space(scheme.id, 1.0, _cases(course, table, scheme), file)
+    return Space(scheme.id, 1.0, _cases(course, table, scheme, ()), (), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -111,7 +115,9 @@ def _space(course: Course, table: Table) -> Space | None:
     weight = table.number("weight", 1.0)
     if not 0 < weight < float("inf"):
         table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
-    return Space(id_, weight, _cases(course, table, course.schemes[id_]), table.file)
+    read = read_constraints(table)
+    cases = _cases(course, table, course.schemes[id_], read)
+    return Space(id_, weight, cases, tuple(one for _, one in read), table.file)
 
 
 def _mixed(scheme: Scheme, table: Table) -> Scheme:
@@ -140,7 +146,9 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
     return tuple(choice for choice in known if choice in listed or not listed)
 
 
-def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
+def _cases(
+    course: Course, table: Table, scheme: Scheme, constraints: Sequence[tuple[Table, Formula]]
+) -> Cases:
     """Read the ranges and constraints of a scheme; thousands of combinations share them.
 
     Any two choices of two options are looked at together. A combination is composed when it is
@@ -148,6 +156,13 @@ def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
     """
     mixed = _mixed(scheme, table)
     plans = [make_plan(course, scheme.id, options) for options in pair_option_sets(mixed)]
+    if not plans:
+        table.add(
+            "options",
+            message("The rules among the options leave no combination of the choices mixed here."),
+            message("Mix more choices, or loosen the rules of these options."),
+        )
+        return Cases.of(())
     own = table.named_tables("given")
     givens = {quantity.id: quantity for plan in plans for quantity in plan.givens}
     for id_, written in own.items():
@@ -158,7 +173,6 @@ def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
                 did_you_mean(id_, givens),
             )
     options = {option.id: {choice.id for choice in option.choices} for option in mixed.options}
-    constraints = read_constraints(table)
     for line, constraint in constraints:
         check_constraint(line, constraint, (*plans, *_plans_with(course, mixed, plans, constraint)))
     reader = RangeReader(course, givens, options)
@@ -168,6 +182,7 @@ def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
     read = {
         key: reader.read(place, one, is_own=one.id in own) for key, (one, place) in places.items()
     }
+    _check_bound(table, mixed, plans, read)
     reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
     formulas = [one for _, one in constraints]
 
@@ -175,6 +190,32 @@ def _cases(course: Course, table: Table, scheme: Scheme) -> Cases:
         return _case(make_plan(course, scheme.id, options), options, read, formulas)
 
     return Cases.made_by(option_sets(mixed), make)
+
+
+def _check_bound(
+    table: Table, scheme: Scheme, plans: Sequence[Plan], read: Mapping[int, Range]
+) -> None:
+    """Record values that a rule hands on to a given whose bounds leave them out."""
+    for plan in plans:
+        cases = _case(plan, plan.options, read, ())
+        for id_ in (id_ for rule in scheme.rules if rule.counts(plan.options) for id_ in rule.same):
+            follower, quantity = cases.followers.get(id_), plan.quantities.get(id_)
+            if follower is None or quantity is None:
+                continue
+            low, high = quantity.bounds
+            outside = [one for one in follower.values.values() if not low <= one <= high]
+            if outside:
+                table.add(
+                    f"given.{follower.leader}",
+                    message(
+                        "The value {value} is outside the bounds {low} to {high} of '{name}', which"
+                        " a rule among the options makes the same number.",
+                        value=outside[0], low=low, high=high, name=id_,
+                    ),
+                    message("Narrow the range, or correct the bounds in {file}.",
+                            file=quantity.file),
+                )  # fmt: skip
+                return
 
 
 def _plans_with(
@@ -222,9 +263,28 @@ def _case(
         for quantity in plan.givens
         if id(quantity) in read
     }
+    for rule in plan.scheme.rules:
+        if rule.counts(options):
+            _bind(chosen, rule)
     return SpaceCase(
         options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
         tuple(one for one in constraints if plan.quantities.keys() >= set(one.names)),
     )
+
+
+def _bind(chosen: dict[str, Allowed], rule: OptionRule) -> None:
+    """Let the givens that a rule makes one number follow the first of them that has a range."""
+    present = [id_ for id_ in rule.same if id_ in chosen]
+    for leader in present:
+        values = chosen[leader]
+        if not isinstance(values, Follower):
+            break
+    else:
+        return  # all of them follow another given
+    same = Follower(leader, {value: value for value in values})
+    chosen |= {id_: same for id_ in present if id_ != leader}
+    for id_, one in chosen.items():
+        if isinstance(one, Follower) and one.leader in present:
+            chosen[id_] = replace(one, leader=leader)

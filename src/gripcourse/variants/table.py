@@ -13,8 +13,9 @@ import io
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from gripcourse.course.compose import compose, pair_option_sets
+from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable

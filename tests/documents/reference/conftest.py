@@ -6,8 +6,9 @@ from html.parser import HTMLParser
 
 import pytest
 
-from gripcourse.course.compose import compose, option_sets
+from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
+from gripcourse.course.option_sets import option_sets
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words

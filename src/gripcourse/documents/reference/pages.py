@@ -3,7 +3,7 @@
 Everything on them comes from the declarations, so the same course gives the same bytes.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -62,6 +62,16 @@ class Offered:
     title: str
     others: tuple[NamedValue, ...]
     choices: tuple[ReferenceChoice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceRule:
+    """A rule among the options: titles of options and choices, ids of givens that are one."""
+
+    when: tuple[tuple[str, tuple[str, ...]], ...]
+    requires: tuple[tuple[str, tuple[str, ...]], ...]
+    same: tuple[str, ...]
+    note: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +172,7 @@ def scheme_values(content: Content, words: Words) -> dict[str, object]:
         "diagram": diagram_of(content, words),
         "always": scheme.parts,
         "options": _options(content, language),
+        "rules": _rules(content, language),
         "pieces": _pieces(content, language),
         "chapters": _chapters(content, words),
         "motion": motion_of(content, words),
@@ -199,6 +210,24 @@ def _options(content: Content, language: str) -> tuple[Offered, ...]:
             ),
         )
         for option in content.scheme.options
+    )
+
+
+def _rules(content: Content, language: str) -> tuple[ReferenceRule, ...]:
+    options = {option.id: option for option in content.scheme.options}
+
+    def told(asked: Mapping[str, Sequence[str]]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        return tuple(
+            (
+                options[id_].title.of(language),
+                tuple(one.title.of(language) for one in options[id_].choices if one.id in wanted),
+            )
+            for id_, wanted in asked.items()
+        )
+
+    return tuple(
+        ReferenceRule(told(rule.when), told(rule.requires), rule.same, rule.note.of(language))
+        for rule in content.scheme.rules
     )
 
 

@@ -15,6 +15,7 @@ from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
+from gripcourse.documents.report.monotony import alike_rows, size_rows
 from gripcourse.documents.report.verdict_shares import verdict_rows
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import DECLARED
@@ -23,6 +24,7 @@ from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.apart import Shares
 from gripcourse.variants.audit import CheckedScheme, VariantAudit
 from gripcourse.variants.fair import DifficultySpread, Steps
+from gripcourse.variants.overlaps import overlap_text
 from gripcourse.variants.pairs import Pair
 from gripcourse.variants.slip_distance import SlipCount
 
@@ -82,6 +84,7 @@ def certificate_values(
     titles = {id_: scheme.title.of(words.language) for id_, scheme in course.schemes.items()}
     flagged = [one for one in audit.variants if not one.passed]
     weak = audit.weak_items
+    alike = alike_rows(audit, titles, declared, words)
     return {
         "course": course.title.of(words.language),
         "source": source,
@@ -110,6 +113,10 @@ def certificate_values(
         "weak_rest": len(weak[_MOST:]),
         "weak_limit": audit.rules.weak_item,
         "verdicts": verdict_rows(audit, declared, words),
+        "sizes": size_rows(audit, declared, words),
+        "alike": alike[:_MOST],
+        "alike_rest": len(alike[_MOST:]),
+        "rules": audit.rules,
         "slips_counted": audit.slips_counted,
         "slips": aligned_cells(
             [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
@@ -142,6 +149,12 @@ def _checks(audit: VariantAudit, words: Words) -> Iterator[CertificateLine]:
                 share=percent_text(rules.step_margin, words)),
         "0", variants(edges), not edges,
     )  # fmt: skip
+    if audit.overlaps is not None:
+        yield CertificateLine(
+            message("Variants with bodies that stand in each other, open and with the greatest and"
+                    " the smallest object"),
+            "0", variants(audit.overlaps), not audit.overlaps,
+        )  # fmt: skip
     yield CertificateLine(message("Answers of the longest assignment over those of the shortest"),
                words.number(rules.steps_ratio, 3), words.number(audit.ratio, 3),
                audit.alike_steps)  # fmt: skip
@@ -206,6 +219,8 @@ def _sentences(
     for quantity in checked.edges:
         yield message("the size lies at the edge of its step: {quantity}",
                       quantity=_title(declared, quantity))  # fmt: skip
+    if checked.overlap is not None:
+        yield overlap_text(checked.overlap)
     if checked.above and checked.nearest is not None:
         other = audit.variants[checked.nearest.other].variant.id
         yield message("too near to another variant; the nearest is {variant}", variant=other)

@@ -1,0 +1,168 @@
+"""Whether variants ask for different things: how sizes spread, and what is always the same.
+
+A size that comes out the same for nearly everybody, a verdict that nearly everybody answers alike
+and a range of which one end always governs tell no student from another.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gripcourse.course.quantity import Kind
+from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.tree import Call, Formula, Node, names, walk
+from gripcourse.solver.family import Member
+from gripcourse.solver.solve import from_si
+from gripcourse.text.units import dimension
+from gripcourse.variants.answers import Group
+from gripcourse.variants.feasible import Array
+
+_PERCENTS = (5.0, 50.0, 95.0)
+_TWO = 2
+
+
+@dataclass(frozen=True, slots=True)
+class SizeSpread:
+    """How a size is spread over the variants of one scheme.
+
+    Attributes:
+        scheme, quantity: which they are.
+        unit: declared.
+        is_picked: whether it is taken from a series or read from a table, and not computed.
+        variants: how many have it.
+        low, median, high: 5, 50 and 95 % of the values lie at or below, in `unit`.
+        rests_on: ids that it is taken for or read by.
+        commonest: the value that most variants have, in `unit`.
+        share: share of the variants that have it, 0 to 1.
+    """
+
+    scheme: str
+    quantity: str
+    unit: str
+    is_picked: bool
+    rests_on: frozenset[str]
+    variants: int
+    low: float
+    median: float
+    high: float
+    commonest: float
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class EndShare:
+    """Which of two values a formula takes as the greater or lesser in the variants of one scheme.
+
+    Attributes:
+        scheme, quantity: whose formula it is.
+        first, second: ids of the quantities on either side that the other side lacks, for example
+            those of the two ends of a range.
+        variants: how many have it.
+        share: of the variants in which the first is taken; half of those in which both are alike.
+    """
+
+    scheme: str
+    quantity: str
+    first: str
+    second: str
+    variants: int
+    share: float
+
+    @property
+    def same(self) -> float:
+        """Share of the variants in which the commoner of the two is taken, 0.5 to 1."""
+        return max(self.share, 1 - self.share)
+
+
+def sizes_of(groups: Sequence[Group]) -> tuple[SizeSpread, ...]:
+    """Describe sizes scheme by scheme: what is picked, and every computed length."""
+    return tuple(one for group in groups for one in _sizes(group))
+
+
+def ends_of(groups: Sequence[Group]) -> tuple[EndShare, ...]:
+    """Tell for each formula that takes the greater or lesser of two values which it takes."""
+    return tuple(one for group in groups for one in _ends(group))
+
+
+def _sizes(group: Group) -> Iterator[SizeSpread]:
+    found: dict[str, list[Member]] = {}
+    for member in group.family.answered:
+        if _is_size(member):
+            found.setdefault(member.quantity.id, []).append(member)
+    for id_, members in found.items():
+        values = np.concatenate([one.of(group.values[id_]) for one in members])
+        values = values[np.isfinite(values)]
+        if len(values):
+            yield _spread(members[0], values)
+
+
+def _is_size(member: Member) -> bool:
+    quantity = member.quantity
+    if quantity.kind in {Kind.CHOICE, Kind.PICK}:
+        return True
+    return quantity.kind is Kind.FORMULA and dimension(quantity.unit) == dimension("m")
+
+
+def _spread(member: Member, values: Array) -> SizeSpread:
+    quantity = member.quantity
+    sorts, counts = np.unique(np.round(values, 12), return_counts=True)
+    found = (*np.percentile(values, _PERCENTS), sorts[np.argmax(counts)])
+    low, median, high, commonest = (
+        from_si(member.plan, {quantity.id: float(one)})[quantity.id] for one in found
+    )
+    return SizeSpread(
+        member.plan.scheme.id,
+        quantity.id,
+        quantity.unit,
+        quantity.kind is not Kind.FORMULA,
+        frozenset(member.inputs),
+        len(values),
+        low,
+        median,
+        high,
+        commonest,
+        float(counts.max() / len(values)),
+    )
+
+
+def _ends(group: Group) -> Iterator[EndShare]:
+    taken: dict[tuple[str, str, str], list[Array]] = {}
+    for member in group.family.answered:
+        formula = member.plan.reference_formula(member.quantity.id)
+        if formula is None or member.quantity.kind is not Kind.FORMULA:
+            continue
+        for call in _choices_of_two(formula.tree):
+            first, second = (
+                evaluate_formula(
+                    Formula("", one, formula.units),
+                    "",
+                    {name: member.of(group.values[name]) for name in names(one)},
+                    member.plan.columns,
+                )
+                for one in call.arguments
+            )
+            sides = [set(names(one)) for one in call.arguments]
+            key = (
+                member.quantity.id,
+                ", ".join(sorted(sides[0] - sides[1])),
+                ", ".join(sorted(sides[1] - sides[0])),
+            )
+            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
+            taken.setdefault(key, []).append(np.ravel((1 + sign) / 2))
+    for (quantity, one, other), found in taken.items():
+        shares = np.concatenate(found)
+        shares = shares[np.isfinite(shares)]
+        if len(shares):
+            yield EndShare(
+                group.family.scheme, quantity, one, other, len(shares), float(shares.mean())
+            )
+
+
+def _choices_of_two(tree: Node) -> Iterator[Call]:
+    """Yield the calls that take the greater or lesser of two values, each of other quantities."""
+    for part in walk(tree):
+        if isinstance(part, Call) and part.function in {"max", "min"}:
+            used = [set(names(one)) for one in part.arguments]
+            if len(used) == _TWO and used[0] - used[1] and used[1] - used[0]:
+                yield part

@@ -1,0 +1,84 @@
+"""What is one and the same for nearly everybody is named; how sizes spread is told."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.policy.model import Policy
+from gripcourse.variants.answers import solve_groups
+from gripcourse.variants.audit import VariantAudit, audit
+from gripcourse.variants.draw import draw
+from gripcourse.variants.fair import VerdictShare
+from gripcourse.variants.model import Variant
+from gripcourse.variants.monotony import ends_of, sizes_of
+from gripcourse.variants.space import load_spaces
+
+SCHEMES = ("screw", "slot_lever")
+
+
+@pytest.fixture(scope="module")
+def some(course: Course) -> tuple[Variant, ...]:
+    spaces = [one for one in load_spaces(course) if one.scheme in SCHEMES]
+    return draw(course, spaces, 40, 3).variants
+
+
+@pytest.fixture(scope="module")
+def found(course: Course, policy: Policy, some: tuple[Variant, ...]) -> VariantAudit:
+    return audit(course, policy, some)
+
+
+def test_five_fifty_and_ninety_five_percent_of_a_size_are_told_in_its_unit(
+    course: Course, some: tuple[Variant, ...]
+) -> None:
+    groups = solve_groups(course, some)
+    (one,) = (
+        one for one in sizes_of(groups) if (one.scheme, one.quantity) == ("screw", "pin_diameter")
+    )
+    (group,) = (group for group in groups if group.family.scheme == "screw")
+    sizes = group.values["pin_diameter"] * 1000
+    assert one.unit == "mm"
+    assert one.is_picked
+    assert [one.low, one.median, one.high] == pytest.approx(np.percentile(sizes, [5, 50, 95]))
+    common = np.isclose(sizes, one.commonest).mean()
+    assert one.share == pytest.approx(common)
+    assert all(np.isclose(sizes, other).mean() <= common for other in sizes)
+
+
+def test_a_size_that_most_variants_share_is_named(found: VariantAudit) -> None:
+    limit = found.rules.same_size
+    common = {
+        (one.scheme, one.quantity): one
+        for one in found.sizes
+        if one.is_picked and one.share > limit and one.variants >= 4
+    }
+    same = {(one.scheme, one.quantity): one for one in found.same_sizes}
+    assert same.items() <= common.items()
+    for (scheme, _), one in common.items() - same.items():
+        assert any((scheme, name) in common for name in one.rests_on)
+    none = replace(found, rules=replace(found.rules, same_size=1.0))
+    assert none.same_sizes == ()
+
+
+def test_an_end_of_the_range_that_always_governs_is_named(
+    course: Course, found: VariantAudit, some: tuple[Variant, ...]
+) -> None:
+    groups = solve_groups(course, some)
+    ends = {(one.scheme, one.quantity): one for one in ends_of(groups)}
+    force = ends["slot_lever", "force_ratio"]
+    assert {force.first, force.second} == {"force_ratio_at_max", "force_ratio_at_min"}
+    (group,) = (group for group in groups if group.family.scheme == "slot_lever")
+    greater = group.values[force.first] > group.values[force.second]
+    assert force.share == pytest.approx(greater.mean())
+    assert (force in found.same_ends) == (force.same > found.rules.same_end)
+
+
+def test_a_verdict_that_is_rarely_or_mostly_no_is_named(found: VariantAudit) -> None:
+    counts = {"rare": 9, "even": 5, "mostly": 1}
+    verdicts = [
+        VerdictShare(id_, "screw", 10, 1.0, yes, must_hold=False) for id_, yes in counts.items()
+    ]
+    verdicts.append(VerdictShare("asked", "screw", 10, 1.0, 10, must_hold=True))
+    named = [one.quantity for one in replace(found, verdicts=tuple(verdicts)).lopsided_verdicts]
+    assert named == ["rare", "mostly"]

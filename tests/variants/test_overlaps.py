@@ -1,0 +1,51 @@
+"""Bodies that stand in each other: a check of shapes is handed in, and refuses variants."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from gripcourse.course.composition import Composition
+from gripcourse.course.model import Course
+from gripcourse.policy.model import Policy
+from gripcourse.text.words import LANGUAGES, Texts
+from gripcourse.variants.audit import audit
+from gripcourse.variants.draw import draw
+from gripcourse.variants.feasible import Array
+from gripcourse.variants.overlaps import Overlap
+from gripcourse.variants.screening import sifter
+from gripcourse.variants.space import load_spaces
+
+OPEN = Texts(dict.fromkeys(LANGUAGES, "open"))
+WEDGE, OBJECT = (Texts(dict.fromkeys(LANGUAGES, one)) for one in ("wedge", "object"))
+
+
+def deep(composition: Composition, values: Mapping[str, Array]) -> list[Overlap | None]:
+    """Let heavy objects reach into the wedge."""
+    assert composition.scheme == "screw"
+    assert np.isfinite(values["mass"]).all()
+    return [
+        Overlap((WEDGE, OBJECT), OPEN, float(one) / 10) if one > 15 else None
+        for one in values["mass"]
+    ]
+
+
+def test_candidates_with_overlapping_bodies_are_not_drawn(course: Course, policy: Policy) -> None:
+    spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
+    drawn = draw(course, spaces, 6, 5, sifter(policy, len(course.sections), deep))
+    assert all(one.given["mass"] <= 15 for one in drawn.variants)
+    (tally,) = drawn.tallies
+    (told,) = (one for one in tally.set_aside if "wedge" in str(one.what))
+    assert str(told.what) == "wedge and object stand in each other"
+    assert told.count > 0
+
+
+def test_an_audit_names_the_worst_pair_of_bodies(course: Course, policy: Policy) -> None:
+    spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
+    variants = draw(course, spaces, 12, 5).variants
+    found = audit(course, policy, variants, spaces, deep)
+    heavy = [one for one in found.variants if one.variant.given["mass"] > 15]
+    assert heavy
+    assert [one for one in found.variants if one.overlap is not None] == heavy
+    assert not any(one.passed for one in heavy)
+    assert found.overlaps == len(heavy)
+    assert audit(course, policy, variants, spaces).overlaps is None
