@@ -7,6 +7,7 @@ import logging
 import sys
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -179,6 +180,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     *,
     out: OutOption,
     json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
+    whose: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -187,12 +194,17 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.usecases import grade as command
+    from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
     from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.whose import read_whose
 
     words = words_for(language)
-    files = command.find_files(paths)
+    found = collect(paths)
+    files = found.files
     context = open_grading(course_folder(course))
+    decided = read_whose(whose or (), files, context.register)
+    context = replace(context, whose=decided)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     say_limits(words)
@@ -201,11 +213,18 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         graded = command.grade(files, context, workers, lambda _: tick())
         graded = keep(graded, context, place, datetime.now(UTC))
         tick = step(words.say(message("Writing reports")), len(files))
-        outcome = command.write_results(graded, context, out, day_of(on), workers, lambda _: tick())
+        outcome = command.write_results(
+            graded,
+            context,
+            out,
+            day_of(on),
+            workers,
+            lambda _: tick(),
+            passed_over=found.passed_over,
+        )
     if json:
-        from gripcourse.exports.report_result import grades_result
-
-        typer.echo(cli_text.json_text(grades_result(outcome.reports, words).to_dict()))
+        result = command.batch_result(outcome.reports, words, found.passed_over)
+        typer.echo(cli_text.json_text(result.to_dict()))
     else:
         confirm(grading_text.grading_text(outcome, out, words))
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
