@@ -6,9 +6,8 @@ import pytest
 
 from gripcourse.batch.doubts import put_in_doubt
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.grading.model import KnownBy, Report
+from gripcourse.grading.model import Flag, FlagCode, KnownBy, Report
 from gripcourse.grading.unjudged import unjudged
-from gripcourse.grading.model import Flag, FlagCode
 from gripcourse.text.words import message
 
 

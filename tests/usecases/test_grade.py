@@ -128,7 +128,7 @@ class TestResults:
         assert "s03" not in rows
         assert Path(rows[""]["file"]).name == "s03.xlsx"
         assert rows[""]["score"] == ""
-        assert rows[""]["flags"] == "who_handed_in"
+        assert rows[""]["flags"] == "who_handed_in; same_bytes"
 
     def test_every_file_that_was_found_is_accounted_for(self, graded: Path) -> None:
         text = (graded / "files.csv").read_text(encoding="utf-8-sig")
