@@ -8,11 +8,13 @@ import posixpath
 import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import IO, Final
-from xml.etree.ElementTree import Element, iterparse
+from typing import Any, Final
+from xml.etree.ElementTree import Element, XMLPullParser
 
 _OFFICE_DOCUMENT: Final = "officeDocument"
 _USUAL_WORKBOOK: Final = "xl/workbook.xml"
+# Bytes of XML parsed at a time: the parser looks through a long attribute again with each portion.
+_PORTION: Final = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,19 +48,27 @@ class Package:
         """Tell whether there is such a part."""
         return part.lower() in self.members
 
-    def open(self, part: str) -> IO[bytes]:
-        """Open a part.
+    def content(self, part: str) -> bytes:
+        """Unpack a part.
 
         Raises:
             KeyError: there is no such part.
         """
-        return self.archive.open(self.members[part.lower()])
+        return self.archive.read(self.members[part.lower()])
 
     def elements(self, part: str) -> Iterator[Element]:
-        """Yield the elements of a part as they end; who has read one may clear it."""
-        with self.open(part) as stream:
-            for _, element in iterparse(stream):  # noqa: S314 (checked for entities and depth)
-                yield element
+        """Yield the elements of a part as they end; who has read one may clear it.
+
+        Raises:
+            KeyError: there is no such part.
+        """
+        content = memoryview(self.content(part))
+        parser: XMLPullParser[Element] = XMLPullParser(("end",))
+        for start in range(0, len(content), _PORTION):
+            parser.feed(content[start : start + _PORTION])
+            yield from _ended(parser)
+        parser.close()
+        yield from _ended(parser)
 
     def related(self, part: str) -> tuple[Related, ...]:
         """Return the parts that a part points to; of the archive itself where it is empty."""
@@ -82,6 +92,12 @@ class Package:
         """Return the name of the part that lists sheets and names."""
         found = (one.part for one in self.related("") if one.kind == _OFFICE_DOCUMENT)
         return next(found, _USUAL_WORKBOOK)
+
+
+def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:
+    events: Iterator[Any] = parser.read_events()
+    for _, element in events:
+        yield element
 
 
 def package_of(archive: zipfile.ZipFile) -> Package:

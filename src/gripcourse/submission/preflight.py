@@ -23,7 +23,7 @@ LARGEST_TOTAL: Final = 24 * MEGABYTE  # of XML unpacked, by the sizes that the a
 LARGEST_PART: Final = 8 * MEGABYTE  # of XML; 99 % of real workbooks have 2.2 in all their parts
 MOST_PARTS: Final = 1000
 MOST_SHEETS: Final = 100
-MOST_ELEMENTS: Final = 300_000  # XML elements; a cell is one or two, an answer workbook has 5000
+MOST_ELEMENTS: Final = 200_000  # XML elements; a cell is one or two, an answer workbook has 5000
 DEEPEST: Final = 100  # elements inside each other; office programs stay below 20
 MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that a range covers
 MOST_RANGES: Final = 5_000
@@ -142,20 +142,19 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
 def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan") -> None:
     """Read a part once, if it is XML: what it is called decides nothing."""
     with archive.open(member) as stream:
-        chunk = stream.read(_CHUNK)
-        if chunk.lstrip(_BEFORE_XML)[:1] not in {b"<", b""}:
+        beginning = stream.read(_CHUNK)
+        if beginning.lstrip(_BEFORE_XML)[:1] not in {b"<", b""}:
             return
         scan.unpack(member.file_size)
-        parser = scan.parser()
-        try:
-            while chunk:
-                parser.Parse(chunk, False)
-                chunk = stream.read(_CHUNK)
-            parser.Parse(b"", True)
-        except (expat.ExpatError, LookupError) as fault:  # the latter for unknown encodings
-            # The reader would stop at the same place; drawings of comments need not be sound XML.
-            if member.file_size and member.filename.lower().endswith((".xml", ".rels")):
-                raise _Refused(Refusal.INVALID_XML) from fault
+        # In one piece: with each further one the parser looks through a long attribute again.
+        content = beginning + stream.read()
+    try:
+        if content:
+            scan.parser().Parse(content, True)
+    except (expat.ExpatError, LookupError, UnicodeError) as fault:  # the latter two of encodings
+        # The reader would stop at the same place; drawings of comments need not be sound XML.
+        if member.filename.lower().endswith((".xml", ".rels")):
+            raise _Refused(Refusal.INVALID_XML) from fault
 
 
 class _Scan:

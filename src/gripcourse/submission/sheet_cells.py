@@ -1,7 +1,7 @@
 """The cells of a sheet that names point to, as the file stores them; no other cell is kept."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 from xml.etree.ElementTree import Element
@@ -66,6 +66,9 @@ def address(place: Place) -> str:
 def first_of_merged(package: Package, part: str, places: Collection[Place]) -> dict[Place, Place]:
     """Return for each place the cell that shows there: the first of a merged range, or itself."""
     shown = {place: place for place in places}
+    content = package.content(part)
+    if b"mergeCell" not in content and b"\0" not in content:  # the latter of two-byte letters
+        return shown
     for element in package.elements(part):
         if local(element) == "mergeCell":
             first, _, last = element.get("ref", "").partition(":")
@@ -88,27 +91,29 @@ def stored_cells(
     package: Package, part: str, wanted: Collection[Place]
 ) -> Mapping[Place, StoredCell]:
     """Read the wanted cells of a sheet; those that are not stored are left out."""
+    rows = {row for row, _ in wanted}
     found: dict[Place, StoredCell] = {}
     row = 0
     for element in package.elements(part):
-        if local(element) == "row":
+        if element.tag.endswith("row") and local(element) == "row":
             row = _whole(element.get("r")) or row + 1
-            found |= {
-                place: _stored(cell) for place, cell in _of_row(element, row) if place in wanted
-            }
+            if row in rows:
+                found |= _of_row(element, row, wanted)
             element.clear()
     return found
 
 
-def _of_row(row: Element, number: int) -> Iterator[tuple[Place, Element]]:
-    """Yield the cells of a row; one that does not say where it is stands beside the last one."""
+def _of_row(row: Element, number: int, wanted: Collection[Place]) -> dict[Place, StoredCell]:
+    """Read the cells of a row; one that does not say where it is stands beside the last one."""
+    found: dict[Place, StoredCell] = {}
     column = 0
     for cell in row:
         if local(cell) == "c":
-            place = place_of(cell.get("r", ""))
-            place = (number, column + 1) if place is None else place
+            place = place_of(cell.get("r", "")) or (number, column + 1)
             column = place[1]
-            yield place, cell
+            if place in wanted:
+                found[place] = _stored(cell)
+    return found
 
 
 def _stored(cell: Element) -> StoredCell:
