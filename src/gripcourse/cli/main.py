@@ -240,10 +240,11 @@ def check(
     """Show how a workbook is read and whether its numbers fit each other; never the answers."""
     from gripcourse.course.load import load_course
     from gripcourse.policy.load import load_policy
+    from gripcourse.submission.apart import read_apart
     from gripcourse.usecases.check import check_file
 
     loaded = load_course(course_folder(course))
-    checked = check_file(file, loaded, load_policy(loaded))
+    checked = check_file(file, loaded, load_policy(loaded), read_apart)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 

@@ -27,6 +27,7 @@ class Refusal(StrEnum):
     PDF = "pdf"
     PICTURE = "picture"
     TEXT_DOCUMENT = "text_document"
+    TOO_COSTLY = "too_costly"
     TOO_LARGE = "too_large"
     UNREADABLE_CONTENT = "unreadable_content"
     WEB_PAGE = "web_page"
@@ -81,6 +82,10 @@ REASONS: Final[Mapping[Refusal, Message]] = {
     Refusal.PDF: message("The file is a PDF document. Send the .xlsx workbook itself."),
     Refusal.PICTURE: message("The file is a picture. Send the .xlsx workbook itself."),
     Refusal.TEXT_DOCUMENT: message("The file is a text document. Send the .xlsx workbook itself."),
+    Refusal.TOO_COSTLY: message(
+        "The workbook takes more time or memory to read than an answer workbook may. {remedy}",
+        remedy=_COPY,
+    ),
     Refusal.TOO_LARGE: message(
         "The file holds far more than an answer workbook does. Copy the answers into the workbook "
         "that was issued."
