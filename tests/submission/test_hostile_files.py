@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 import pytest
 from openpyxl import Workbook
 
-from gripcourse.submission import preflight
+from gripcourse.spreadsheet import preflight
+from gripcourse.spreadsheet.refusals import REASONS, Refusal
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.submission.refusals import REASONS, Refusal
 
 if TYPE_CHECKING:
     from .conftest import Returned

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.submission.refusals import REASONS, Refusal
+from gripcourse.spreadsheet.refusals import REASONS, Refusal
 from gripcourse.text.words import Message
 
 __all__ = ["Answer", "Identity", "Reading", "Refusal", "Rejected", "Submission"]

@@ -16,23 +16,20 @@ from typing import Final
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
-from gripcourse.submission.cell_value import (
+from gripcourse.spreadsheet.cell_value import (
     GENERAL,
     counts_from_1904,
     formats_of,
     shown_value,
     text_index,
 )
-from gripcourse.submission.model import Identity, Refusal, Rejected
-from gripcourse.submission.package import (
+from gripcourse.spreadsheet.package import (
     Package,
-    attribute,
     local,
     package_of,
 )
-from gripcourse.submission.preflight import refusal
-from gripcourse.submission.raw import RawCell, RawWorkbook
-from gripcourse.submission.sheet_cells import (
+from gripcourse.spreadsheet.preflight import refusal
+from gripcourse.spreadsheet.sheet_cells import (
     EMPTY,
     Place,
     StoredCell,
@@ -40,8 +37,11 @@ from gripcourse.submission.sheet_cells import (
     first_of_merged,
     place_of,
     shared_texts,
+    sheets_of,
     stored_cells,
 )
+from gripcourse.submission.model import Identity, Refusal, Rejected
+from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
 
@@ -149,7 +149,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> Mapp
     related = package.related(workbook)
     sheets = {
         title: _located(package, part, {one.place for one in named.values() if one.sheet == title})
-        for title, part in _sheets(package, workbook).items()
+        for title, part in sheets_of(package, workbook).items()
         if any(one.sheet == title for one in named.values())
     }
     by_kind = {one.kind: one.part for one in related}
@@ -179,21 +179,6 @@ def _located(package: Package, part: str, places: set[Place]) -> _Located:
     shown = first_of_merged(package, part, places)
     cells = stored_cells(package, part, set(shown.values()))
     return _Located({place: (at, cells.get(at, EMPTY)) for place, at in shown.items()})
-
-
-def _sheets(package: Package, workbook: str) -> Mapping[str, str]:
-    """Return the part of every sheet by its title; of two with one title the first counts."""
-    parts = {
-        one.identifier: one.part
-        for one in package.related(workbook)
-        if one.kind == "worksheet" and package.has(one.part)
-    }
-    sheets: dict[str, str] = {}
-    for element in package.elements(workbook):
-        part = parts.get(attribute(element, "id") or "")
-        if local(element) == "sheet" and part is not None:
-            sheets.setdefault(element.get("name", ""), part)
-    return sheets
 
 
 def _of_role(cells: Mapping[str, RawCell], role: str) -> dict[str, RawCell]:

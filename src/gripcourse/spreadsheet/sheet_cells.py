@@ -1,12 +1,12 @@
 """The cells of a sheet that names point to, as the file stores them; no other cell is kept."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 from xml.etree.ElementTree import Element
 
-from gripcourse.submission.package import Package, child, local
+from gripcourse.spreadsheet.package import Package, attribute, child, local
 
 Place: TypeAlias = tuple[int, int]
 """Row and column of a cell, from 1."""
@@ -93,27 +93,55 @@ def stored_cells(
     """Read the wanted cells of a sheet; those that are not stored are left out."""
     rows = {row for row, _ in wanted}
     found: dict[Place, StoredCell] = {}
-    row = 0
-    for element in package.elements(part):
-        if element.tag.endswith("row") and local(element) == "row":
-            row = _whole(element.get("r")) or row + 1
-            if row in rows:
-                found |= _of_row(element, row, wanted)
-            element.clear()
+    for number, row in _rows(package, part):
+        if number in rows:
+            cells = ((place, cell) for place, cell in _of_row(row, number) if place in wanted)
+            found |= {place: _stored(cell) for place, cell in cells}
     return found
 
 
-def _of_row(row: Element, number: int, wanted: Collection[Place]) -> dict[Place, StoredCell]:
-    """Read the cells of a row; one that does not say where it is stands beside the last one."""
-    found: dict[Place, StoredCell] = {}
+def all_cells(package: Package, part: str) -> Mapping[int, Mapping[int, StoredCell]]:
+    """Read all cells of a sheet that are stored: by row, then by column."""
+    found: dict[int, dict[int, StoredCell]] = {}
+    for number, row in _rows(package, part):
+        for (_, column), cell in _of_row(row, number):
+            found.setdefault(number, {})[column] = _stored(cell)
+    return found
+
+
+def _rows(package: Package, part: str) -> Iterator[tuple[int, Element]]:
+    """Yield the rows of a sheet with their numbers; each is cleared after it was looked at."""
+    number = 0
+    for element in package.elements(part):
+        if element.tag.endswith("row") and local(element) == "row":
+            number = _whole(element.get("r")) or number + 1
+            yield number, element
+            element.clear()
+
+
+def _of_row(row: Element, number: int) -> Iterator[tuple[Place, Element]]:
+    """Yield the cells of a row; one that does not say where it is stands beside the last one."""
     column = 0
     for cell in row:
         if local(cell) == "c":
             place = place_of(cell.get("r", "")) or (number, column + 1)
             column = place[1]
-            if place in wanted:
-                found[place] = _stored(cell)
-    return found
+            yield place, cell
+
+
+def sheets_of(package: Package, workbook: str) -> Mapping[str, str]:
+    """Return the part of every sheet by its title; of two with one title the first counts."""
+    parts = {
+        one.identifier: one.part
+        for one in package.related(workbook)
+        if one.kind == "worksheet" and package.has(one.part)
+    }
+    sheets: dict[str, str] = {}
+    for element in package.elements(workbook):
+        part = parts.get(attribute(element, "id") or "")
+        if local(element) == "sheet" and part is not None:
+            sheets.setdefault(element.get("name", ""), part)
+    return sheets
 
 
 def _stored(cell: Element) -> StoredCell:
@@ -138,13 +166,15 @@ def text_of(item: Element) -> str:
     return "".join(texts)
 
 
-def shared_texts(package: Package, part: str, wanted: Collection[int]) -> Mapping[int, str]:
-    """Read the wanted items of the table of shared texts."""
+def shared_texts(
+    package: Package, part: str, wanted: Collection[int] | None = None
+) -> Mapping[int, str]:
+    """Read the wanted items of the table of shared texts; all where None."""
     found: dict[int, str] = {}
     number = 0
     for element in package.elements(part):
         if local(element) == "si":
-            if number in wanted:
+            if wanted is None or number in wanted:
                 found[number] = text_of(element)
             number += 1
             element.clear()

@@ -3,12 +3,14 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import datetime
-from typing import Final
+from datetime import date, datetime, time, timedelta
+from typing import Final, TypeAlias
 
-from gripcourse.submission.package import Package, local
-from gripcourse.submission.raw import CellValue
-from gripcourse.submission.sheet_cells import StoredCell
+from gripcourse.spreadsheet.package import Package, local
+from gripcourse.spreadsheet.sheet_cells import StoredCell
+
+CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
+"""What a spreadsheet cell can hold; `date` includes `datetime`."""
 
 GENERAL: Final = "General"
 _LONGEST_FORMAT: Final = 500  # characters; spreadsheet programs write 255 at most

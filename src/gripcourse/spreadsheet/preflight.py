@@ -10,12 +10,13 @@ import zipfile
 import zlib
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 from xml.parsers import expat
 
-from gripcourse.submission.package import part_name
-from gripcourse.submission.refusals import Refusal
-from gripcourse.submission.sheet_cells import column_number
+from gripcourse.spreadsheet.package import part_name
+from gripcourse.spreadsheet.refusals import Refusal
+from gripcourse.spreadsheet.sheet_cells import column_number
 
 MEGABYTE: Final = 1_000_000
 LARGEST_FILE: Final = 60 * MEGABYTE  # with pictures
@@ -27,6 +28,28 @@ MOST_ELEMENTS: Final = 200_000  # XML elements; a cell is one or two, an answer 
 DEEPEST: Final = 100  # elements inside each other; office programs stay below 20
 MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that a range covers
 MOST_RANGES: Final = 5_000
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """What a file may hold.
+
+    Attributes:
+        part, total: bytes of XML, unpacked, by the sizes that the archive declares.
+        elements: of XML.
+    """
+
+    part: int
+    total: int
+    elements: int
+
+
+SUBMISSION: Final = Bounds(LARGEST_PART, LARGEST_TOTAL, MOST_ELEMENTS)
+"""What a student hands in."""
+
+TABLE: Final = Bounds(64 * MEGABYTE, 96 * MEGABYTE, 3_000_000)
+"""What an instructor makes: a table of a hundred thousand rows is one."""
+
 _METHODS: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _CHUNK: Final = 1 << 16
 
@@ -45,12 +68,13 @@ class _Refused(Exception):  # noqa: N818 - it never leaves this module
         super().__init__(reason)
 
 
-def refusal(name: str, data: bytes) -> Refusal | None:
+def refusal(name: str, data: bytes, bounds: Bounds = SUBMISSION) -> Refusal | None:
     """Tell why a file must not be unpacked any further.
 
     Args:
         name: of the file, without folders.
         data: its whole content.
+        bounds: of what it may hold.
 
     Returns:
         The reason, for the person who sent the file, or None where the file can be read.
@@ -58,7 +82,7 @@ def refusal(name: str, data: bytes) -> Refusal | None:
     try:
         _check_name(name)
         _check_magic(data)
-        _check_archive(data)
+        _check_archive(data, bounds)
     except _Refused as refused:
         return refused.reason
     return None
@@ -98,13 +122,13 @@ def _about_text(beginning: bytes) -> Refusal:
     return Refusal.NO_WORKBOOK if _CONTROL.search(beginning) else Refusal.DELIMITED_TEXT
 
 
-def _check_archive(data: bytes) -> None:
+def _check_archive(data: bytes, bounds: Bounds) -> None:
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             members = archive.infolist()
             _check_directory(members)
             _check_kind({part_name(member.filename) for member in members}, archive)
-            scan = _Scan()
+            scan = _Scan(bounds)
             for member in members:
                 _check_part(archive, member, scan)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as fault:
@@ -160,7 +184,8 @@ def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan"
 class _Scan:
     """What was seen of an archive's XML so far; it changes, because a parser calls back."""
 
-    def __init__(self) -> None:
+    def __init__(self, bounds: Bounds) -> None:
+        self._bounds = bounds
         self._depth = 0
         self._elements = 0
         self._unpacked = 0
@@ -172,7 +197,7 @@ class _Scan:
         Pictures are not counted: nothing but XML is ever unpacked.
         """
         self._unpacked += size
-        if size > LARGEST_PART or self._unpacked > LARGEST_TOTAL:
+        if size > self._bounds.part or self._unpacked > self._bounds.total:
             raise _Refused(Refusal.TOO_LARGE)
 
     def parser(self) -> expat.XMLParserType:
@@ -189,7 +214,7 @@ class _Scan:
         self._elements += 1
         if self._depth > DEEPEST:
             raise _Refused(Refusal.FOREIGN_CONTENT)
-        if self._elements > MOST_ELEMENTS:
+        if self._elements > self._bounds.elements:
             raise _Refused(Refusal.TOO_LARGE)
         name = element.rpartition(":")[2] if ":" in element else element
         if name == "sheet":
