@@ -207,6 +207,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = replace(context, whose=decided)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
+    # Before anything is kept: a folder that cannot be written must not cost an attempt.
+    out.mkdir(parents=True, exist_ok=True)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))

@@ -48,9 +48,8 @@ def graded_account(report: Report) -> FileAccount:
         return FileAccount(report.file, Fate.GRADED, report.student, "", None, bool(codes))
     fate = Fate.REFUSED if FlagCode.REJECTED in codes else Fate.TO_A_PERSON
     first = report.flags[0]
-    return FileAccount(
-        report.file, fate, report.student, first.code.value, first.message, needs_person=True
-    )
+    why = report.refusal or first.code.value
+    return FileAccount(report.file, fate, report.student, why, first.message, needs_person=True)
 
 
 def reason_of(account: FileAccount, words: Words) -> str:

@@ -170,6 +170,7 @@ class Report:
         givens: given values as they stand in the workbook, in declared units.
         creator: the author that the workbook names; empty for none.
         known_by: what told whose file it is.
+        refusal: code of the reason why the file cannot be read; empty for none.
     """
 
     file: str
@@ -191,6 +192,7 @@ class Report:
     givens: Mapping[str, float] = field(default_factory=dict)
     creator: str = ""
     known_by: KnownBy = KnownBy.NOTHING
+    refusal: str = ""
 
     @property
     def composition(self) -> Composition:

@@ -14,7 +14,7 @@ def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
         rejected.file, Flag(FlagCode.REJECTED, rejected.reason), issued, rejected.digest
     )
     # The student can mend this, so the student is told; other flags are the instructor's.
-    return replace(report, remarks=(rejected.reason,))
+    return replace(report, remarks=(rejected.reason,), refusal=rejected.code)
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:
