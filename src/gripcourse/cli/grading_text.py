@@ -71,6 +71,9 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         for one in outcome.reports
         for flag in one.flags
     ]
+    if any(flag.code is FlagCode.WHO_HANDED_IN for one in outcome.reports for flag in one.flags):
+        said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
+        lines.append(words.say(said))
     lines += _passed_over(outcome, words)
     if outcome.left_over:
         said = message(
