@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.exports.files import Fate, files_csv, graded_account
 from gripcourse.grading.unjudged import disputed_report, rejected_report
-from gripcourse.spreadsheet.refusals import Refusal
+from gripcourse.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.model import Rejected
 from gripcourse.text.words import Words, message
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def test_a_refused_file_has_the_code_of_its_reason() -> None:
-    report = rejected_report(Rejected.because("a.xlsx", "d", Refusal.PASSWORD), None)
+    report = rejected_report(Rejected.because("a.xlsx", "d", WhyRefused.PASSWORD), None)
     account = graded_account(report)
     assert (account.fate, account.why, account.needs_person) == (Fate.REFUSED, "password", True)
 
@@ -34,7 +34,7 @@ def test_a_graded_file_has_no_reason(perfect: "Report") -> None:
 
 
 def test_nothing_in_the_table_runs_and_each_reason_is_a_sentence(tmp_path: Path) -> None:
-    report = rejected_report(Rejected.because("=1+1.xlsx", "d", Refusal.PDF), None)
+    report = rejected_report(Rejected.because("=1+1.xlsx", "d", WhyRefused.PDF), None)
     files_csv([graded_account(report)], tmp_path / "files.csv", Words("en"))
     text = (tmp_path / "files.csv").read_text(encoding="utf-8-sig")
     (row,) = csv.DictReader(io.StringIO(text))

@@ -14,7 +14,7 @@ import pytest
 from openpyxl import Workbook
 
 from gripcourse.spreadsheet import preflight
-from gripcourse.spreadsheet.refusals import REASONS, Refusal
+from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -338,8 +338,8 @@ def test_a_style_with_a_format_that_is_not_declared_is_a_plain_one(returned: "Re
 
 
 def test_every_refusal_has_a_code_and_a_sentence() -> None:
-    assert set(REASONS) == set(Refusal)
-    refused = [Rejected.because("a.xlsx", "", one) for one in Refusal]
+    assert set(REASONS) == set(WhyRefused)
+    refused = [Rejected.because("a.xlsx", "", one) for one in WhyRefused]
     assert all(str(one.reason) and one.code for one in refused)
 
 

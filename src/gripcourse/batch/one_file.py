@@ -18,7 +18,7 @@ from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Identity, Refusal, Rejected
+from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.variants.model import Issued, Variant
@@ -51,7 +51,7 @@ def grade_file(source: Readable, context: GradingContext) -> Report:
     try:
         raw = read_workbook(source)
     except OSError:  # it was there when the batch began
-        raw = Rejected.because(file, "", Refusal.GONE)
+        raw = Rejected.because(file, "", WhyRefused.GONE)
     identity = None if isinstance(raw, Rejected) else raw.identity
     handed_in = handed_in_by(file, identity, context)
     return replace(_report(raw, handed_in, context), known_by=handed_in.known_by)

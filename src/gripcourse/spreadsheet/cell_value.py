@@ -20,7 +20,7 @@ _DIGITS: Final = 9  # of an index
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class CellContent:
     """What a cell holds.
 
     Attributes:
@@ -59,7 +59,7 @@ def formats_of(package: Package, part: str) -> tuple[str, ...]:
 
 def shown_value(
     cell: StoredCell, number_format: str, texts: Mapping[int, str], *, from_1904: bool
-) -> Shown:
+) -> CellContent:
     """Tell what a cell holds.
 
     Args:
@@ -73,10 +73,10 @@ def shown_value(
     """
     text = cell.text
     if text is None:
-        return Shown(None)
+        return CellContent(None)
     if cell.kind == "n" and _NUMBER.fullmatch(text):
         return _number(text, number_format, from_1904=from_1904)
-    return Shown(_not_a_number(cell.kind, text, texts), error=cell.kind == "e")
+    return CellContent(_not_a_number(cell.kind, text, texts), error=cell.kind == "e")
 
 
 def _not_a_number(kind: str, text: str, texts: Mapping[int, str]) -> CellValue:
@@ -105,20 +105,20 @@ def counts_from_1904(package: Package, workbook: str) -> bool:
     )
 
 
-def _number(text: str, number_format: str, *, from_1904: bool) -> Shown:
+def _number(text: str, number_format: str, *, from_1904: bool) -> CellContent:
     number = float(text) if set(".eE") & set(text) else int(text)
     if number_format in {GENERAL, ""}:
-        return Shown(number)
+        return CellContent(number)
     from openpyxl.styles.numbers import is_date_format, is_timedelta_format  # noqa: PLC0415 (as above)
     from openpyxl.utils.datetime import CALENDAR_MAC_1904, WINDOWS_EPOCH, from_excel  # noqa: PLC0415
 
     if not is_date_format(number_format):
-        return Shown(number)
+        return CellContent(number)
     epoch = CALENDAR_MAC_1904 if from_1904 else WINDOWS_EPOCH
     try:
-        return Shown(from_excel(number, epoch, is_timedelta_format(number_format)))
+        return CellContent(from_excel(number, epoch, is_timedelta_format(number_format)))
     except (OverflowError, ValueError):
-        return Shown("#VALUE!", error=True)
+        return CellContent("#VALUE!", error=True)
 
 
 def _date(text: str) -> CellValue:

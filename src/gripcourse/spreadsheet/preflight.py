@@ -15,7 +15,7 @@ from typing import Final
 from xml.parsers import expat
 
 from gripcourse.spreadsheet.package import part_name
-from gripcourse.spreadsheet.refusals import Refusal
+from gripcourse.spreadsheet.refusals import WhyRefused
 from gripcourse.spreadsheet.sheet_cells import column_number
 
 MEGABYTE: Final = 1_000_000
@@ -63,12 +63,12 @@ _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,
 
 
 class _Refused(Exception):  # noqa: N818 - it never leaves this module
-    def __init__(self, reason: Refusal) -> None:
+    def __init__(self, reason: WhyRefused) -> None:
         self.reason = reason
         super().__init__(reason)
 
 
-def refusal(name: str, data: bytes, bounds: Bounds = SUBMISSION) -> Refusal | None:
+def refusal(name: str, data: bytes, bounds: Bounds = SUBMISSION) -> WhyRefused | None:
     """Tell why a file must not be unpacked any further.
 
     Args:
@@ -90,36 +90,36 @@ def refusal(name: str, data: bytes, bounds: Bounds = SUBMISSION) -> Refusal | No
 
 def _check_name(name: str) -> None:
     if name.startswith(("~$", ".~lock.")):
-        raise _Refused(Refusal.LOCK_FILE)
+        raise _Refused(WhyRefused.LOCK_FILE)
 
 
 def _check_magic(data: bytes) -> None:
     """Tell by its first bytes what a file is that is no zip archive."""
     if not data:
-        raise _Refused(Refusal.EMPTY)
+        raise _Refused(WhyRefused.EMPTY)
     if len(data) > LARGEST_FILE:
-        raise _Refused(Refusal.TOO_LARGE)
+        raise _Refused(WhyRefused.TOO_LARGE)
     if data.startswith(_OLE):
         raise _Refused(_about_ole(data))
     if data.startswith((b"PK\x03\x04", b"PK\x05\x06")):
         return
     if data.startswith(b"%PDF"):
-        raise _Refused(Refusal.PDF)
+        raise _Refused(WhyRefused.PDF)
     if data.startswith(_PICTURES):
-        raise _Refused(Refusal.PICTURE)
+        raise _Refused(WhyRefused.PICTURE)
     raise _Refused(_about_text(data[:_CHUNK]))
 
 
-def _about_ole(data: bytes) -> Refusal:
-    return Refusal.PASSWORD if _ENCRYPTED in data else Refusal.OLD_FORMAT
+def _about_ole(data: bytes) -> WhyRefused:
+    return WhyRefused.PASSWORD if _ENCRYPTED in data else WhyRefused.OLD_FORMAT
 
 
-def _about_text(beginning: bytes) -> Refusal:
+def _about_text(beginning: bytes) -> WhyRefused:
     """Tell a web page and a text table from other bytes."""
     start = beginning.lstrip(b"\xef\xbb\xbf \t\r\n").lower()
     if start.startswith((b"<html", b"<!doctype html", b"<table", b"<?xml", b"<meta", b"<head")):
-        return Refusal.WEB_PAGE
-    return Refusal.NO_WORKBOOK if _CONTROL.search(beginning) else Refusal.DELIMITED_TEXT
+        return WhyRefused.WEB_PAGE
+    return WhyRefused.NO_WORKBOOK if _CONTROL.search(beginning) else WhyRefused.DELIMITED_TEXT
 
 
 def _check_archive(data: bytes, bounds: Bounds) -> None:
@@ -132,21 +132,21 @@ def _check_archive(data: bytes, bounds: Bounds) -> None:
             for member in members:
                 _check_part(archive, member, scan)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as fault:
-        raise _Refused(Refusal.DAMAGED) from fault
+        raise _Refused(WhyRefused.DAMAGED) from fault
     except (NotImplementedError, RuntimeError) as fault:  # a method or a cipher of other archivers
-        raise _Refused(Refusal.NO_WORKBOOK) from fault
+        raise _Refused(WhyRefused.NO_WORKBOOK) from fault
 
 
 def _check_directory(members: Sequence[zipfile.ZipInfo]) -> None:
     """Refuse by the directory alone what no spreadsheet program writes: nothing is unpacked yet."""
     if len(members) > MOST_PARTS:
-        raise _Refused(Refusal.TOO_LARGE)
+        raise _Refused(WhyRefused.TOO_LARGE)
     if any(member.compress_type not in _METHODS for member in members):
-        raise _Refused(Refusal.FOREIGN_CONTENT)
+        raise _Refused(WhyRefused.FOREIGN_CONTENT)
     names = Counter(part_name(member.filename) for member in members)
     if any(count > 1 for count in names.values()):
         # Programs disagree which of two parts with one name counts.
-        raise _Refused(Refusal.FOREIGN_CONTENT)
+        raise _Refused(WhyRefused.FOREIGN_CONTENT)
 
 
 def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
@@ -154,13 +154,13 @@ def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
     if "xl/workbook.xml" in names:
         return
     if "mimetype" in names and b"opendocument" in archive.read("mimetype"):
-        raise _Refused(Refusal.OPEN_DOCUMENT)
+        raise _Refused(WhyRefused.OPEN_DOCUMENT)
     if "xl/workbook.bin" in names:
-        raise _Refused(Refusal.XLSB)
+        raise _Refused(WhyRefused.XLSB)
     if "word/document.xml" in names:
-        raise _Refused(Refusal.TEXT_DOCUMENT)
+        raise _Refused(WhyRefused.TEXT_DOCUMENT)
     if not any(name.startswith("xl/") for name in names):
-        raise _Refused(Refusal.NO_WORKBOOK)
+        raise _Refused(WhyRefused.NO_WORKBOOK)
 
 
 def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan") -> None:
@@ -178,7 +178,7 @@ def _check_part(archive: zipfile.ZipFile, member: zipfile.ZipInfo, scan: "_Scan"
     except (expat.ExpatError, LookupError, UnicodeError) as fault:  # the latter two of encodings
         # The reader would stop at the same place; drawings of comments need not be sound XML.
         if member.filename.lower().endswith((".xml", ".rels")):
-            raise _Refused(Refusal.INVALID_XML) from fault
+            raise _Refused(WhyRefused.INVALID_XML) from fault
 
 
 class _Scan:
@@ -198,7 +198,7 @@ class _Scan:
         """
         self._unpacked += size
         if size > self._bounds.part or self._unpacked > self._bounds.total:
-            raise _Refused(Refusal.TOO_LARGE)
+            raise _Refused(WhyRefused.TOO_LARGE)
 
     def parser(self) -> expat.XMLParserType:
         """Return a parser for the next part."""
@@ -213,19 +213,19 @@ class _Scan:
         self._depth += 1
         self._elements += 1
         if self._depth > DEEPEST:
-            raise _Refused(Refusal.FOREIGN_CONTENT)
+            raise _Refused(WhyRefused.FOREIGN_CONTENT)
         if self._elements > self._bounds.elements:
-            raise _Refused(Refusal.TOO_LARGE)
+            raise _Refused(WhyRefused.TOO_LARGE)
         name = element.rpartition(":")[2] if ":" in element else element
         if name == "sheet":
-            self._count("sheet", 1, MOST_SHEETS, Refusal.TOO_LARGE)
+            self._count("sheet", 1, MOST_SHEETS, WhyRefused.TOO_LARGE)
         elif name in _RANGES:
-            self._count("range", 1, MOST_RANGES, Refusal.MERGED)
+            self._count("range", 1, MOST_RANGES, WhyRefused.MERGED)
             self._count(
-                "covered", _covered(attributes.get("ref", "")), MOST_COVERED, Refusal.MERGED
+                "covered", _covered(attributes.get("ref", "")), MOST_COVERED, WhyRefused.MERGED
             )
 
-    def _count(self, what: str, number: int, most: int, reason: Refusal) -> None:
+    def _count(self, what: str, number: int, most: int, reason: WhyRefused) -> None:
         self._seen[what] += number
         if self._seen[what] > most:
             raise _Refused(reason)
@@ -234,7 +234,7 @@ class _Scan:
         self._depth -= 1
 
     def _refuse_declarations(self, *_declaration: object) -> None:
-        raise _Refused(Refusal.FOREIGN_CONTENT)
+        raise _Refused(WhyRefused.FOREIGN_CONTENT)
 
 
 def _covered(reference: str) -> int:

@@ -14,7 +14,7 @@ from gripcourse.spreadsheet.cell_value import (
 )
 from gripcourse.spreadsheet.package import package_of
 from gripcourse.spreadsheet.preflight import TABLE, refusal
-from gripcourse.spreadsheet.refusals import Refusal
+from gripcourse.spreadsheet.refusals import WhyRefused
 from gripcourse.spreadsheet.sheet_cells import StoredCell, all_cells, shared_texts, sheets_of
 
 MOST_COLUMNS = 2_000
@@ -34,7 +34,7 @@ class TableRow:
     cells: tuple[CellValue, ...]
 
 
-def first_sheet(data: bytes) -> tuple[TableRow, ...] | Refusal:
+def first_sheet(data: bytes) -> tuple[TableRow, ...] | WhyRefused:
     """Read the first sheet of a spreadsheet of any content.
 
     Returns:
@@ -43,9 +43,9 @@ def first_sheet(data: bytes) -> tuple[TableRow, ...] | Refusal:
     try:
         return refusal("", data, TABLE) or _rows(data)
     except MemoryError:
-        return Refusal.TOO_LARGE
+        return WhyRefused.TOO_LARGE
     except Exception:  # noqa: BLE001 (whatever the bytes make a library raise)
-        return Refusal.UNREADABLE_CONTENT
+        return WhyRefused.UNREADABLE_CONTENT
 
 
 def _rows(data: bytes) -> tuple[TableRow, ...]:

@@ -9,7 +9,7 @@ from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
-from gripcourse.submission.model import Refusal, Rejected
+from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 
@@ -40,7 +40,7 @@ def read_apart(
     ((_, outcome),) = jobs
     if isinstance(outcome, Lost):
         digest = hashlib.sha256(named.data).hexdigest()
-        return Rejected.because(named.name, digest, Refusal.TOO_COSTLY)
+        return Rejected.because(named.name, digest, WhyRefused.TOO_COSTLY)
     return outcome
 
 

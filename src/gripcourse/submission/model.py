@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.spreadsheet.refusals import REASONS, Refusal
+from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.text.words import Message
 
-__all__ = ["Answer", "Identity", "Reading", "Refusal", "Rejected", "Submission"]
+__all__ = ["Answer", "Identity", "Reading", "Rejected", "Submission", "WhyRefused"]
 
 
 class Reading(StrEnum):
@@ -109,6 +109,6 @@ class Rejected:
     code: str = ""
 
     @classmethod
-    def because(cls, file: str, digest: str, refused: Refusal) -> "Rejected":
+    def because(cls, file: str, digest: str, refused: WhyRefused) -> "Rejected":
         """Refuse a file for one of the reasons that there are."""
         return cls(file, digest, REASONS[refused], refused.value)

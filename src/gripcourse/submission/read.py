@@ -40,7 +40,7 @@ from gripcourse.spreadsheet.sheet_cells import (
     sheets_of,
     stored_cells,
 )
-from gripcourse.submission.model import Identity, Refusal, Rejected
+from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
@@ -49,10 +49,10 @@ _NAME: Final = re.compile(r"(answer|given|meta)[._](\w{1,100})", re.ASCII)
 _LONGEST_REFERENCE: Final = 300  # characters of where one of our names points to
 _MOST_NAMES: Final = 10_000  # of ours
 
-_FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], Refusal], ...]] = (
-    ((zipfile.BadZipFile, zlib.error, EOFError), Refusal.DAMAGED),
-    ((MemoryError, OverflowError, RecursionError), Refusal.TOO_LARGE),
-    ((KeyError,), Refusal.PART_MISSING),
+_FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
+    ((zipfile.BadZipFile, zlib.error, EOFError), WhyRefused.DAMAGED),
+    ((MemoryError, OverflowError, RecursionError), WhyRefused.TOO_LARGE),
+    ((KeyError,), WhyRefused.PART_MISSING),
 )
 
 
@@ -93,18 +93,18 @@ def read_workbook(source: Readable) -> RawWorkbook | Rejected:
     return read if isinstance(read, RawWorkbook) else Rejected.because(file, digest, read)
 
 
-def _fault_of(fault: Exception) -> Refusal:
+def _fault_of(fault: Exception) -> WhyRefused:
     found = (refused for kinds, refused in _FAULTS if isinstance(fault, kinds))
-    return next(found, Refusal.UNREADABLE_CONTENT)
+    return next(found, WhyRefused.UNREADABLE_CONTENT)
 
 
-def _read(data: bytes, file: str, digest: str) -> RawWorkbook | Refusal:
+def _read(data: bytes, file: str, digest: str) -> RawWorkbook | WhyRefused:
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         package = package_of(archive)
         workbook = package.workbook_part()
         named = _named(package, workbook)
         if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
-            return Refusal.FOREIGN
+            return WhyRefused.FOREIGN
         cells = _cells(package, workbook, named)
         stored = _properties(package)
         identity, remarks = _identity(cells, stored)

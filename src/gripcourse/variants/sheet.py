@@ -11,7 +11,7 @@ from datetime import date, time
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
-from gripcourse.spreadsheet.refusals import Refusal
+from gripcourse.spreadsheet.refusals import WhyRefused
 from gripcourse.spreadsheet.table import first_sheet
 from gripcourse.text.words import Message, message
 
@@ -156,13 +156,13 @@ def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
 def _spreadsheet_rows(source: Readable) -> list[SheetRow]:
     """Read the first sheet: stored results, and the formula where no result is stored."""
     rows = first_sheet(content_of(source))
-    if rows is Refusal.TOO_LARGE:
+    if rows is WhyRefused.TOO_LARGE:
         raise _failure(
             source,
             message("The spreadsheet holds far more than a table of this kind does."),
             message("Copy the table into a new spreadsheet, or save it as .csv (CSV UTF-8)."),
         )
-    if isinstance(rows, Refusal):
+    if isinstance(rows, WhyRefused):
         raise _failure(
             source,
             message("The file is damaged, protected by a password, or no spreadsheet."),
