@@ -15,6 +15,7 @@ LEVELS = (
     ("text",),
     ("errors",),
     ("machine",),
+    ("spreadsheet",),
     ("jobs",),
     ("formula",),
     ("course",),

@@ -157,12 +157,15 @@ class TestGrading:
         graded = own.grade([("answers.xlsx", data) for data in handed_in.values()])
         assert [one.student for one in graded.reports] == ["s01", "s02"]
 
-    def test_a_name_tells_whose_it_is_as_a_path_does(
+    def test_a_name_that_another_s_workbook_contradicts_goes_to_a_person(
         self, own: gc.Course, handed_in: dict[str, bytes]
     ) -> None:
-        (report,) = own.grade([("group/s02_late.xlsx", handed_in["s01"])]).reports
-        assert report.student == "s02"
-        assert "issued_to_other" in {flag.code for flag in report.flags}
+        files = [("group/s02.xlsx", handed_in["s01"])]
+        (report,) = own.grade(files).reports
+        assert (report.student, report.judged) == ("", False)
+        (decided,) = own.grade(files, whose={"group/s02.xlsx": "s02"}).reports
+        assert decided.student == "s02"
+        assert "issued_to_other" in {flag.code for flag in decided.flags}
 
 
 class TestCourses:

@@ -49,6 +49,7 @@ def inbox(tmp_path: Path) -> Callable[..., list[Path]]:
     def make(**orders: str) -> list[Path]:
         files = [tmp_path / f"{name}.xlsx" for name in orders]
         for file, order in zip(files, orders.values(), strict=True):
+            file.parent.mkdir(exist_ok=True)
             file.write_text(order, encoding="utf-8")
         return files
 

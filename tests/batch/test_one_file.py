@@ -2,12 +2,13 @@
 
 import io
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.grading.model import Outcome
+from gripcourse.grading.model import KnownBy, Outcome
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
 from gripcourse.workbook.write import answer_workbook
@@ -70,13 +71,25 @@ def test_an_untouched_workbook_is_blank_and_belongs_to_its_student(
     assert {one.outcome for one in report.findings} == {Outcome.BLANK, Outcome.MANUAL}
 
 
-def test_a_workbook_handed_in_by_another_is_graded_against_the_others_variant(
+def test_a_workbook_handed_in_under_another_s_name_goes_to_a_person(
     context: GradingContext, tmp_path: Path, issued_workbook: bytes
 ) -> None:
     file = tmp_path / "s05.xlsx"
     file.write_bytes(issued_workbook)
     report = grade_file(file, context)
-    assert report.student == "s05"
+    assert (report.student, report.judged) == ("", False)
+    assert [flag.code for flag in report.flags] == ["who_handed_in"]
+
+
+def test_what_a_person_says_of_a_file_goes_before_everything(
+    context: GradingContext, tmp_path: Path, issued_workbook: bytes
+) -> None:
+    file = tmp_path / "s07.xlsx"
+    file.write_bytes(issued_workbook)
+    decided = replace(context, whose={str(file): "s05"})
+    report = grade_file(file, decided)
+    assert (report.student, report.judged) == ("s05", True)
+    assert report.known_by is KnownBy.PERSON
     assert [flag.code for flag in report.flags] == ["issued_to_other"]
 
 

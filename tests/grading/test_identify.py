@@ -1,4 +1,4 @@
-"""Whose file it is: by its path first, by what the workbook says second."""
+"""Whose file it is: by the signed workbook first, by its path second, else a person asks."""
 
 import unicodedata
 from dataclasses import replace
@@ -6,72 +6,169 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.grading.identify import submitter
+from gripcourse.grading.identify import identify
+from gripcourse.grading.known_by import KnownBy
+from gripcourse.submission.model import Identity
 
 if TYPE_CHECKING:
     from conftest import Case
     from gripcourse.variants.model import Issued
 
-IDS = ("s01", "s02", "ivanova-ap", "ivanov_i", "i", "Ёлкин.Й", "7")
+NAMES = {
+    "s01": "Иванов Иван Иванович",
+    "s02": "Шевченко Оксана",
+    "s03": "О'Коннор Анна-Мария",
+    "ivanov_i": "Иванов Игорь",
+    "Ёлкин.Й": "Ёлкин Йосиф",
+    **{str(number): f"Студент{'абвгде'[number - 1]} Пётр" for number in range(1, 7)},
+}
+PLATFORM_OF = "Студентв Петр_3_assignsubmission_file/answers.xlsx"
+FOREIGN_PATHS = (
+    "Lab 1/answers.xlsx",
+    "otchet (2).xlsx",
+    "3 курс/группа 4/answers.xlsx",
+    "1/answers.xlsx",
+    "work 1_2.xlsx",
+    "otchet_1_2_final.xlsx",
+    "Студентд Пётр_3_assignsubmission_file/answers.xlsx",
+    "Участник_3_assignsubmission_file/answers.xlsx",
+    "Группа по умолчанию_assignsubmission_file/answers.xlsx",
+)
 
 
 @pytest.fixture(scope="module")
 def register(hydraulic: "Case") -> "dict[str, Issued]":
     issued = hydraulic.issued
     return {
-        name: replace(
-            issued, student=replace(issued.student, id=unicodedata.normalize("NFC", name))
+        identifier: replace(
+            issued,
+            student=replace(issued.student, id=identifier, name=name),
+            signature=f"{number:064x}",
         )
-        for name in IDS
+        for number, (identifier, name) in enumerate(NAMES.items())
     }
+
+
+def signed(register: "dict[str, Issued]", student: str) -> Identity:
+    """What the untouched workbook of a student says."""
+    variant = register[student].variant
+    return Identity(
+        student, variant.id, variant.scheme, variant.options, register[student].signature
+    )
+
+
+@pytest.mark.parametrize("file", FOREIGN_PATHS)
+def test_numbers_in_a_path_are_no_students(register: "dict[str, Issued]", file: str) -> None:
+    assert identify(file, None, register).issued is None
+    found = identify(file, signed(register, "5"), register)
+    assert found.issued is register["5"]
+    assert found.known_by is KnownBy.SIGNATURE
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        "Курсовая s01 (исправлено).xlsx",
+        "s01 (1).xlsx",
+        "s01_late.xlsx",
+        "группа s01/answers.xlsx",
+        "inbox/s012.xlsx",
+        "s01/вложение/answers.xlsx",
+    ],
+)
+def test_words_of_a_path_tell_nothing(register: "dict[str, Issued]", file: str) -> None:
+    assert identify(file, None, register).issued is None
+    assert identify(file, signed(register, "s02"), register).issued is register["s02"]
 
 
 @pytest.mark.parametrize(
     ("file", "student"),
     [
-        pytest.param("inbox/s01.xlsx", "s01", id="file name"),
-        pytest.param("inbox/ivanova-ap.xlsx", "ivanova-ap", id="file name with a hyphen"),
-        pytest.param("inbox/s01 (1).xlsx", "s01", id="downloaded twice"),
-        pytest.param("inbox/Курсовая s01 (исправлено).xlsx", "s01", id="words round it"),
-        pytest.param("s01/ответы.xlsx", "s01", id="folder"),
-        pytest.param(
-            "Иванов Иван_s01_assignsubmission_file/ответы.xlsx", "s01", id="learning platform"
-        ),
-        pytest.param(
-            "Иванов Иван_s01_assignsubmission_file_/вложение/a.xlsx", "s01", id="folder inside it"
-        ),
-        pytest.param(
-            "Иванов Иван_ivanov_i_assignsubmission_file/ответы.xlsx",
-            "ivanov_i",
-            id="an id with an underscore, and another student called like its end",
-        ),
-        pytest.param("s02/s01.xlsx", "s01", id="the nearest part counts first"),
-        pytest.param("s02/s01_i.xlsx", "s02", id="a name that fits two says nothing"),
-        pytest.param(
-            unicodedata.normalize("NFD", "inbox/Ёлкин.Й.xlsx"), "Ёлкин.Й", id="letters in two parts"
-        ),
+        ("Иван Иванов_s01_assignsubmission_file/answers.xlsx", "s01"),
+        ("Иван Иванов_s01_assignsubmission_file_/вложение/s02.xlsx", "s01"),
+        ("выгрузка/Игорь Иванов_ivanov_i_assignsubmission_file/a.xlsx", "ivanov_i"),
+        ("Оксана Шевченко_s02_assignsubmission_file_answers.xlsx", "s02"),
+        (PLATFORM_OF, "3"),
+        ("студентвпетр_LATE_3_456_answers.xlsx", "3"),
+        ("петрстудентв_3_456_answers.xlsx", "3"),
     ],
 )
-def test_the_path_tells_whose_it_is(register: "dict[str, Issued]", file: str, student: str) -> None:
-    found = submitter(file, "s99", register)
-    assert found is not None
-    assert found.student.id == student
+def test_a_platform_s_own_pattern_tells_whose_it_is(
+    register: "dict[str, Issued]", file: str, student: str
+) -> None:
+    found = identify(file, None, register)
+    assert (found.issued, found.known_by) == (register[student], KnownBy.PLATFORM)
 
 
 @pytest.mark.parametrize(
-    "file", ["inbox/ответы.xlsx", "s01_s02.xlsx", "inbox/s012.xlsx", "inbox/17.xlsx"]
+    ("file", "student"),
+    [
+        ("inbox/s01.xlsx", "s01"),
+        ("inbox/4.xlsx", "4"),
+        ("handouts/s02/answers.xlsx", "s02"),
+        (unicodedata.normalize("NFD", "inbox/Ёлкин.Й.xlsx"), "Ёлкин.Й"),
+    ],
 )
-def test_where_the_path_says_nothing_the_workbook_does(
+def test_a_name_that_is_an_id_and_nothing_else_tells_whose_it_is(
+    register: "dict[str, Issued]", file: str, student: str
+) -> None:
+    found = identify(file, None, register)
+    assert (found.issued, found.known_by) == (register[student], KnownBy.FILE_NAME)
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        "s02.xlsx",
+        "s02/answers.xlsx",
+        PLATFORM_OF,
+        "Оксана Шевченко_17_assignsubmission_file/answers.xlsx",
+        "шевченкооксана_17_456_answers.xlsx",
+    ],
+)
+def test_another_s_signed_workbook_goes_to_a_person(
     register: "dict[str, Issued]", file: str
 ) -> None:
-    found = submitter(file, "s02", register)
-    assert found is register["s02"]
+    found = identify(file, signed(register, "s01"), register)
+    assert found.issued is None
+    assert "s01" in str(found.doubt)
+    assert "Who handed this in?" in str(found.doubt)
 
 
-def test_the_path_goes_before_the_workbook(register: "dict[str, Issued]") -> None:
-    assert submitter("s01.xlsx", "s02", register) is register["s01"]
+def test_a_path_that_names_the_same_student_confirms_the_workbook(
+    register: "dict[str, Issued]",
+) -> None:
+    for file in ("s01.xlsx", "Иван Иванов_s01_assignsubmission_file/s02.xlsx"):
+        assert identify(file, signed(register, "s01"), register).issued is register["s01"]
 
 
-@pytest.mark.parametrize("workbook_student", ["", "s99"])
-def test_nobody_is_guessed(register: "dict[str, Issued]", workbook_student: str) -> None:
-    assert submitter("inbox/ответы.xlsx", workbook_student, register) is None
+@pytest.mark.parametrize("signature", ["", "00", "ключ", "f" * 64])
+def test_a_workbook_without_its_signature_says_nothing_alone(
+    register: "dict[str, Issued]", signature: str
+) -> None:
+    forged = replace(signed(register, "s01"), signature=signature)
+    alone = identify("answers.xlsx", forged, register)
+    assert alone.issued is None
+    assert "without the signature" in str(alone.doubt)
+    beside = identify("s01.xlsx", forged, register)
+    assert (beside.issued, beside.known_by) == (register["s01"], KnownBy.FILE_NAME)
+    assert identify("s02.xlsx", forged, register).doubt is not None
+
+
+def test_a_signature_is_that_of_one_student_only(register: "dict[str, Issued]") -> None:
+    taken = replace(signed(register, "s01"), student="s02")
+    assert identify("answers.xlsx", taken, register).issued is None
+
+
+def test_a_workbook_of_another_course_under_a_student_s_name_is_in_doubt(
+    register: "dict[str, Issued]",
+) -> None:
+    stranger = replace(signed(register, "s01"), student="s99")
+    assert identify("s02.xlsx", stranger, register).doubt is not None
+
+
+@pytest.mark.parametrize("student", ["", "s99"])
+def test_nobody_is_guessed(register: "dict[str, Issued]", student: str) -> None:
+    found = identify("answers.xlsx", Identity(student, "", "", {}, ""), register)
+    assert found.issued is None
+    assert found.doubt is None

@@ -4,6 +4,7 @@ Each is a kilobyte or so; what it would cost a reader that trusts it is in the c
 """
 
 import io
+import re
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 from openpyxl import Workbook
 
-from gripcourse.submission import preflight
+from gripcourse.spreadsheet import preflight
+from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
@@ -66,7 +68,7 @@ def archive(*members: tuple[str, bytes]) -> bytes:
         ),
         (archive(("word/document.xml", b"<w/>")), "text document"),
         (archive(("xl/workbook.bin", b"\0")), ".xlsb"),
-        (archive(("xl/workbook.xml", b"<workbook/>")), "A part of the workbook is missing"),
+        (archive(("xl/workbook.xml", b"<workbook/>")), "none of the answer cells"),
     ],
 )
 def test_what_is_no_xlsx_workbook_is_told_by_what_it_is(
@@ -102,7 +104,7 @@ def test_flipped_bytes_never_make_reading_fail(blank: bytes, tmp_path: Path) -> 
     "member",
     [
         ("xl/worksheets/huge.xml", b"<x>" + b" " * preflight.LARGEST_PART + b"</x>"),
-        ("xl/media/huge.png", bytes(preflight.LARGEST_TOTAL + 1)),
+        ("xl/media/zeros.png", bytes(preflight.LARGEST_TOTAL + 1)),
         ("xl/media/hidden.png", b" <x>" + b" " * preflight.LARGEST_PART + b"</x>"),
         ("xl/worksheets/cells.xml", b"<x>" + b"<c/>" * preflight.MOST_ELEMENTS + b"</x>"),
     ],
@@ -203,6 +205,142 @@ def test_sheets_are_never_walked_through(
 ) -> None:
     submission = returned.read(returned.patched({SECTION: change}))
     assert submission.identity.student == "s001"
+
+
+def named(name: str, text: str) -> Callable[[bytes], bytes]:
+    """Add a defined name to the workbook."""
+    made = f'<definedName name="{name}" localSheetId="0">{text}</definedName></definedNames>'
+    return lambda part: part.replace(b"</definedNames>", made.encode())
+
+
+def custom_format(code: bytes) -> Callable[[bytes], bytes]:
+    """Declare a number format beside those of the workbook."""
+    declared = b'<numFmts count="1"><numFmt numFmtId="190" formatCode="%s"/></numFmts>' % code
+    return lambda part: re.sub(b"<numFmts.*?</numFmts>", b"", part).replace(
+        b"<fonts", declared + b"<fonts", 1
+    )
+
+
+HARMLESS: dict[str, dict[str, Callable[[bytes], bytes]]] = {
+    "print titles of 50 kB": {"xl/workbook.xml": named("_xlnm.Print_Titles", "a!$A:$A," * 6000)},
+    "names of whole columns": {"xl/workbook.xml": named("_xlnm.Print_Area", "a!$A:$XFD")},
+    "950 000 ranges in one validation": {
+        SECTION: before_end(
+            b'<dataValidations><dataValidation sqref="%s"/></dataValidations>' % (b"A1 " * 950_000)
+        )
+    },
+    "many shared texts": {
+        "xl/sharedStrings.xml": lambda part: part.replace(
+            b"</sst>", b"<si><t>abc</t></si>" * 50_000 + b"</sst>"
+        )
+    },
+    "a drawing and a table that are not there": {
+        SECTION: before_end(
+            b'<drawing xmlns:r="r" r:id="r9"/><tableParts><tablePart xmlns:r="r" r:id="r8"/>'
+            b"</tableParts>"
+        )
+    },
+    "damaged styles of letters": {
+        "xl/styles.xml": lambda part: re.sub(
+            b"<fonts.*</fonts>", b"<fonts><font><sz/></font></fonts>", part
+        )
+    },
+    "a date of its properties that is a year": {
+        "docProps/core.xml": lambda part: re.sub(rb">\d{4}-[^<]*<", b">2026<", part)
+    },
+}
+
+
+@pytest.mark.parametrize("changes", HARMLESS.values(), ids=list(HARMLESS))
+def test_what_no_answer_needs_refuses_nothing_and_costs_nothing(
+    returned: "Returned", changes: dict[str, Callable[[bytes], bytes]]
+) -> None:
+    assert returned.read(returned.patched(changes)).identity.student == "s001"
+
+
+def test_a_huge_picture_refuses_nothing(blank: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "answers.xlsx"
+    path.write_bytes(blank)
+    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as target:
+        target.writestr("xl/media/photo.png", b"\x89PNG" + bytes(preflight.LARGEST_TOTAL))
+    assert isinstance(read_workbook(path), RawWorkbook)
+
+
+def test_names_of_parts_with_backslashes_and_capitals_are_read(
+    blank: bytes, tmp_path: Path
+) -> None:
+    path = tmp_path / "answers.xlsx"
+    with zipfile.ZipFile(io.BytesIO(blank)) as source:
+        parts = [(name.replace("/", "\\").upper(), source.read(name)) for name in source.namelist()]
+    path.write_bytes(archive(*parts))
+    assert isinstance(read_workbook(path), RawWorkbook)
+
+
+def test_the_workbook_is_the_one_that_a_spreadsheet_program_opens(
+    returned: "Returned", tmp_path: Path
+) -> None:
+    """The part of the usual name may be a decoy: relationships tell which one counts."""
+    relations = {"_rels/.rels": lambda part: part.replace(b"xl/workbook.xml", b"xl/other.xml")}
+    path = returned.patched(relations)
+    assert isinstance(read_workbook(path), Rejected)
+    decoy = tmp_path / "decoy.xlsx"
+    decoy.write_bytes(returned.patched({"xl/workbook.xml": lambda _: b"<workbook/>"}).read_bytes())
+    assert "none of the answer cells" in reason(decoy)
+
+
+def test_two_parts_of_one_name_are_refused(blank: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "answers.xlsx"
+    with zipfile.ZipFile(io.BytesIO(blank)) as source:
+        parts = [(name, source.read(name)) for name in source.namelist()]
+    path.write_bytes(archive(*parts, ("XL/workbook.xml", b"<workbook/>")))
+    assert "no spreadsheet program writes" in reason(path)
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_LZMA, zipfile.ZIP_BZIP2])
+def test_methods_that_spreadsheets_do_not_write_are_refused_unopened(
+    blank: bytes, tmp_path: Path, method: int
+) -> None:
+    path = tmp_path / "answers.xlsx"
+    path.write_bytes(blank)
+    with zipfile.ZipFile(path, "a", method) as target:
+        target.writestr("xl/extra.xml", b"<x/>" * 500)
+    whole = path.read_bytes()
+    place = whole.index(b"xl/extra.xml") + 20
+    for data in (whole, whole[:place] + b"\xff" * 9 + whole[place + 9 :]):
+        path.write_bytes(data)
+        assert "no spreadsheet program writes" in reason(path)
+
+
+@pytest.mark.parametrize("encoding", ["true", "utf-99", "zip", "rot13", "undefined"])
+def test_an_encoding_that_there_is_not_refuses_the_workbook(
+    returned: "Returned", encoding: str
+) -> None:
+    head = f'<?xml version="1.0" encoding="{encoding}"?>'.encode()
+    path = returned.patched({SECTION: lambda part: head + part[part.index(b"<worksheet") :]})
+    assert "save it again" in reason(path)
+
+
+@pytest.mark.parametrize("code", [b"[" * 100_000, b"&quot;" * 50_000, b"0" * 501])
+def test_a_number_format_longer_than_any_program_writes_is_refused(
+    returned: "Returned", code: bytes
+) -> None:
+    path = returned.patched({"xl/styles.xml": custom_format(code)})
+    assert "cannot be read" in reason(path)
+
+
+def test_a_style_with_a_format_that_is_not_declared_is_a_plain_one(returned: "Returned") -> None:
+    def undeclared(part: bytes) -> bytes:
+        return re.sub(rb'(<xf numFmtId=)"\d+"', rb'\1"199"', part)
+
+    raw = read_workbook(returned.patched({"xl/styles.xml": undeclared}))
+    assert isinstance(raw, RawWorkbook)
+    assert {cell.number_format for cell in raw.answers.values()} == {"General"}
+
+
+def test_every_refusal_has_a_code_and_a_sentence() -> None:
+    assert set(REASONS) == set(WhyRefused)
+    refused = [Rejected.because("a.xlsx", "", one) for one in WhyRefused]
+    assert all(str(one.reason) and one.code for one in refused)
 
 
 def test_a_missing_part_is_told(blank: bytes, tmp_path: Path) -> None:

@@ -15,10 +15,10 @@ import pytest
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import blank, correct
-from gripcourse.errors import UsageError
 from gripcourse.exports.report_result import GradesResult
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.usecases.grade import GradingOutcome, find_files, grade, json_text, write_results
+from gripcourse.usecases.collect import collect
+from gripcourse.usecases.grade import GradingOutcome, grade, json_text, write_results
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
@@ -35,15 +35,21 @@ def nothing(_: Path) -> None:
 def run(
     context: GradingContext, paths: Sequence[Path], out: Path, workers: int = 2
 ) -> GradingOutcome:
-    files = find_files(paths)
+    found = collect(paths)
     return write_results(
-        grade(files, context, workers, nothing), context, out, GRADED_ON, workers, nothing
+        grade(found.files, context, workers, nothing),
+        context,
+        out,
+        GRADED_ON,
+        workers,
+        nothing,
+        passed_over=found.passed_over,
     )
 
 
 @pytest.fixture(scope="module")
 def inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A right workbook, one with an early slip, a copied one; and what people hand in beside."""
+    """A right workbook, one with an early slip, a stranger's; and what people hand in beside."""
     folder = tmp_path_factory.mktemp("inbox")
     issued.hand_in("s01", correct, folder / "s01.xlsx")
     platform = folder / "Шевченко Оксана_s02_assignsubmission_file"
@@ -52,6 +58,7 @@ def inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -> Path
     (folder / "чертёж.pdf").write_bytes(b"%PDF-1.7")
     (folder / "~$s01.xlsx").write_bytes(b"lock")
     (folder / ".hidden.xlsx").write_bytes(b"")
+    (folder / "работа.zip").write_bytes(b"PK")
     return folder
 
 
@@ -61,7 +68,9 @@ def rough_inbox(issued: "Classroom", tmp_path_factory: pytest.TempPathFactory) -
     folder = tmp_path_factory.mktemp("rough")
     issued.hand_in("s01", correct, folder / "s01.xlsx")
     issued.hand_in("s02", correct, folder / "s02.xlsx")
-    (folder / "s02_исправлено.xlsx").write_bytes(b"")
+    later = folder / "Шевченко Оксана_s02_assignsubmission_file"
+    later.mkdir()
+    (later / "исправлено.xlsx").write_bytes(b"")
     (folder / "текст.xlsx").write_text("F = 3900 Н", encoding="utf-8")
     directory = folder / "каталог.xlsx"
     directory.mkdir()
@@ -93,56 +102,60 @@ def grades(out: Path) -> dict[str, dict[str, str]]:
     return {row["student"]: row for row in csv.DictReader(io.StringIO(text))}
 
 
-class TestFindFiles:
-    def test_workbooks_of_a_folder_are_found_and_nothing_else(self, inbox: Path) -> None:
-        names = [str(path.relative_to(inbox)) for path in find_files([inbox])]
-        platform = "Шевченко Оксана_s02_assignsubmission_file/ответы.xlsx"
-        assert names == ["s01.xlsx", "s03.xlsx", platform]
-
-    def test_a_folder_called_like_a_workbook_is_a_folder(self, rough_inbox: Path) -> None:
-        names = [path.name for path in find_files([rough_inbox / "каталог.xlsx"])]
-        assert names == ["s03.xlsx"]
-
-    def test_a_file_named_twice_is_graded_once(self, inbox: Path) -> None:
-        assert len(find_files([inbox / "s01.xlsx", inbox, inbox / "s01.xlsx"])) == 3
-
-    def test_a_file_that_is_named_is_taken_whatever_its_suffix(self, inbox: Path) -> None:
-        assert find_files([inbox / "чертёж.pdf"]) == [inbox / "чертёж.pdf"]
-
-    def test_all_paths_that_are_not_there_are_named_at_once(self, tmp_path: Path) -> None:
-        with pytest.raises(UsageError) as caught:
-            find_files([tmp_path / "a.xlsx", tmp_path / "b"])
-        assert [problem.file for problem in caught.value.problems] == [
-            str(tmp_path / "a.xlsx"),
-            str(tmp_path / "b"),
-        ]
-
-    def test_a_folder_without_workbooks_is_refused(self, tmp_path: Path) -> None:
-        (tmp_path / "заметки.txt").write_text("…", encoding="utf-8")
-        with pytest.raises(UsageError, match="no workbook"):
-            find_files([tmp_path])
-
-
 class TestResults:
     def test_everybody_has_a_report_and_the_batch_its_summaries(self, graded: Path) -> None:
         made = {str(path.relative_to(graded)) for path in graded.rglob("*") if path.is_file()}
         assert made == {
+            "files.csv",
             "grades.csv",
             "grades.json",
             "cohort.pdf",
             "reports/s01.pdf",
             "reports/s02.pdf",
-            "reports/s03.pdf",
         }
 
     def test_each_student_gets_what_the_answers_are_worth(self, graded: Path) -> None:
         rows = grades(graded)
         assert float(rows["s01"]["percent"]) == 100
         assert 80 < float(rows["s02"]["percent"]) < 100
-        assert float(rows["s03"]["percent"]) < 50
-        assert rows["s03"]["flags"] == "issued_to_other; same_bytes; other_variant; same_answers"
-        assert rows["s01"]["flags"] == "same_bytes"
+        assert rows["s01"]["flags"] == ""
         assert rows["s02"]["group"] == "РТК-41"
+
+    def test_a_stranger_s_file_changes_nobody_s_mark_and_does_not_vanish(
+        self, graded: Path
+    ) -> None:
+        rows = grades(graded)
+        assert "s03" not in rows
+        assert Path(rows[""]["file"]).name == "s03.xlsx"
+        assert rows[""]["score"] == ""
+        assert rows[""]["flags"] == "who_handed_in; same_bytes"
+
+    def test_every_file_that_was_found_is_accounted_for(self, graded: Path) -> None:
+        text = (graded / "files.csv").read_text(encoding="utf-8-sig")
+        table = list(csv.DictReader(io.StringIO(text)))
+        fates = {Path(row["file"]).name: (row["fate"], row["why"]) for row in table}
+        assert fates == {
+            "s01.xlsx": ("graded", ""),
+            "s03.xlsx": ("to_a_person", "who_handed_in"),
+            "ответы.xlsx": ("graded", ""),
+            ".hidden.xlsx": ("not_looked_at", "hidden"),
+            "чертёж.pdf": ("not_looked_at", "other"),
+            "работа.zip": ("not_looked_at", "archive"),
+            "~$s01.xlsx": ("not_looked_at", "lock_file"),
+        }
+        plain = json.loads((graded / "grades.json").read_text(encoding="utf-8"))
+        assert [one["file"] for one in plain["files"]] == [row["file"] for row in table]
+        assert all(row["message"] for row in table if row["fate"] != "graded")
+
+    def test_reports_that_a_run_did_not_renew_are_named_and_stay(
+        self, issued: "Classroom", inbox: Path, tmp_path: Path
+    ) -> None:
+        old = tmp_path / "reports" / "s09.pdf"
+        old.parent.mkdir()
+        old.write_bytes(b"%PDF-")
+        outcome = run(issued.context, [inbox / "s01.xlsx"], tmp_path, workers=1)
+        assert outcome.left_over == (old,)
+        assert old.is_file()
 
     def test_grading_again_gives_the_same_bytes(
         self, issued: "Classroom", inbox: Path, graded: Path, tmp_path: Path
@@ -159,7 +172,7 @@ class TestResults:
         assert judged == {
             "s01.xlsx": False,
             "s02.xlsx": True,
-            "s02_исправлено.xlsx": False,
+            "исправлено.xlsx": False,
             "текст.xlsx": False,
             "s03.xlsx": True,
         }
@@ -174,7 +187,7 @@ class TestResults:
         outcome, _ = rough
         names = {Path(file).name: path.name for file, path in outcome.written.items()}
         assert names["s02.xlsx"] == "s02.pdf"
-        assert names["s02_исправлено.xlsx"] == "s02-2.pdf"
+        assert names["исправлено.xlsx"] == "s02-2.pdf"
 
     def test_a_report_that_cannot_be_made_is_an_incident_of_that_student(
         self, rough: tuple[GradingOutcome, Path]
@@ -198,8 +211,8 @@ class TestJson:
         grades = json.loads((graded / "grades.json").read_text(encoding="utf-8"))
         assert GradesResult.from_dict(grades).to_dict() == grades
         files = grades["reports"]
-        assert [one["student"] for one in files] == ["s01", "s03", "s02"]
-        for one in files:
+        assert [one["student"] for one in files] == ["s01", "", "s02"]
+        for one in (each for each in files if each["judged"]):
             assert set(self.FILE_KEYS) <= set(one)
             plan = issued.plan(one["student"])
             marked = {q.id for q in (*plan.answered, *plan.manual)}

@@ -92,7 +92,7 @@ def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
     assert names(out / "reports") == {"s01.pdf", "s03.pdf"}
     assert {path.read_bytes() for path in (out / "reports").iterdir()} == {fake.PAGE}
     assert {path.name for path in outcome.written.values()} == {"s01.pdf", "s03.pdf"}
-    summaries = {"reports", "cohort.pdf", "grades.csv", "grades.json"}
+    summaries = {"reports", "cohort.pdf", "files.csv", "grades.csv", "grades.json"}
     assert names(out) == summaries | {"incidents.log"}
 
 
@@ -152,7 +152,8 @@ def test_grades_are_written_though_the_report_on_the_batch_fails(
     outcome = results(plain, context, tmp_path / "out", fake.refuse_s02)
     assert outcome.cohort is None
     assert outcome.needs_person
-    assert names(tmp_path / "out") == {"reports", "grades.csv", "grades.json", "incidents.log"}
+    tables = {"files.csv", "grades.csv", "grades.json"}
+    assert names(tmp_path / "out") == tables | {"reports", "incidents.log"}
     assert "could not be laid out" in grading_text(outcome, tmp_path / "out", Words("en"))
 
 

@@ -26,7 +26,7 @@ from gripcourse.api.validate import validate
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course as Definition
 from gripcourse.errors import UsageError
-from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.exports.report_result import GradesResult
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
@@ -257,13 +257,14 @@ class Course:
             return refused_check(refused.problems, self.words)
         return check_result(checked, self.words)
 
-    def grade(
+    def grade(  # noqa: PLR0913 (all but the first are for those who need them)
         self,
         files: Iterable[FileLike],
         *,
         out: str | Path | None = None,
         gradebook: str | Path | None = None,
         graded_on: date | None = None,
+        whose: Mapping[str, str] | None = None,
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -275,6 +276,7 @@ class Course:
             gradebook: path or database URL, to keep the attempts in and to take the marks of
                 persons from; None for none.
             graded_on: day that documents bear; None for today.
+            whose: ids of students by file, where a person says who handed it in.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -283,12 +285,15 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
-        from gripcourse.usecases.grade import grade, write_results
+        from gripcourse.usecases.grade import batch_result, grade, write_results
         from gripcourse.usecases.gradebook import check_gradebook, keep
         from gripcourse.usecases.opening import grading_of
+        from gripcourse.usecases.whose import read_whose
 
-        sources = workbooks(files)
+        sources, others = workbooks(files)
         context = grading_of(self.definition, self.policy)
+        pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
+        context = replace(context, whose=read_whose(pairs, sources, context.register))
         if gradebook is not None:
             check_gradebook(str(gradebook))
         graded = grade(sources, context, workers, on_done)
@@ -297,10 +302,12 @@ class Course:
         reports = tuple(one.report for one in graded)
         if out is not None:
             day = graded_on or _today()
-            written = write_results(graded, context, Path(out), day, workers, nothing)
+            written = write_results(
+                graded, context, Path(out), day, workers, nothing, passed_over=others
+            )
             reports = written.reports
         incidents = [one.incident for one in graded if one.incident]
-        return grades_result(reports, self.words, incidents)
+        return batch_result(reports, self.words, others, incidents)
 
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.machine.content import NamedBytes, Readable
-from gripcourse.usecases.grade import find_files
+from gripcourse.usecases.collect import PassedOver, collect
 
 FileLike: TypeAlias = str | Path | bytes | tuple[str, bytes] | NamedBytes
 """A text is a path, never a content."""
@@ -28,14 +28,23 @@ def readable(given: FileLike, stem: str) -> Readable:
     return Path(given) if isinstance(given, str) else given
 
 
-def workbooks(given: Iterable[FileLike]) -> list[Readable]:
+def workbooks(given: Iterable[FileLike]) -> tuple[list[Readable], list[PassedOver]]:
     """Return the workbooks to grade: bytes as they are, those of a folder sorted.
+
+    Returns:
+        The workbooks, and what else was found in folders.
 
     Raises:
         UsageError: a path does not exist, or a folder holds no workbook.
     """
     found: list[Readable] = []
+    others: list[PassedOver] = []
     for number, one in enumerate(given, start=1):
         source = readable(one, f"workbook-{number}")
-        found += [source] if isinstance(source, NamedBytes) else find_files([source])
-    return list(dict.fromkeys(found))
+        if isinstance(source, NamedBytes):
+            found.append(source)
+            continue
+        collected = collect([source])
+        found += collected.files
+        others += collected.passed_over
+    return list(dict.fromkeys(found)), list(dict.fromkeys(others))

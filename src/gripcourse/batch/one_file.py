@@ -1,24 +1,24 @@
 """Grading one file, whatever it is: reading, identifying, judging."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from typing import Final
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.diagnose import CandidatesOf
-from gripcourse.grading.identify import submitter
+from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
-from gripcourse.grading.unjudged import rejected_report, unknown_student_report
+from gripcourse.grading.unjudged import disputed_report, rejected_report, unknown_student_report
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Rejected
+from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.variants.model import Issued, Variant
@@ -32,22 +32,47 @@ class GradingContext:
     """What grading needs: the course, its policy and the register by student.
 
     Two desks are never the same one, so that what was made for one can be remembered by it.
+
+    Attributes:
+        course, policy: what is graded by.
+        register: entries by student id.
+        whose: by file, the id of the student who handed it in, where a person says so.
     """
 
     course: Course
     policy: Policy
     register: Mapping[str, Issued]
+    whose: Mapping[str, str] = field(default_factory=dict)
 
 
 def grade_file(source: Readable, context: GradingContext) -> Report:
     """Grade one file; the student's faults are in the report, only ours are exceptions."""
-    raw, file = read_workbook(source), shown_name(source)
+    file = shown_name(source)
+    try:
+        raw = read_workbook(source)
+    except OSError:  # it was there when the batch began
+        raw = Rejected.because(file, "", WhyRefused.GONE)
+    identity = None if isinstance(raw, Rejected) else raw.identity
+    handed_in = handed_in_by(file, identity, context)
+    return replace(_report(raw, handed_in, context), known_by=handed_in.known_by)
+
+
+def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
+    """Tell whose a file is: a person's word first, then `identify`."""
+    student = context.whose.get(file)
+    if student is not None:
+        return named_by_person(student, context.register)
+    return identify(file, identity, context.register)
+
+
+def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:
     if isinstance(raw, Rejected):
-        return rejected_report(raw, submitter(file, "", context.register))
-    issued = submitter(file, raw.identity.student, context.register)
-    if issued is None:
-        return unknown_student_report(file, raw.identity.student, raw.digest)
-    return judge_read(raw, issued, context)
+        return rejected_report(raw, handed_in.issued)
+    if handed_in.doubt is not None:
+        return disputed_report(raw.file, handed_in.doubt, raw.digest)
+    if handed_in.issued is None:
+        return unknown_student_report(raw.file, raw.identity.student, raw.digest)
+    return judge_read(raw, handed_in.issued, context)
 
 
 def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Report:

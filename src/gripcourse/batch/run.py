@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
+from gripcourse.batch.doubts import put_in_doubt
 from gripcourse.batch.duplicates import mark_doubles
-from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.grading.identify import submitter
+from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, in_order, run_each
@@ -75,9 +75,13 @@ def grade_files(
 def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
     """Flag the files of a batch that belong together or hold another student's numbers.
 
+    Before that, whoever only took a student's name beside the student's own work is nobody.
+
     What fails on our side while they are compared stands with the first file.
     """
-    reports, trace = mark_likeness(mark_doubles([one.report for one in graded]), context)
+    reports, trace = mark_likeness(
+        mark_doubles(put_in_doubt([one.report for one in graded])), context
+    )
     incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
     return tuple(map(Graded, reports, incidents))
@@ -101,6 +105,7 @@ def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> G
 
 def _incident(source: Readable, context: GradingContext, trace: str) -> Graded:
     number, file = incident_number(trace), shown_name(source)
-    issued = submitter(file, "", context.register)
+    handed_in = handed_in_by(file, None, context)
     told = shown(f"incident {number}: {trace}\n{file}\n")
-    return Graded(incident_report(shown(file), number, issued), told)
+    report = incident_report(shown(file), number, handed_in.issued)
+    return Graded(replace(report, known_by=handed_in.known_by), told)

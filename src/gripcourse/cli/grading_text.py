@@ -1,6 +1,6 @@
 """What the commands print that grade, mark and show what came of it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 FLAGS = {
     FlagCode.GIVENS_CHANGED: message("given values changed"),
     FlagCode.GIVENS_MISSING: message("given values missing"),
+    FlagCode.IDENTITY_CHANGED: message("variant changed"),
     FlagCode.IDENTITY_MISSING: message("issued to nobody"),
     FlagCode.INCIDENT: message("failure on our side"),
     FlagCode.ISSUED_TO_OTHER: message("issued to another"),
@@ -36,22 +37,23 @@ FLAGS = {
     FlagCode.SEVERAL_FILES: message("several files"),
     FlagCode.SIGNATURE: message("wrong signature"),
     FlagCode.UNKNOWN_STUDENT: message("unknown student"),
+    FlagCode.WHO_HANDED_IN: message("who handed this in?"),
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""
+
+_NAMED = 10  # files of one kind that a line names
 
 
 def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
-    from gripcourse.usecases.grade import GRADES_CSV, INCIDENTS, REPORTS
+    from gripcourse.usecases.grade import FILES_CSV, GRADES_CSV, INCIDENTS, REPORTS
 
     rows = [
         (
             Path(one.file).name,
             one.name or one.student or "—",
             one.variant or "—",
-            f"{words.number(one.score, 4)} / {words.number(one.max_score, 4)}"
-            if one.judged
-            else "—",
+            _score(one, words),
             _flags(one, words),
         )
         for one in outcome.reports
@@ -69,6 +71,16 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         for one in outcome.reports
         for flag in one.flags
     ]
+    if any(flag.code is FlagCode.WHO_HANDED_IN for one in outcome.reports for flag in one.flags):
+        said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
+        lines.append(words.say(said))
+    lines += _passed_over(outcome, words)
+    if outcome.left_over:
+        said = message(
+            "Reports of an earlier run that this one did not renew: {names}.",
+            names=", ".join(path.name for path in outcome.left_over),
+        )
+        lines.append(words.say(said))
     if outcome.cohort is None:
         lines.append(words.say(message("The report on the batch could not be laid out.")))
     incidents = out / INCIDENTS
@@ -76,11 +88,28 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         (message("Student reports"), out / REPORTS),
         (message("Cohort summary"), outcome.cohort),
         (message("Grades"), out / GRADES_CSV),
+        (message("What became of every file"), out / FILES_CSV),
         (message("Incidents, each with its trace"), incidents if incidents.exists() else None),
     ):
         if place is not None:
             lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
+
+
+def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
+    """Yield a line for each reason why files were not looked at; `files.csv` names them all."""
+    from gripcourse.usecases.collect import REASONS
+
+    for why, reason in REASONS.items():
+        names = [shown(Path(one.file).name) for one in outcome.passed_over if one.why is why]
+        if names:
+            more = f", … ({len(names)})" if len(names) > _NAMED else ""
+            said = message(
+                "Not looked at: {names}. {reason}",
+                names=", ".join(names[:_NAMED]) + more,
+                reason=reason,
+            )
+            yield words.say(said)
 
 
 def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
@@ -129,12 +158,13 @@ def demo_text(demo: "Demo", words: Words) -> str:
     from gripcourse.demo.students import TOLD
 
     by_student = {one.student: one for one in demo.outcome.reports}
+    # The copied workbook is nobody's until a person has asked.
+    nobodys = by_student.get("", demo.outcome.reports[0])
     rows = []
     for student, story in demo.students.items():
-        report = by_student[student]
-        score = f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
+        report = by_student.get(student, nobodys)
         told = words.say(TOLD[story])
-        rows.append((student, told, score, _flags(report, words)))
+        rows.append((student, told, _score(report, words), _flags(report, words)))
     heads = (message("student"), message("what was scripted"), message("points"), message("flags"))
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
     for item in demo.marking.items if demo.marking is not None else ():
@@ -154,6 +184,12 @@ def demo_text(demo: "Demo", words: Words) -> str:
     ):
         lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
+
+
+def _score(report: "Report", words: Words) -> str:
+    if not report.judged:
+        return "—"
+    return f"{words.number(report.score, 4)} / {words.number(report.max_score, 4)}"
 
 
 def _flags(report: "Report", words: Words) -> str:

@@ -7,6 +7,7 @@ import logging
 import sys
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -180,6 +181,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     *,
     out: OutOption,
     json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
+    whose: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -188,25 +195,39 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.usecases import grade as command
+    from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
     from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.whose import read_whose
 
     words = words_for(language)
-    files = command.find_files(paths)
+    found = collect(paths)
+    files = found.files
     context = open_grading(course_folder(course))
+    decided = read_whose(whose or (), files, context.register)
+    context = replace(context, whose=decided)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
+    # Before anything is kept: a folder that cannot be written must not cost an attempt.
+    out.mkdir(parents=True, exist_ok=True)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
         graded = keep(graded, context, place, datetime.now(UTC))
         tick = step(words.say(message("Writing reports")), len(files))
-        outcome = command.write_results(graded, context, out, day_of(on), workers, lambda _: tick())
+        outcome = command.write_results(
+            graded,
+            context,
+            out,
+            day_of(on),
+            workers,
+            lambda _: tick(),
+            passed_over=found.passed_over,
+        )
     if json:
-        from gripcourse.exports.report_result import grades_result
-
-        typer.echo(cli_text.json_text(grades_result(outcome.reports, words).to_dict()))
+        result = command.batch_result(outcome.reports, words, found.passed_over)
+        typer.echo(cli_text.json_text(result.to_dict()))
     else:
         confirm(grading_text.grading_text(outcome, out, words))
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
@@ -222,10 +243,11 @@ def check(
     """Show how a workbook is read and whether its numbers fit each other; never the answers."""
     from gripcourse.course.load import load_course
     from gripcourse.policy.load import load_policy
+    from gripcourse.submission.apart import read_apart
     from gripcourse.usecases.check import check_file
 
     loaded = load_course(course_folder(course))
-    checked = check_file(file, loaded, load_policy(loaded))
+    checked = check_file(file, loaded, load_policy(loaded), read_apart)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 

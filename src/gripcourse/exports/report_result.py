@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, ClassVar
 
+from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
-from gripcourse.grading.model import Against, Decision, Finding, Outcome, Report
+from gripcourse.grading.model import Against, Decision, Finding, KnownBy, Outcome, Report
 from gripcourse.text.words import Message, Words
 
 
@@ -123,6 +124,8 @@ class ReportResult:
         causes: what explains several answers, those that explain most first.
         findings: one for each answered or manual quantity, in the order of the assignment.
         digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
+        known_by: what told whose file it is: `person`, `signature`, `platform`, `file_name` or
+            nothing.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/report/1"
@@ -142,6 +145,7 @@ class ReportResult:
     causes: tuple[CauseResult, ...]
     findings: tuple[FindingResult, ...]
     digest: str = ""
+    known_by: KnownBy = KnownBy.NOTHING
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
@@ -154,13 +158,34 @@ class ReportResult:
 
 
 @dataclass(frozen=True, slots=True)
+class FileResult:
+    """What became of a file that was found.
+
+    Attributes:
+        file: its name as it was found.
+        fate: `graded`, `refused`, `to_a_person` or `not_looked_at`.
+        student: id; empty where nobody can be told.
+        why: code of the reason why it was not graded; empty for none.
+        message: the reason in a sentence.
+    """
+
+    file: str
+    fate: Fate
+    student: str
+    why: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
 class GradesResult:
     """What a batch came to.
 
     Attributes:
         reports: one per file, in order.
-        needs_person: whether something waits for a person: a flag of any report.
+        needs_person: whether something waits for a person: a flag of any report, or a file that was
+            not looked at and may be somebody's work.
         incidents: what failed on our side, each with its trace.
+        files: every file that was found, also those that were not looked at.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/grades/1"
@@ -168,6 +193,7 @@ class GradesResult:
     reports: tuple[ReportResult, ...]
     needs_person: bool
     incidents: tuple[str, ...] = ()
+    files: tuple[FileResult, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
@@ -180,12 +206,27 @@ class GradesResult:
 
 
 def grades_result(
-    reports: Sequence[Report], words: Words, incidents: Sequence[str] = ()
+    reports: Sequence[Report],
+    words: Words,
+    incidents: Sequence[str] = (),
+    others: Sequence[FileAccount] = (),
 ) -> GradesResult:
-    """Put the reports of a batch into words for another program."""
-    flagged = any(report.flags for report in reports)
+    """Put the reports of a batch into words for another program.
+
+    Args:
+        reports: of the files that were read.
+        words: their language.
+        incidents: what failed on our side.
+        others: files that were found and not looked at.
+    """
     made = tuple(report_result(report, words) for report in reports)
-    return GradesResult(made, flagged, tuple(incidents))
+    accounts = (*map(graded_account, reports), *others)
+    flagged = any(one.needs_person for one in accounts)
+    files = tuple(
+        FileResult(one.file, one.fate, one.student, one.why, reason_of(one, words))
+        for one in accounts
+    )
+    return GradesResult(made, flagged, tuple(incidents), files)
 
 
 def report_result(report: Report, words: Words) -> ReportResult:
@@ -208,6 +249,7 @@ def report_result(report: Report, words: Words) -> ReportResult:
         ),
         findings=tuple(_finding_result(one, words) for one in report.findings),
         digest=report.digest,
+        known_by=report.known_by,
     )
 
 

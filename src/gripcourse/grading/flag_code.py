@@ -8,6 +8,7 @@ class FlagCode(StrEnum):
 
     GIVENS_CHANGED = "givens_changed"
     GIVENS_MISSING = "givens_missing"
+    IDENTITY_CHANGED = "identity_changed"
     IDENTITY_MISSING = "identity_missing"
     INCIDENT = "incident"  # grading failed on our side
     ISSUED_TO_OTHER = "issued_to_other"
@@ -22,3 +23,4 @@ class FlagCode(StrEnum):
     SEVERAL_FILES = "several_files"
     SIGNATURE = "signature"
     UNKNOWN_STUDENT = "unknown_student"
+    WHO_HANDED_IN = "who_handed_in"  # workbook and path disagree, or nothing proves it

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from gripcourse.grading.model import Finding, Flag, FlagCode
-from gripcourse.submission.model import Submission
+from gripcourse.submission.model import Identity, Submission
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
@@ -46,6 +46,27 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             FlagCode.SIGNATURE,
             message("The signature of the workbook is not the one that was issued."),
         )
+    if identity.student == issued.student.id and _is_changed(identity, issued):
+        yield Flag(
+            FlagCode.IDENTITY_CHANGED,
+            message(
+                "The workbook was changed to say it is of variant {variant}, scheme {scheme}; what"
+                " was issued counts.",
+                variant=identity.variant or "—",
+                scheme=identity.scheme or "—",
+            ),
+        )
+
+
+def _is_changed(identity: Identity, issued: Issued) -> bool:
+    """Tell whether a workbook says something else of its variant than was issued."""
+    variant = issued.variant
+    pairs = (
+        (identity.variant, variant.id),
+        (identity.scheme, variant.scheme),
+        (identity.options, variant.options),
+    )
+    return any(said and said != was_issued for said, was_issued in pairs)
 
 
 def _given_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:

@@ -1,58 +1,124 @@
-"""Who handed a file in: told by its path first, by what the workbook says second."""
+"""Who handed a file in: told by the signed workbook first, by its path second, else by a person.
 
-import re
+A path tells only what a learning platform wrote by its one pattern, or a name that is a student's
+id and nothing else. Words that happen to be an id (`Lab 1`, `report (2)`) tell nothing. Where
+workbook and path disagree, somebody handed in another's work or took another's name: a person asks.
+"""
+
+import hmac
 import unicodedata
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import PurePath
 
+from gripcourse.grading.known_by import KnownBy
+from gripcourse.grading.platforms import PlatformPart, platform_part
+from gripcourse.submission.model import Identity
+from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
-# Learning platforms and people join an id to other words with what is left out here. An id may hold
-# an underscore itself, so neighbouring words are tried together as well.
-_WORD = re.compile(r"[^\s_()\[\],;]+")
-_MOST_WORDS = 6  # of one id
+
+@dataclass(frozen=True, slots=True)
+class HandedIn:
+    """Whose file it is.
+
+    Attributes:
+        issued: the register's entry of the student; None where a person must say, or nobody can.
+        known_by: what told it.
+        doubt: why a person must say; None where there is no doubt, or nothing to go by.
+    """
+
+    issued: Issued | None
+    known_by: KnownBy
+    doubt: Message | None = None
 
 
-def submitter(file: str, workbook_student: str, register: Mapping[str, Issued]) -> Issued | None:
-    """Return the register's entry of whoever handed a file in.
-
-    A folder or a file named after a student tells it; a path that names several students, or none,
-    leaves it to the workbook. The nearest part of the path counts first.
+def identify(file: str, identity: Identity | None, register: Mapping[str, Issued]) -> HandedIn:
+    """Tell who handed a file in.
 
     Args:
         file: path of the file.
-        workbook_student: id in the workbook, empty where it says nothing.
-        register: entries by student id.
-
-    Returns:
-        The entry, or None where nobody can be told.
+        identity: what the workbook says; None where it could not be read.
+        register: entries by student id, whose signatures were verified with the course's key.
     """
-    for part in _parts(file):
-        named = _named(part, register)
-        if len(named) == 1:
-            return named.pop()
-    return register.get(workbook_student)
+    by_path = _by_path(file, register)
+    named = "" if identity is None else identity.student
+    if identity is not None and named in register and _is_signed(identity, register[named]):
+        said = _contradiction(file, register[named], by_path, register)
+        return _doubtful(said) if said else HandedIn(register[named], KnownBy.SIGNATURE)
+    if by_path.issued is None:
+        return _doubtful(_unsigned(named)) if named in register else by_path
+    path_says = by_path.issued.student.id
+    return by_path if named in {"", path_says} else _doubtful(_two_names(named, path_says))
 
 
-def _parts(file: str) -> tuple[str, ...]:
+def named_by_person(student: str, register: Mapping[str, Issued]) -> HandedIn:
+    """Take a person's word for who handed a file in; the student is on the register."""
+    return HandedIn(register[student], KnownBy.PERSON)
+
+
+def _is_signed(identity: Identity, issued: Issued) -> bool:
+    return hmac.compare_digest(identity.signature.encode(), issued.signature.encode())
+
+
+def _by_path(file: str, register: Mapping[str, Issued]) -> HandedIn:
+    """Tell whose a path says it is; a platform's part of it leaves the rest nothing to say."""
+    part = platform_part(file)
+    if part is not None:
+        entry = _of_platform(part, register)
+        return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     path = PurePath(unicodedata.normalize("NFC", file))
-    return (path.stem, *reversed(path.parts[:-1]))
+    if path.stem in register:
+        return HandedIn(register[path.stem], KnownBy.FILE_NAME)
+    # Handouts are folders named after their students; a bare number may count anything.
+    folder = path.parent.name
+    if folder in register and not folder.isdecimal():
+        return HandedIn(register[folder], KnownBy.FILE_NAME)
+    return HandedIn(None, KnownBy.NOTHING)
 
 
-def _named(part: str, register: Mapping[str, Issued]) -> list[Issued]:
-    if part in register:
-        return [register[part]]
-    words = list(_WORD.finditer(part))
-    spans = [
-        (first.start(), last.end())
-        for number, first in enumerate(words)
-        for last in words[number : number + _MOST_WORDS]
-        if part[first.start() : last.end()] in register
-    ]
-    # The `i` in `ivanov_i` is no student of its own.
-    whole = [one for one in spans if not any(_lies_inside(one, other) for other in spans)]
-    return [register[name] for name in dict.fromkeys(part[a:b] for a, b in whole)]
+def _of_platform(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
+    entry = register.get(part.identifier)
+    if entry is None:
+        return None
+    # Platforms number people and attempts by themselves: such a number is a student's id only where
+    # the name beside it is that student's.
+    own_number = part.identifier.isdecimal() and not part.is_named(entry.student.name)
+    return None if own_number else entry
 
 
-def _lies_inside(one: tuple[int, int], other: tuple[int, int]) -> bool:
-    return one != other and other[0] <= one[0] and one[1] <= other[1]
+def _contradiction(
+    file: str, signed: Issued, by_path: HandedIn, register: Mapping[str, Issued]
+) -> Message | None:
+    """Say what speaks against the student of a signed workbook."""
+    student = signed.student
+    if by_path.issued is not None:
+        told = by_path.issued.student.id
+        return None if told == student.id else _two_names(student.id, told)
+    part = platform_part(file)
+    if part is None or part.is_named(student.name):
+        return None
+    others = (one.student.id for one in register.values() if part.is_named(one.student.name))
+    other = next(others, None)
+    return None if other is None else _two_names(student.id, other)
+
+
+def _doubtful(said: Message) -> HandedIn:
+    return HandedIn(None, KnownBy.NOTHING, said)
+
+
+def _two_names(workbook: str, path: str) -> Message:
+    return message(
+        "Who handed this in? The workbook is that of {student}, the name of the file or folder says"
+        " {other}. It was not graded and nobody's mark changes.",
+        student=workbook,
+        other=path,
+    )
+
+
+def _unsigned(student: str) -> Message:
+    return message(
+        "Who handed this in? The workbook names {student}, but without the signature that was"
+        " issued, and nothing else says so. It was not graded and nobody's mark changes.",
+        student=student,
+    )

@@ -7,13 +7,14 @@ from enum import StrEnum
 
 from gripcourse.course.composition import Composition
 from gripcourse.grading.flag_code import FlagCode
+from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.outcome import Outcome
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message
 
 __all__ = [
-    "Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "Outcome", "PointSums", "Report",
-    "sums_of",
+    "Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "KnownBy", "Outcome",
+    "PointSums", "Report", "sums_of",
 ]  # fmt: skip
 
 
@@ -168,6 +169,8 @@ class Report:
         causes: root causes of several answers, those that explain most first.
         givens: given values as they stand in the workbook, in declared units.
         creator: the author that the workbook names; empty for none.
+        known_by: what told whose file it is.
+        refusal: code of the reason why the file cannot be read; empty for none.
     """
 
     file: str
@@ -188,6 +191,8 @@ class Report:
     causes: tuple[Cause, ...] = ()
     givens: Mapping[str, float] = field(default_factory=dict)
     creator: str = ""
+    known_by: KnownBy = KnownBy.NOTHING
+    refusal: str = ""
 
     @property
     def composition(self) -> Composition:

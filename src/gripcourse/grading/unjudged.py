@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.submission.model import Rejected
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
 
@@ -14,7 +14,7 @@ def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
         rejected.file, Flag(FlagCode.REJECTED, rejected.reason), issued, rejected.digest
     )
     # The student can mend this, so the student is told; other flags are the instructor's.
-    return replace(report, remarks=(rejected.reason,))
+    return replace(report, remarks=(rejected.reason,), refusal=rejected.code)
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:
@@ -25,6 +25,11 @@ def unknown_student_report(file: str, student: str, digest: str) -> Report:
         else message("Neither the file's name nor the workbook says whose it is.")
     )
     return unjudged(file, Flag(FlagCode.UNKNOWN_STUDENT, said), None, digest)
+
+
+def disputed_report(file: str, doubt: Message, digest: str) -> Report:
+    """Report a file of which a person must say who handed it in; it is nobody's until then."""
+    return unjudged(file, Flag(FlagCode.WHO_HANDED_IN, doubt), None, digest)
 
 
 def incident_report(file: str, number: str, issued: Issued | None) -> Report:

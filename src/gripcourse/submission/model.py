@@ -4,7 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.text.words import Message
+
+__all__ = ["Answer", "Identity", "Reading", "Rejected", "Submission", "WhyRefused"]
 
 
 class Reading(StrEnum):
@@ -91,8 +94,21 @@ class Submission:
 
 @dataclass(frozen=True, slots=True)
 class Rejected:
-    """A file that is no workbook that we can read, and why, for the person who sent it."""
+    """A file that is no workbook that we can read, and why, for the person who sent it.
+
+    Attributes:
+        file: path as the user gave it.
+        digest: SHA-256 of the file's bytes, hexadecimal; empty where there are none.
+        reason: a sentence that also says what to do.
+        code: the reason for other programs; empty where there is none.
+    """
 
     file: str
     digest: str
     reason: Message
+    code: str = ""
+
+    @classmethod
+    def because(cls, file: str, digest: str, refused: WhyRefused) -> "Rejected":
+        """Refuse a file for one of the reasons that there are."""
+        return cls(file, digest, REASONS[refused], refused.value)

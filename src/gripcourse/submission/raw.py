@@ -2,14 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import date, datetime, time, timedelta
-from typing import TypeAlias
 
+from gripcourse.spreadsheet.cell_value import CellValue
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message
 
-CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
-"""What a spreadsheet cell can hold; `date` includes `datetime`."""
+__all__ = ["CellValue", "RawCell", "RawWorkbook"]
 
 
 @dataclass(frozen=True, slots=True)

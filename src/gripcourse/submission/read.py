@@ -1,6 +1,8 @@
 """A file of unknown origin → the named cells of an answer workbook, or the reason why not.
 
-Only named cells are read: the size that a sheet claims to have is never walked through.
+Only the parts that names, answers and identity need are unpacked, and of sheets only named cells
+are kept: the size that a sheet claims to have is never walked through, and damage to what else a
+workbook holds refuses nothing.
 """
 
 import hashlib
@@ -9,66 +11,64 @@ import re
 import zipfile
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import redirect_stdout
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from dataclasses import dataclass
+from typing import Final
+from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
-from gripcourse.machine.process_wide import without_warnings
-from gripcourse.submission.model import Identity, Rejected
-from gripcourse.submission.preflight import DAMAGED, NO_WORKBOOK, refusal
+from gripcourse.spreadsheet.cell_value import (
+    GENERAL,
+    counts_from_1904,
+    formats_of,
+    shown_value,
+    text_index,
+)
+from gripcourse.spreadsheet.package import (
+    Package,
+    local,
+    package_of,
+)
+from gripcourse.spreadsheet.preflight import refusal
+from gripcourse.spreadsheet.sheet_cells import (
+    EMPTY,
+    Place,
+    StoredCell,
+    address,
+    first_of_merged,
+    place_of,
+    shared_texts,
+    sheets_of,
+    stored_cells,
+)
+from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawCell, RawWorkbook
-from gripcourse.submission.sheet_xml import Place, formulas, with_false_numbers_as_text
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
 
-if TYPE_CHECKING:
-    from openpyxl import Workbook
-    from openpyxl.cell.cell import Cell, MergedCell
-    from openpyxl.worksheet.worksheet import Worksheet
-
-_REFERENCE: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::.{1,20})?")
 _NAME: Final = re.compile(r"(answer|given|meta)[._](\w{1,100})", re.ASCII)
+_LONGEST_REFERENCE: Final = 300  # characters of where one of our names points to
+_MOST_NAMES: Final = 10_000  # of ours
 
-_COPY: Final = message("Copy the answers into the workbook that was issued and send that.")
-_FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], Message], ...]] = (
-    ((zipfile.BadZipFile, zlib.error, EOFError), DAMAGED),
-    (
-        (MemoryError, OverflowError, RecursionError),
-        message("The workbook is too large to be read. {remedy}", remedy=_COPY),
-    ),
-    (
-        (KeyError,),
-        message("A part of the workbook is missing. {remedy}", remedy=_COPY),
-    ),
-    (
-        (SyntaxError, ValueError),
-        message(
-            "The workbook holds content that cannot be read, for example a cell whose number is "
-            "not a number. {remedy}",
-            remedy=_COPY,
-        ),
-    ),
-    ((OSError,), NO_WORKBOOK),
-)
-_UNKNOWN_CONTENT: Final = message(
-    "The workbook holds something that cannot be read, for example a pivot table or a damaged "
-    "style. {remedy}",
-    remedy=_COPY,
-)
-_FOREIGN: Final = message(
-    "The workbook has none of the answer cells: it is not the workbook that was issued. {remedy}",
-    remedy=_COPY,
+_FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
+    ((zipfile.BadZipFile, zlib.error, EOFError), WhyRefused.DAMAGED),
+    ((MemoryError, OverflowError, RecursionError), WhyRefused.TOO_LARGE),
+    ((KeyError,), WhyRefused.PART_MISSING),
 )
 
 
 @dataclass(frozen=True, slots=True)
-class _Place:
-    """Where a name points to."""
+class _Named:
+    """Where one of our names points to."""
 
     sheet: str
-    column: str
-    row: int
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class _Located:
+    """A sheet with the cells that our names point to, by the place where a name puts them."""
+
+    stored: Mapping[Place, tuple[Place, StoredCell]]
 
 
 def read_workbook(source: Readable) -> RawWorkbook | Rejected:
@@ -85,141 +85,116 @@ def read_workbook(source: Readable) -> RawWorkbook | Rejected:
     """
     data, file = content_of(source), shown_name(source)
     digest = hashlib.sha256(data).hexdigest()
-    reason = refusal(pure_path(source).name, data)
-    if reason is not None:
-        return Rejected(file, digest, reason)
-    book = _load(data)
-    if isinstance(book, Message):
-        return Rejected(file, digest, book)
-    places = _places(book)
-    answers = _cells(book, places, names.ANSWER)
-    if not answers:
-        return Rejected(file, digest, _FOREIGN)
-    computed = formulas(data)
-    identity, remarks = _identity(book, places)
-    return RawWorkbook(
-        file=file,
-        digest=digest,
-        identity=identity,
-        creator=book.properties.lastModifiedBy or book.properties.creator or "",
-        givens=_cells(book, places, names.GIVEN),
-        answers={name: _with_formula(cell, computed) for name, cell in answers.items()},
-        remarks=remarks,
-    )
-
-
-def _load(data: bytes) -> "Workbook | Message":
-    """Open a workbook, with the values that are stored for its formulas."""
     try:
-        return _opened(data)
-    except ValueError:  # perhaps of one cell, whose number is not a number
-        pass
-    except Exception as fault:  # noqa: BLE001 - the parser raises nearly every class there is
-        return _said_of(fault)
-    try:
-        return _opened(with_false_numbers_as_text(data))
-    except Exception as fault:  # noqa: BLE001 - as above
-        return _said_of(fault)
+        refused = refusal(pure_path(source).name, data)
+        read = _read(data, file, digest) if refused is None else refused
+    except Exception as fault:  # noqa: BLE001 (whatever the bytes make a library raise)
+        read = _fault_of(fault)
+    return read if isinstance(read, RawWorkbook) else Rejected.because(file, digest, read)
 
 
-def _opened(data: bytes) -> "Workbook":
-    # A fifth of a second to import: only those who read a workbook pay for it.
-    from openpyxl import load_workbook  # noqa: PLC0415
-
-    # The library prints of styles that are not there: into our output, if it may. It warns of
-    # features that are lost on saving: nothing is saved.
-    with without_warnings(), redirect_stdout(io.StringIO()):
-        return load_workbook(io.BytesIO(data), data_only=True, keep_links=False)
+def _fault_of(fault: Exception) -> WhyRefused:
+    found = (refused for kinds, refused in _FAULTS if isinstance(fault, kinds))
+    return next(found, WhyRefused.UNREADABLE_CONTENT)
 
 
-def _said_of(fault: Exception) -> Message:
-    return next((told for kinds, told in _FAULTS if isinstance(fault, kinds)), _UNKNOWN_CONTENT)
+def _read(data: bytes, file: str, digest: str) -> RawWorkbook | WhyRefused:
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        package = package_of(archive)
+        workbook = package.workbook_part()
+        named = _named(package, workbook)
+        if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
+            return WhyRefused.FOREIGN
+        cells = _cells(package, workbook, named)
+        stored = _properties(package)
+        identity, remarks = _identity(cells, stored)
+        return RawWorkbook(
+            file=file,
+            digest=digest,
+            identity=identity,
+            creator=_creator(package),
+            givens=_of_role(cells, names.GIVEN),
+            answers=_of_role(cells, names.ANSWER),
+            remarks=remarks,
+        )
 
 
-def _places(book: "Workbook") -> dict[str, _Place]:
+def _named(package: Package, workbook: str) -> dict[str, _Named]:
     """Find where our names point to; the workbook's own names win over those of single sheets."""
-    found: dict[str, _Place] = {}
-    for name, reference in _definitions(book):
-        ours = _NAME.fullmatch(name.lower())
-        sheet, _, address = reference.rpartition("!")
-        cell = _REFERENCE.fullmatch(address)
-        if ours is None or cell is None:
-            continue
-        title = sheet.removeprefix("'").removesuffix("'").replace("''", "'")
-        place = _Place(title, cell[1].upper(), int(cell[2]))
-        found.setdefault(names.cell_name(ours[1], ours[2]), place)
+    found: dict[str, _Named] = {}
+    for name, reference in _definitions(package, workbook):
+        sheet, _, cells = reference.rpartition("!")
+        place = place_of(cells.partition(":")[0])
+        if place is not None:
+            title = sheet.removeprefix("'").removesuffix("'").replace("''", "'")
+            found.setdefault(name, _Named(title, place))
     return found
 
 
-def _definitions(book: "Workbook") -> Iterator[tuple[str, str]]:
-    for name, defined in book.defined_names.items():
-        yield name, defined.value or ""
-    for sheet in book.worksheets:
-        for name, defined in sheet.defined_names.items():
-            yield name, defined.value or ""
+def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
+    ours: list[tuple[bool, str, str]] = []
+    for element in package.elements(workbook):
+        found = _NAME.fullmatch(element.get("name", "").lower())
+        text = (element.text or "").strip()
+        if local(element) == "definedName" and found and len(text) <= _LONGEST_REFERENCE:
+            of_sheet = element.get("localSheetId") is not None
+            ours.append((of_sheet, names.cell_name(found[1], found[2]), text))
+    if len(ours) > _MOST_NAMES:
+        raise OverflowError(len(ours))
+    return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(book: "Workbook", places: Mapping[str, _Place], role: str) -> dict[str, RawCell]:
-    """Read the cells of one role by the id of their quantity; cells that are gone are left out."""
+def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> Mapping[str, RawCell]:
+    """Read the cells that our names point to; those whose sheet is gone are left out."""
+    related = package.related(workbook)
+    sheets = {
+        title: _located(package, part, {one.place for one in named.values() if one.sheet == title})
+        for title, part in sheets_of(package, workbook).items()
+        if any(one.sheet == title for one in named.values())
+    }
+    by_kind = {one.kind: one.part for one in related}
+    stored = [cell for sheet in sheets.values() for _, cell in sheet.stored.values()]
+    indices = (text_index(one.text) for one in stored if one.kind == "s")
+    wanted = {one for one in indices if one is not None}
+    texts = shared_texts(package, by_kind["sharedStrings"], wanted) if wanted else {}
+    formats = formats_of(package, by_kind["styles"]) if any(one.style for one in stored) else ()
+    from_1904 = counts_from_1904(package, workbook)
+    cells: dict[str, RawCell] = {}
+    for name, where in named.items():
+        if where.sheet in sheets:
+            place, cell = sheets[where.sheet].stored[where.place]
+            number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
+            shown = shown_value(cell, number_format, texts, from_1904=from_1904)
+            cells[name] = RawCell(
+                value=shown.value,
+                number_format=number_format,
+                error=shown.error,
+                formula=cell.formula,
+                cell=f"{where.sheet}!{address(place)}",
+            )
+    return cells
+
+
+def _located(package: Package, part: str, places: set[Place]) -> _Located:
+    shown = first_of_merged(package, part, places)
+    cells = stored_cells(package, part, set(shown.values()))
+    return _Located({place: (at, cells.get(at, EMPTY)) for place, at in shown.items()})
+
+
+def _of_role(cells: Mapping[str, RawCell], role: str) -> dict[str, RawCell]:
+    """Return the cells of one role by the id of their quantity."""
     prefix = names.cell_name(role, "")
-    cells = (
-        (name.removeprefix(prefix), _raw(book, place))
-        for name, place in places.items()
-        if name.startswith(prefix)
-    )
-    return {identifier: cell for identifier, cell in cells if cell is not None}
-
-
-def _raw(book: "Workbook", place: _Place) -> RawCell | None:
-    cell = _cell(book, place)
-    if cell is None:
-        return None
-    value: Any = cell.value  # formulas too have been computed
-    return RawCell(
-        value=value,
-        number_format=cell.number_format or "",
-        error=cell.data_type == "e",
-        formula="",
-        cell=f"{place.sheet}!{cell.coordinate}",
-    )
-
-
-def _cell(book: "Workbook", place: _Place) -> "Cell | None":
-    """Return the cell of a place, or the first cell of the merged range that it is in."""
-    # The classes exist once a workbook is open.
-    from openpyxl.cell.cell import Cell, MergedCell  # noqa: PLC0415
-
-    sheet = next((sheet for sheet in book.worksheets if sheet.title == place.sheet), None)
-    if sheet is None:
-        return None
-    try:
-        cell = sheet[f"{place.column}{place.row}"]
-    except ValueError:  # outside of any sheet
-        return None
-    if isinstance(cell, MergedCell):
-        cell = _first_of_merged(sheet, cell)
-    return cell if isinstance(cell, Cell) else None
-
-
-def _first_of_merged(sheet: "Worksheet", cell: "MergedCell") -> object:
-    inside = (area for area in sheet.merged_cells.ranges if cell.coordinate in area)
-    area = next(inside, None)
-    return None if area is None else sheet.cell(area.min_row, area.min_col)
-
-
-def _with_formula(raw: RawCell, computed: Mapping[Place, str]) -> RawCell:
-    """Say which formula a cell holds: one without a stored value is not an empty cell."""
-    sheet, _, address = raw.cell.rpartition("!")
-    return replace(raw, formula=computed.get((sheet, address), ""))
+    return {
+        name.removeprefix(prefix): cell for name, cell in cells.items() if name.startswith(prefix)
+    }
 
 
 def _identity(
-    book: "Workbook", places: Mapping[str, _Place]
+    cells: Mapping[str, RawCell], stored: Mapping[str, str]
 ) -> tuple[Identity, tuple[Message, ...]]:
     """Read whose workbook it is: from the hidden sheet, else from the document's properties."""
-    cells = _cells(book, places, names.META)
-    hidden = {name: str(cell.value) for name, cell in cells.items() if cell.value is not None}
-    stored = dict(_properties(book))
+    meta = _of_role(cells, names.META)
+    hidden = {name: str(cell.value) for name, cell in meta.items() if cell.value is not None}
     fields = {name: hidden.get(name) or stored.get(name, "") for name in names.FIELDS}
     identity = Identity(
         student=fields[names.STUDENT],
@@ -235,9 +210,23 @@ def _identity(
     )
 
 
-def _properties(book: "Workbook") -> Iterable[tuple[str, str]]:
+def _properties(package: Package) -> Mapping[str, str]:
+    """Return our custom properties of the document."""
     prefix = names.cell_name(names.PROPERTY, "")
-    untyped: Any = book  # published types of the library do not know these properties
-    for stored in untyped.custom_doc_props.props:
-        if (stored.name or "").startswith(prefix):
-            yield str(stored.name).removeprefix(prefix), str(stored.value)
+    return {
+        one.get("name", "").removeprefix(prefix): "".join(value.text or "" for value in one)
+        for one in _of_document(package, "custom-properties")
+        if local(one) == "property" and one.get("name", "").startswith(prefix)
+    }
+
+
+def _creator(package: Package) -> str:
+    """Return who saved a workbook last, or who made it; nothing else of its properties is read."""
+    found = {local(one): one.text or "" for one in _of_document(package, "core-properties")}
+    return found.get("lastModifiedBy") or found.get("creator") or ""
+
+
+def _of_document(package: Package, kind: str) -> Iterable[Element]:
+    parts = (one.part for one in package.related("") if one.kind == kind and package.has(one.part))
+    part = next(parts, None)
+    return () if part is None else package.elements(part)

@@ -8,6 +8,7 @@ from gripcourse.grading.self_check import AnswerCheck, self_check
 from gripcourse.machine.content import Readable, is_there, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.submission.apart import Read
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.read import read_workbook
@@ -23,13 +24,16 @@ class CheckedWorkbook:
     remarks: tuple[Message, ...]
 
 
-def check_file(source: Readable, course: Course, policy: Policy) -> CheckedWorkbook:
+def check_file(
+    source: Readable, course: Course, policy: Policy, read: Read = read_workbook
+) -> CheckedWorkbook:
     """Check a workbook against itself.
 
     Args:
         source: a file, or its bytes.
         course: whose workbook it is.
         policy: for the bands.
+        read: reads the file; `read_apart` where it may be anybody's.
 
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
@@ -37,7 +41,7 @@ def check_file(source: Readable, course: Course, policy: Policy) -> CheckedWorkb
     file = shown_name(source)
     if not is_there(source):
         raise _refusal(file, message("There is no such file."), message("Name a workbook."))
-    raw = read_workbook(source)
+    raw = read(source)
     if isinstance(raw, Rejected):
         raise _refusal(
             file, raw.reason, message("Hand in the answer workbook that you were given.")

@@ -8,14 +8,15 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
-from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
 from gripcourse.exports.grades import grades_csv
-from gripcourse.exports.report_result import grades_result
+from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes, write_text
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.student_reports import (
     LayOut,
     Printing,
@@ -24,10 +25,9 @@ from gripcourse.usecases.student_reports import (
     write_reports,
 )
 
-# What people hand in as a workbook; a drawing or a note beside it is not ours to judge.
-WORKBOOKS = {".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"}
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
+FILES_CSV = "files.csv"
 COHORT_PDF = "cohort.pdf"
 INCIDENTS = "incidents.log"
 REPORTS = "reports"
@@ -42,34 +42,16 @@ class GradingOutcome:
         written: the student reports, by file.
         cohort: the cohort report, None where it could not be laid out.
         needs_person: whether something waits for a person.
+        passed_over: files that were found and not looked at.
+        left_over: student reports of earlier runs that this one did not renew.
     """
 
     reports: tuple[Report, ...]
     written: Mapping[str, Path]
     cohort: Path | None
     needs_person: bool
-
-
-def find_files(paths: Iterable[Path]) -> list[Path]:
-    """Return the workbooks under the given files and folders, sorted inside a folder.
-
-    Raises:
-        UsageError: for a path that does not exist, or a batch without any workbook.
-    """
-    files: list[Path] = []
-    problems: list[Problem] = []
-    for path in paths:
-        if path.is_dir():
-            files += [one for one in sorted(path.rglob("*")) if _is_workbook(one)]
-        elif path.is_file():
-            files.append(path)
-        else:
-            problems.append(_problem(path, message("There is no such file or folder.")))
-    if not files and not problems:
-        problems = [_problem(path, message("There is no workbook in it.")) for path in paths]
-    if problems:
-        raise UsageError(problems)
-    return list(dict.fromkeys(files))
+    passed_over: tuple[PassedOver, ...] = ()
+    left_over: tuple[Path, ...] = ()
 
 
 def grade(
@@ -90,6 +72,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     workers: int,
     on_done: Callable[[Path], None],
     *,
+    passed_over: Sequence[PassedOver] = (),
     lay_out: LayOut = student_pdf,
 ) -> GradingOutcome:
     """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
@@ -112,7 +95,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, context, out, graded_on, workers)
+    failed = write_grades(reports, context, out, graded_on, workers, passed_over)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -121,8 +104,25 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         # Those of an earlier run into the same folder have been mended.
         (out / INCIDENTS).unlink(missing_ok=True)
     cohort = None if failed is not None else out / COHORT_PDF
-    needs_person = cohort is None or any(one.flags for one in reports)
-    return GradingOutcome(tuple(reports), written, cohort, needs_person)
+    return GradingOutcome(
+        reports=tuple(reports),
+        written=written,
+        cohort=cohort,
+        needs_person=cohort is None
+        or any(one.flags for one in reports)
+        or any(one.needs_person for one in passed_over),
+        passed_over=tuple(passed_over),
+        left_over=left_over(out / REPORTS, written.values()),
+    )
+
+
+def left_over(folder: Path, written: Iterable[Path]) -> tuple[Path, ...]:
+    """Return the student reports in a folder that this run did not write.
+
+    They stay: somebody may grade one student after the other into the same folder. But who is no
+    longer in the batch still has a report there, and nobody should take it for today's.
+    """
+    return tuple(sorted(set(folder.glob("*.pdf")) - set(written)))
 
 
 def write_grades(
@@ -131,15 +131,19 @@ def write_grades(
     out: Path,
     graded_on: date,
     workers: int = 1,
+    passed_over: Sequence[PassedOver] = (),
 ) -> Lost | None:
-    """Write what concerns the whole batch: grades as CSV and JSON, and the cohort report.
+    """Write what concerns the whole batch: grades and all files as CSV and JSON, cohort report.
 
     Returns:
         Why the cohort report could not be laid out, None where it was.
     """
     groups = {name: issued.student.group for name, issued in context.register.items()}
     grades_csv(reports, out / GRADES_CSV, groups)
-    write_text(out / GRADES_JSON, json_text(reports, Words(context.course.language)))
+    words = Words(context.course.language)
+    accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
+    files_csv(accounts, out / FILES_CSV, words)
+    write_text(out / GRADES_JSON, json_text(reports, words, passed_over))
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
         cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
@@ -152,10 +156,35 @@ def write_grades(
     return None
 
 
-def json_text(reports: Sequence[Report], words: Words) -> str:
+def json_text(
+    reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver] = ()
+) -> str:
     """Return the reports as JSON; see `exports.report_result.GradesResult`."""
-    plain = grades_result(reports, words).to_dict()
+    plain = batch_result(reports, words, passed_over).to_dict()
     return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
+
+
+def batch_result(
+    reports: Sequence[Report],
+    words: Words,
+    passed_over: Sequence[PassedOver] = (),
+    incidents: Sequence[str] = (),
+) -> GradesResult:
+    """Put a batch into words for another program, with every file that was found."""
+    others = tuple(map(passed_over_account, passed_over))
+    return grades_result(reports, words, incidents, others)
+
+
+def passed_over_account(one: PassedOver) -> FileAccount:
+    """Account for a file that was not looked at; only what may be work waits for a person."""
+    return FileAccount(
+        file=one.file,
+        fate=Fate.NOT_LOOKED_AT,
+        student="",
+        why=one.why,
+        message=REASONS[one.why],
+        needs_person=one.needs_person,
+    )
 
 
 def _told(lost: Lost, of: str) -> str:
@@ -171,12 +200,3 @@ def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
         reason=outcome.reason,
     )
     return replace(report, flags=(*report.flags, Flag(FlagCode.REPORT_INCIDENT, said)))
-
-
-def _is_workbook(path: Path) -> bool:
-    hidden = path.name.startswith((".", "~$"))
-    return path.is_file() and not hidden and path.suffix.lower() in WORKBOOKS
-
-
-def _problem(path: Path, what: Message) -> Problem:
-    return Problem(str(path), "", what, message("Name a workbook or a folder with workbooks."))

@@ -1,5 +1,6 @@
 """Reports of a batch: each laid out in a worker that may die, each written as it comes."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -7,6 +8,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.files import write_bytes
@@ -116,16 +118,20 @@ def _keep(pdf: bytes | Lost, path: Path | None) -> Path | Lost | None:
 
 
 def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
-    """Name each report after its student; a second file of a student gets a number."""
-    paths: list[Path | None] = []
-    for report in reports:
-        if not report.scheme:
-            paths.append(None)
-            continue
-        numbered = (folder / f"{report.student}{suffix}.pdf" for suffix in _suffixes(len(reports)))
-        paths.append(next(path for path in numbered if path not in paths))
+    """Name each report after its student; a second file of a student gets a number.
+
+    The surest file of a student comes first: nobody's file takes the name of another's report.
+    """
+    paths: list[Path | None] = [None] * len(reports)
+    named: Counter[str] = Counter()
+    for number in sorted(range(len(reports)), key=lambda one: _certainty(reports[one])):
+        report = reports[number]
+        if report.scheme:
+            named[report.student] += 1
+            suffix = f"-{named[report.student]}" if named[report.student] > 1 else ""
+            paths[number] = folder / f"{report.student}{suffix}.pdf"
     return paths
 
 
-def _suffixes(most: int) -> list[str]:
-    return ["", *(f"-{number}" for number in range(2, most + 1))]
+def _certainty(report: Report) -> tuple[bool, int]:
+    return not report.judged, tuple(KnownBy).index(report.known_by)

@@ -11,6 +11,8 @@ from datetime import date, time
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
+from gripcourse.spreadsheet.refusals import WhyRefused
+from gripcourse.spreadsheet.table import first_sheet
 from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
@@ -99,9 +101,9 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
     return letters
 
 
-def _sheet(source: Readable, cells: list[tuple[str, ...]], *, decimal_comma: bool) -> Sheet:
-    """Cut blank rows and columns off and number the rest."""
-    rows = [SheetRow(number, row) for number, row in enumerate(cells, start=1) if any(row)]
+def _sheet(source: Readable, found: list[SheetRow], *, decimal_comma: bool) -> Sheet:
+    """Cut blank rows and columns off."""
+    rows = [row for row in found if any(row.cells)]
     if not rows or rows[0].number != 1:
         raise _failure(
             source,
@@ -136,7 +138,7 @@ def _delimiter(text: str) -> str:
     return next((sign for sign in _DELIMITERS if sign in plain), ",")
 
 
-def _csv_rows(source: Readable, text: str, delimiter: str) -> list[tuple[str, ...]]:
+def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
     """Read every record, whatever its length; a quoted line break does not end a row."""
     if not text.strip():
         return []
@@ -148,45 +150,25 @@ def _csv_rows(source: Readable, text: str, delimiter: str) -> list[tuple[str, ..
             message("The rows cannot be told apart: {fault}.", fault=fault),
             message("Look for a quotation mark that is opened and never closed."),
         ) from fault
-    width = max(map(len, rows))
-    return _stripped((*row, *[""] * (width - len(row))) for row in rows)
+    return [SheetRow(number, _stripped(row)) for number, row in enumerate(rows, start=1)]
 
 
-def _spreadsheet_rows(source: Readable) -> list[tuple[str, ...]]:
+def _spreadsheet_rows(source: Readable) -> list[SheetRow]:
     """Read the first sheet: stored results, and the formula where no result is stored."""
-    results = _sheet_values(source, results=True)
-    if any(cell is None for row in results for cell in row):
-        formulas = _sheet_values(source, results=False)
-        pairs = zip(results, formulas, strict=True)
-        results = [
-            tuple(formula if value is None else value for value, formula in zip(*pair, strict=True))
-            for pair in pairs
-        ]
-    return _stripped([tuple(_cell_text(cell) for cell in row) for row in results])
-
-
-def _sheet_values(source: Readable, *, results: bool) -> list[tuple[object, ...]]:
-    import zipfile  # noqa: PLC0415 - with openpyxl, which costs 200 ms, only where it is needed
-
-    import openpyxl  # noqa: PLC0415 - as above
-    from openpyxl.utils.exceptions import InvalidFileException  # noqa: PLC0415 - as above
-
-    try:
-        workbook = openpyxl.load_workbook(
-            io.BytesIO(content_of(source)), read_only=True, data_only=results
+    rows = first_sheet(content_of(source))
+    if rows is WhyRefused.TOO_LARGE:
+        raise _failure(
+            source,
+            message("The spreadsheet holds far more than a table of this kind does."),
+            message("Copy the table into a new spreadsheet, or save it as .csv (CSV UTF-8)."),
         )
-    except (zipfile.BadZipFile, InvalidFileException, KeyError, ValueError) as fault:
+    if isinstance(rows, WhyRefused):
         raise _failure(
             source,
             message("The file is damaged, protected by a password, or no spreadsheet."),
             message("Open it in a spreadsheet program and save it again as .xlsx."),
-        ) from fault
-    try:
-        sheet = workbook.worksheets[0]
-        sheet.reset_dimensions()  # what some programs write there is smaller than the table
-        return [tuple(row) for row in sheet.iter_rows(values_only=True)]
-    finally:
-        workbook.close()
+        )
+    return [SheetRow(row.number, _stripped(map(_cell_text, row.cells))) for row in rows]
 
 
 def _cell_text(cell: object) -> str:
@@ -199,8 +181,8 @@ def _cell_text(cell: object) -> str:
     return str(cell)
 
 
-def _stripped(rows: Iterable[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    return [tuple(cell.strip() for cell in row) for row in rows]
+def _stripped(cells: Iterable[str]) -> tuple[str, ...]:
+    return tuple(cell.strip() for cell in cells)
 
 
 def _failure(source: Readable, what: Message, remedy: Message) -> TableError:

@@ -1,0 +1,129 @@
+"""What a stored cell holds: a number, a text, a date, an error, as a spreadsheet shows it."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date, datetime, time, timedelta
+from typing import Final, TypeAlias
+
+from gripcourse.spreadsheet.package import Package, local
+from gripcourse.spreadsheet.sheet_cells import StoredCell
+
+CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
+"""What a spreadsheet cell can hold; `date` includes `datetime`."""
+
+GENERAL: Final = "General"
+_LONGEST_FORMAT: Final = 500  # characters; spreadsheet programs write 255 at most
+_NUMBER: Final = re.compile(r"\s*[+-]?(\d{1,4000}(\.\d*)?|\.\d+)([eE][+-]?\d{1,9})?\s*", re.ASCII)
+_MOST_STYLES: Final = 100_000
+_DIGITS: Final = 9  # of an index
+
+
+@dataclass(frozen=True, slots=True)
+class CellContent:
+    """What a cell holds.
+
+    Attributes:
+        value: as a spreadsheet program understands it.
+        error: whether the value is an error of a formula.
+    """
+
+    value: CellValue
+    error: bool = False
+
+
+class UnreadableContentError(ValueError):
+    """Something that no spreadsheet program writes, where it matters."""
+
+
+def formats_of(package: Package, part: str) -> tuple[str, ...]:
+    """Return the number format of every style of a workbook.
+
+    Raises:
+        UnreadableContentError: there is a format that no program writes.
+    """
+    from openpyxl.styles.numbers import BUILTIN_FORMATS  # noqa: PLC0415 (100 ms to import)
+
+    declared: dict[str, str] = {}
+    used: list[str] = []
+    for element in package.elements(part):
+        if local(element) == "numFmt":
+            declared[element.get("numFmtId", "")] = element.get("formatCode", "")
+        elif local(element) == "cellXfs":
+            used = [one.get("numFmtId", "0") for one in element if local(one) == "xf"]
+    if len(used) > _MOST_STYLES or any(len(one) > _LONGEST_FORMAT for one in declared.values()):
+        raise UnreadableContentError
+    builtin = {str(number): code for number, code in BUILTIN_FORMATS.items()}
+    return tuple(declared.get(one) or builtin.get(one, GENERAL) for one in used)
+
+
+def shown_value(
+    cell: StoredCell, number_format: str, texts: Mapping[int, str], *, from_1904: bool
+) -> CellContent:
+    """Tell what a cell holds.
+
+    Args:
+        cell: as it is stored.
+        number_format: of the cell; one of a date makes a date of its number.
+        texts: the shared texts that cells point to.
+        from_1904: whether the workbook counts days from 1904 on.
+
+    Raises:
+        UnreadableContentError: it points to a text that is not there.
+    """
+    text = cell.text
+    if text is None:
+        return CellContent(None)
+    if cell.kind == "n" and _NUMBER.fullmatch(text):
+        return _number(text, number_format, from_1904=from_1904)
+    return CellContent(_not_a_number(cell.kind, text, texts), error=cell.kind == "e")
+
+
+def _not_a_number(kind: str, text: str, texts: Mapping[int, str]) -> CellValue:
+    """Return what a cell holds; a number that is none stays what it is, a text."""
+    if kind == "s":
+        index = text_index(text)
+        if index is None or index not in texts:
+            raise UnreadableContentError
+        return texts[index] or None
+    if kind == "b" and text.strip() in {"0", "1"}:
+        return text.strip() == "1"
+    return _date(text) if kind == "d" else text
+
+
+def text_index(text: str | None) -> int | None:
+    """Read the number of a shared text; None where it is none."""
+    return int(text) if text and text.isdecimal() and len(text) <= _DIGITS else None
+
+
+def counts_from_1904(package: Package, workbook: str) -> bool:
+    """Tell whether a workbook counts days from 1904 on, as old ones of a Macintosh do."""
+    return any(
+        element.get("date1904", "0") in {"1", "true"}
+        for element in package.elements(workbook)
+        if local(element) == "workbookPr"
+    )
+
+
+def _number(text: str, number_format: str, *, from_1904: bool) -> CellContent:
+    number = float(text) if set(".eE") & set(text) else int(text)
+    if number_format in {GENERAL, ""}:
+        return CellContent(number)
+    from openpyxl.styles.numbers import is_date_format, is_timedelta_format  # noqa: PLC0415 (as above)
+    from openpyxl.utils.datetime import CALENDAR_MAC_1904, WINDOWS_EPOCH, from_excel  # noqa: PLC0415
+
+    if not is_date_format(number_format):
+        return CellContent(number)
+    epoch = CALENDAR_MAC_1904 if from_1904 else WINDOWS_EPOCH
+    try:
+        return CellContent(from_excel(number, epoch, is_timedelta_format(number_format)))
+    except (OverflowError, ValueError):
+        return CellContent("#VALUE!", error=True)
+
+
+def _date(text: str) -> CellValue:
+    """Read a date as the strict format stores it; what is none stays a text."""
+    try:
+        return datetime.fromisoformat(text.strip().removesuffix("Z"))
+    except ValueError:
+        return text

@@ -1,0 +1,134 @@
+"""Which files of a batch are looked at; every other one is named with the reason."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path, PurePath
+from typing import Final
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.words import Message, message
+
+# What people hand in as a workbook: the reader says what is wrong with those that are none.
+WORKBOOKS: Final = frozenset({".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"})
+_ARCHIVES: Final = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
+_TEXTS: Final = frozenset({".docx", ".doc", ".odt", ".rtf", ".pages", ".txt", ".html", ".htm"})
+_NAMED: Final = 5  # that a refusal of a whole folder names
+
+
+class WhyNot(StrEnum):
+    """Why a file was not looked at; the value stands in JSON and in tables."""
+
+    ARCHIVE = "archive"
+    TEXT_DOCUMENT = "text_document"
+    NO_EXTENSION = "no_extension"
+    LOCK_FILE = "lock_file"
+    HIDDEN = "hidden"
+    NO_FILE = "no_file"
+    OTHER = "other"
+
+
+REASONS: Final[Mapping[WhyNot, Message]] = {
+    WhyNot.ARCHIVE: message("An archive; unpack it, there may be a workbook in it."),
+    WhyNot.TEXT_DOCUMENT: message("A text document, not a workbook."),
+    WhyNot.NO_EXTENSION: message(
+        "Its name has no extension; if it is a workbook, add .xlsx to the name."
+    ),
+    WhyNot.LOCK_FILE: message(
+        "The lock file of an open workbook; the workbook itself may not have been handed in."
+    ),
+    WhyNot.HIDDEN: message("A hidden file of some program."),
+    WhyNot.NO_FILE: message("No file that can be read: a broken link or a device."),
+    WhyNot.OTHER: message("Not a workbook, for example a drawing."),
+}
+"""What each means, for a person."""
+
+_MAY_BE_WORK: Final = frozenset({WhyNot.ARCHIVE, WhyNot.TEXT_DOCUMENT, WhyNot.NO_EXTENSION})
+
+
+@dataclass(frozen=True, slots=True)
+class PassedOver:
+    """A file that was found and not looked at."""
+
+    file: str
+    why: WhyNot
+
+    @property
+    def needs_person(self) -> bool:
+        """Whether a student may have meant it as the work."""
+        return self.why in _MAY_BE_WORK
+
+
+@dataclass(frozen=True, slots=True)
+class Collected:
+    """The files of a batch: those to grade, and all others that were found."""
+
+    files: tuple[Path, ...]
+    passed_over: tuple[PassedOver, ...]
+
+
+def collect(paths: Iterable[Path]) -> Collected:
+    """Find the workbooks under files and folders, sorted inside a folder.
+
+    A file that is named itself is graded whatever it is called.
+
+    Raises:
+        UsageError: for a path that does not exist, or a batch without any workbook.
+    """
+    files: dict[Path, None] = {}
+    passed_over: dict[Path, PassedOver] = {}
+    problems: list[Problem] = []
+    for path in paths:
+        if path.is_dir():
+            for one, why in _inside(path):
+                if why is None:
+                    files[one] = None
+                else:
+                    passed_over[one] = PassedOver(str(one), why)
+        elif path.is_file():
+            files[path] = None
+        else:
+            problems.append(_problem(path, message("There is no such file or folder.")))
+    left = tuple(one for path, one in passed_over.items() if path not in files)
+    if not files and not problems:
+        problems = [_problem(path, _no_workbook(left)) for path in paths]
+    if problems:
+        raise UsageError(problems)
+    return Collected(tuple(files), left)
+
+
+def why_not(path: PurePath) -> WhyNot | None:
+    """Tell by its name why a file is not looked at; None where it is."""
+    name, suffix = path.name, path.suffix.lower()
+    if name.startswith(("~$", ".~lock.")):
+        return WhyNot.LOCK_FILE
+    if name.startswith("."):
+        return WhyNot.HIDDEN
+    if suffix in WORKBOOKS:
+        return None
+    if suffix in _ARCHIVES:
+        return WhyNot.ARCHIVE
+    if suffix in _TEXTS:
+        return WhyNot.TEXT_DOCUMENT
+    return WhyNot.OTHER if suffix else WhyNot.NO_EXTENSION
+
+
+def _inside(folder: Path) -> Iterator[tuple[Path, WhyNot | None]]:
+    for path in sorted(folder.rglob("*")):
+        if not path.is_dir():
+            yield path, why_not(path) if path.is_file() else WhyNot.NO_FILE
+
+
+def _no_workbook(found: tuple[PassedOver, ...]) -> Message:
+    if not found:
+        return message("There is no workbook in it.")
+    return message(
+        "There is no workbook in it, only {count} other files: {names}.",
+        count=len(found),
+        names=", ".join(PurePath(one.file).name for one in found[:_NAMED])
+        + (", …" if len(found) > _NAMED else ""),
+    )
+
+
+def _problem(path: Path, what: Message) -> Problem:
+    return Problem(str(path), "", what, message("Name a workbook or a folder with workbooks."))

@@ -1,0 +1,57 @@
+"""A person's word for who handed files in, where the program cannot tell."""
+
+from collections.abc import Container, Iterable, Mapping, Sequence
+from pathlib import PurePath
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import Readable, shown_name
+from gripcourse.text.words import message
+
+
+def read_whose(
+    written: Iterable[str], files: Sequence[Readable], students: Container[str]
+) -> Mapping[str, str]:
+    """Read decisions that are written as `file=student`.
+
+    Args:
+        written: the decisions; a file is named as it was found, or by the end of its path where
+            only one file of the batch ends so.
+        files: of the batch.
+        students: ids of the register.
+
+    Returns:
+        The student of each file that is decided, by the whole name of the file.
+
+    Raises:
+        UsageError: with every decision that cannot be used.
+    """
+    names = [shown_name(file) for file in files]
+    decided: dict[str, str] = {}
+    problems: list[Problem] = []
+    for one in written:
+        # A file may hold an equals sign in its name, an id does not.
+        file, _, student = (part.strip() for part in one.rpartition("="))
+        found = [name for name in names if _ends_so(name, file)]
+        if not file or not student:
+            what = message("'{text}' is no file with its student.", text=one)
+        elif student not in students:
+            what = message("The register has no student '{student}'.", student=student)
+        elif len(found) != 1:
+            what = message(
+                "{count} files of the batch are called '{file}', not one.",
+                count=len(found),
+                file=file,
+            )
+        else:
+            decided[found[0]] = student
+            continue
+        remedy = message("Write file=student, for example --whose work/s002.xlsx=s003.")
+        problems.append(Problem("", "--whose", what, remedy, parameter="whose"))
+    if problems:
+        raise UsageError(problems)
+    return decided
+
+
+def _ends_so(name: str, end: str) -> bool:
+    parts, last = PurePath(name).parts, PurePath(end).parts
+    return name == end or (bool(last) and parts[-len(last) :] == last)

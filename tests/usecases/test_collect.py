@@ -1,0 +1,85 @@
+"""Every file under a folder is graded or named with the reason why it is not."""
+
+from pathlib import Path
+
+import pytest
+
+from gripcourse.errors import UsageError
+from gripcourse.usecases.collect import REASONS, WhyNot, collect
+
+
+def made(folder: Path, *names: str) -> Path:
+    for name in names:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b"")
+    return folder
+
+
+def test_workbooks_are_graded_whatever_folder_they_are_in(tmp_path: Path) -> None:
+    made(tmp_path, "b.XLSX", "a.ods", "каталог.xlsx/c.xls")
+    found = collect([tmp_path])
+    assert [path.name for path in found.files] == ["a.ods", "b.XLSX", "c.xls"]
+    assert found.passed_over == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "why", "needs_person"),
+    [
+        ("work.zip", WhyNot.ARCHIVE, True),
+        ("work.RAR", WhyNot.ARCHIVE, True),
+        ("note.docx", WhyNot.TEXT_DOCUMENT, True),
+        ("answers", WhyNot.NO_EXTENSION, True),
+        ("~$a.xlsx", WhyNot.LOCK_FILE, False),
+        (".~lock.a.xlsx#", WhyNot.LOCK_FILE, False),
+        (".DS_Store", WhyNot.HIDDEN, False),
+        ("drawing.pdf", WhyNot.OTHER, False),
+    ],
+)
+def test_every_other_file_is_named_with_the_reason(
+    tmp_path: Path,
+    name: str,
+    why: WhyNot,
+    needs_person: bool,  # noqa: FBT001 (a parameter of the test)
+) -> None:
+    made(tmp_path, "a.xlsx", f"s01/{name}")
+    (one,) = collect([tmp_path]).passed_over
+    assert (Path(one.file).name, one.why, one.needs_person) == (name, why, needs_person)
+
+
+def test_a_broken_link_is_named(tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx")
+    (tmp_path / "b.xlsx").symlink_to(tmp_path / "gone.xlsx")
+    assert [one.why for one in collect([tmp_path]).passed_over] == [WhyNot.NO_FILE]
+
+
+def test_every_reason_has_its_sentence() -> None:
+    assert set(REASONS) == set(WhyNot)
+
+
+def test_a_file_named_twice_is_graded_once(tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx", "b.xlsx")
+    assert len(collect([tmp_path / "a.xlsx", tmp_path, tmp_path / "a.xlsx"]).files) == 2
+
+
+def test_a_file_that_is_named_is_graded_whatever_its_suffix(tmp_path: Path) -> None:
+    made(tmp_path, "work.zip", "a.xlsx")
+    found = collect([tmp_path, tmp_path / "work.zip"])
+    assert {path.name for path in found.files} == {"work.zip", "a.xlsx"}
+    assert found.passed_over == ()
+
+
+def test_all_paths_that_are_not_there_are_named_at_once(tmp_path: Path) -> None:
+    with pytest.raises(UsageError) as caught:
+        collect([tmp_path / "a.xlsx", tmp_path / "b"])
+    assert [problem.file for problem in caught.value.problems] == [
+        str(tmp_path / "a.xlsx"),
+        str(tmp_path / "b"),
+    ]
+
+
+def test_a_folder_without_workbooks_is_refused_and_says_what_is_there(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no workbook"):
+        collect([tmp_path])
+    with pytest.raises(UsageError, match=r"work\.zip"):
+        collect([made(tmp_path, "work.zip")])
