@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import LANGUAGES, Texts
@@ -19,9 +18,9 @@ OPEN = Texts(dict.fromkeys(LANGUAGES, "open"))
 WEDGE, OBJECT = (Texts(dict.fromkeys(LANGUAGES, one)) for one in ("wedge", "object"))
 
 
-def deep(composition: Composition, values: Mapping[str, Array]) -> list[Overlap | None]:
+def deep(scheme: str, values: Mapping[str, Array]) -> list[Overlap | None]:
     """Let heavy objects reach into the wedge."""
-    assert composition.scheme == "screw"
+    assert scheme == "screw"
     assert np.isfinite(values["mass"]).all()
     return [
         Overlap((WEDGE, OBJECT), OPEN, float(one) / 10) if one > 15 else None

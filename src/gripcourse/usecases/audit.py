@@ -14,7 +14,7 @@ from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.variants import draw_variants
 from gripcourse.variants.audit import VariantAudit, audit
-from gripcourse.variants.overlaps import OverlapCheck
+from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
 
@@ -40,7 +40,6 @@ def audit_table(
     out: Path,
     words: Words,
     today: date,
-    check: OverlapCheck | None = None,
 ) -> WrittenAudit:
     """Audit a table and write the certificate and its numbers into a folder.
 
@@ -50,7 +49,6 @@ def audit_table(
         out: folder to write to.
         words: the language of the certificate.
         today: the day that it bears.
-        check: tells whether bodies stand in each other; None where nobody knows the bodies.
 
     Raises:
         GripcourseError: the table cannot be read, or holds variants that cannot be solved; every
@@ -63,7 +61,11 @@ def audit_table(
     digest = hashlib.sha256(content_of(table)).hexdigest()
     source = CertificateSource(pure_path(table).name, digest)
     found = audit(
-        course, load_policy(course), read_table(table, course), load_spaces(course), check
+        course,
+        load_policy(course),
+        read_table(table, course),
+        load_spaces(course),
+        bodies_check(course),
     )
     return WrittenAudit(
         shown_name(table), found, _written(course, found, source, out, words, today)
@@ -78,7 +80,6 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
     out: Path,
     words: Words,
     today: date,
-    check: OverlapCheck | None = None,
 ) -> WrittenAudit:
     """Audit variants that are drawn freely: what the spaces give before the rules choose.
 
@@ -90,7 +91,6 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
         out: folder to write to; the variants are written there too.
         words: the language of the certificate.
         today: the day that it bears.
-        check: tells whether bodies stand in each other; None where nobody knows the bodies.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -103,7 +103,7 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
     path = out / DRAWN
     write_table(path, variants, course)
     source = CertificateSource(DRAWN, hashlib.sha256(path.read_bytes()).hexdigest())
-    found = audit(course, load_policy(course), variants, load_spaces(course), check)
+    found = audit(course, load_policy(course), variants, load_spaces(course), bodies_check(course))
     files = _written(course, found, source, out, words, today)
     return WrittenAudit(str(path), found, (path, *files))
 

@@ -8,9 +8,9 @@ from gripcourse.machine.content import Readable
 from gripcourse.policy.load import load_policy
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.draw import Drawn, draw
-from gripcourse.variants.overlaps import OverlapCheck
-from gripcourse.variants.screening import sifter
+from gripcourse.variants.screening import buildable, sifter
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
 
@@ -22,7 +22,6 @@ def draw_variants(
     scheme: str | None,
     *,
     freely: bool = False,
-    check: OverlapCheck | None = None,
 ) -> Drawn:
     """Draw variants.
 
@@ -31,9 +30,8 @@ def draw_variants(
         count: how many.
         seed: the same seed gives the same variants.
         scheme: only this one; None for all.
-        freely: whether to leave the policy's rules for variants aside: what is drawn can be solved,
-            but nothing keeps it apart.
-        check: tells whether bodies stand in each other; None where nobody knows the bodies.
+        freely: whether to leave the policy's rules for variants aside: what is drawn can be solved
+            and built, but nothing keeps it apart.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -44,7 +42,8 @@ def draw_variants(
         known = [one.scheme for one in load_spaces(course)]
         remedy = did_you_mean(scheme or "", known)
         raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
-    rules = None if freely else sifter(load_policy(course), len(course.sections), check)
+    check = bodies_check(course)
+    rules = buildable(check) if freely else sifter(load_policy(course), len(course.sections), check)
     return draw(course, spaces, count, seed, rules)
 
 

@@ -1,7 +1,7 @@
 """Bodies of a gripper that stand in each other: the seam to whoever knows the bodies.
 
-Tables know numbers and no shapes. A check of shapes is handed in; it is asked composition by
-composition, with the values of all variants of one at once.
+Tables know numbers and no shapes. A check of shapes is handed in; it is asked scheme by scheme,
+with the values of all its variants at once.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -10,7 +10,6 @@ from typing import TypeAlias
 
 import numpy as np
 
-from gripcourse.course.composition import Composition
 from gripcourse.text.words import Message, Texts, message
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
@@ -31,11 +30,12 @@ class Overlap:
     depth: float
 
 
-OverlapCheck: TypeAlias = Callable[[Composition, Mapping[str, Array]], Sequence[Overlap | None]]
-"""Looks at variants of one composition.
+OverlapCheck: TypeAlias = Callable[[str, Mapping[str, Array]], Sequence[Overlap | None]]
+"""Looks at variants of one scheme, whatever their options.
 
-It is given the SI value of every quantity by id, each of shape (k,), and returns the worst overlap
-of each variant, None where nothing overlaps.
+It is given the scheme's id and the SI value of every quantity by id, each of shape (k,), NaN where
+the options of a variant do not bring it, and returns the worst overlap of each variant, None where
+nothing overlaps.
 """
 
 
@@ -50,18 +50,16 @@ def overlaps_of(
         check: what knows the bodies.
     """
     wanted = np.asarray(places, dtype=np.intp)
-    numbers = group.family.numbers[wanted]
-    for number in np.unique(numbers):
-        at = wanted[numbers == number]
-        columns = {
-            one.quantity.id: group.values[one.quantity.id][at]
-            for one in group.family.members
-            if number in one.numbers and one.quantity.id in group.values
-        }
-        found = check(group.family.compositions[number], columns)
-        yield from (
-            (int(place), one) for place, one in zip(at, found, strict=True) if one is not None
-        )
+    if not len(wanted):
+        return
+    columns = {
+        name: np.broadcast_to(values, group.family.size)[wanted]
+        for name, values in group.values.items()
+    }
+    found = check(group.family.scheme, columns)
+    yield from (
+        (int(place), one) for place, one in zip(wanted, found, strict=True) if one is not None
+    )
 
 
 def overlap_in_short(one: Overlap) -> Message:

@@ -21,6 +21,25 @@ from gripcourse.variants.tally import Refusal, summed
 _AT_ONCE = 4  # candidates of a combination that are looked at closely, for each that is wanted
 
 
+def buildable(check: OverlapCheck) -> Filter:
+    """Make the filter of a free drawing: whatever the rules, bodies do not stand in each other.
+
+    Args:
+        check: tells whether bodies stand in each other.
+    """
+
+    def sift(batch: Batch) -> Sifted:
+        group = Group(batch.family, np.arange(len(batch.cases)), batch.evaluation.values, {})
+        looked_at = _first_of_each(batch, np.arange(len(batch.cases)))
+        overlaps = dict(overlaps_of(group, looked_at, check))
+        keep = np.zeros(len(batch.cases), dtype=np.bool_)
+        keep[[place for place in looked_at if place not in overlaps]] = True
+        refusals = (Refusal(overlap_in_short(one), 1) for one in overlaps.values())
+        return Sifted(keep, summed(refusals))
+
+    return sift
+
+
 def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> Filter:
     """Make the filter of one drawing; it remembers what it let through.
 
