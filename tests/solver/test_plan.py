@@ -62,7 +62,7 @@ def test_a_convention_decides_the_formula_and_its_inputs(course: Course, plan: P
     assert guide.inputs["force_ratio"] == ("arm_length", "arm_angle_open", "pitch_radius")
     formula = guide.reference_formula("bearing_stress")
     assert formula is not None
-    assert formula.text == "2*pin_force/(pi*pin_diameter*pin_length)"
+    assert formula.text == "2*pin_force/(pi*pin_diameter_first*pin_length)"
     assert plan.reference_formula("bearing_stress") == plan.quantities["bearing_stress"].formula
 
 
