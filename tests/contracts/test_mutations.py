@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 STUDENTS = 60  # for each set of reference numbers
 # Flips that change no number, and why.
 EQUIVALENT = {
-    "cups_fit: *": "cups are far smaller than their pitch, or far larger",
     "jaw_chord: +": "as printed, by E3, the band of contact is too narrow to count",
     "jaw_chord: *": "as printed, by E3, the band of contact is too narrow to count",
 }

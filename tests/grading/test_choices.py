@@ -152,12 +152,12 @@ class TestPrintedRounding:
         self, hydraulic: "Case"
     ) -> None:
         """The guide takes a pin of 10 mm for a required 10.17 (erratum E13)."""
-        found = finding(hydraulic, "pin_diameter", 10.0)
+        found = finding(hydraulic, "pin_diameter_first", 10.0)
         assert (found.outcome, found.against) == (Outcome.CORRECT, Against.PRINTED)
         assert any("E13" in str(remark) for remark in found.remarks)
 
     def test_a_policy_may_refuse_it(self, hydraulic: "Case") -> None:
-        found = finding(hydraulic.with_policy(printed_credit=None), "pin_diameter", 10.0)
+        found = finding(hydraulic.with_policy(printed_credit=None), "pin_diameter_first", 10.0)
         assert (found.outcome, found.points) == (Outcome.WRONG, 0)
         assert str(found.message) == "Rounded down: the size is below the required value."
 

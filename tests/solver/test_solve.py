@@ -126,7 +126,7 @@ def test_conventions_differ_where_the_guide_errs(
 def test_a_source_may_round_a_choice_otherwise(
     course: Course, plan: Plan, example: WorkedExample
 ) -> None:
-    pin = plan.quantities["pin_diameter"]
+    pin = plan.quantities["pin_diameter_first"]
     assert reference_rounding(pin, Convention.CORRECTED) is Rounding.UP
     assert reference_rounding(pin, Convention.AS_PRINTED) is Rounding.NEAREST
     bore = plan.quantities["bore"]
