@@ -77,6 +77,8 @@ class Scheme:
         options: what a variant chooses.
         quantities: its own declarations.
         overrides: declarations of parts as it changes them, by part and quantity.
+        optional_overrides: those that parts change which its options bring, by the part that brings
+            them besides.
         kinematics: how its links move, its own or that of a part; None where nothing moves.
         example: None where there is none.
         file: the file that declares it, for messages.
@@ -89,11 +91,18 @@ class Scheme:
     options: tuple[Option, ...]
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Mapping[str, Quantity]]
+    optional_overrides: Mapping[str, Mapping[str, Mapping[str, Quantity]]]
     kinematics: Kinematics | None
     diagram: Diagram | None
     view: View | None
     example: WorkedExample | None
     file: str
+
+    @property
+    def changed(self) -> tuple[Mapping[str, Quantity], ...]:
+        """Declarations of parts as it or any of its options changes them, part by part."""
+        optional = (one for parts in self.optional_overrides.values() for one in parts.values())
+        return (*self.overrides.values(), *optional)
 
 
 @dataclass(frozen=True, slots=True)
