@@ -102,7 +102,9 @@ def _motion(
         if part in raw_parts and raw_parts[part].kinematics is not None:
             table.add(
                 "options",
-                message("An option brings the part '{part}', which says how links move.", part=part),
+                message(
+                    "An option brings the part '{part}', which says how links move.", part=part
+                ),
                 message("Name it in 'parts': only a fixed part may hold kinematics."),
             )
     return found[0] if found else None
