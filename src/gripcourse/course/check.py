@@ -197,7 +197,7 @@ def _check_columns(course: Course) -> Iterator[Problem]:
     scopes = (
         *(part.quantities for part in course.parts.values()),
         *(scheme.quantities for scheme in course.schemes.values()),
-        *(own for scheme in course.schemes.values() for own in scheme.overrides.values()),
+        *(own for scheme in course.schemes.values() for own in scheme.changed),
     )
     for one in (quantity for scope in scopes for quantity in scope.values()):
         if one.kind is not Kind.GIVEN or not known_unit(one.unit):

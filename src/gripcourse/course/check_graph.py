@@ -30,7 +30,7 @@ def _all_inputs(course: Course, scheme: Scheme) -> dict[str, set[str]]:
     """Return what each id is computed from in any composition and convention of a scheme."""
     inputs: dict[str, set[str]] = {}
     parts = [course.parts[part].quantities for part in all_part_ids(scheme)]
-    for quantities in (*parts, scheme.quantities, *scheme.overrides.values()):
+    for quantities in (*parts, scheme.quantities, *scheme.changed):
         for name, one in quantities.items():
             own = inputs.setdefault(name, set())
             for convention in Convention:

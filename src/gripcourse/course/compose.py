@@ -35,9 +35,13 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     Constants come first, of them only those that some formula of the scheme uses.
     """
     declared: dict[str, Quantity] = {}
-    for part in part_ids(scheme, options):
+    chosen = part_ids(scheme, options)
+    for part in chosen:
         if part in course.parts:
             declared |= {**course.parts[part].quantities, **scheme.overrides.get(part, {})}
+    for part in chosen:
+        for changed, own in scheme.optional_overrides.get(part, {}).items():
+            declared |= own if changed in chosen else {}
     declared |= scheme.quantities
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}

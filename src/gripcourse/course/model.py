@@ -85,6 +85,8 @@ class Scheme:
         own_rules: rules among its options that it declares itself.
         quantities: its own declarations.
         overrides: declarations of parts as it changes them, by part and quantity.
+        optional_overrides: those that parts change which its options bring, by the part that brings
+            them besides.
         kinematics: how its links move, its own or that of a part; None where nothing moves.
         example: None where there is none.
         file: the file that declares it, for messages.
@@ -98,6 +100,7 @@ class Scheme:
     own_rules: tuple[OptionRule, ...]
     quantities: Mapping[str, Quantity]
     overrides: Mapping[str, Mapping[str, Quantity]]
+    optional_overrides: Mapping[str, Mapping[str, Mapping[str, Quantity]]]
     kinematics: Kinematics | None
     diagram: Diagram | None
     view: View | None
@@ -110,6 +113,12 @@ class Scheme:
         mine = {option.id for option in self.options}
         brought = (rule for option in self.options for rule in option.rules)
         return (*self.own_rules, *(one for one in brought if mine.issuperset(one.options)))
+
+    @property
+    def changed(self) -> tuple[Mapping[str, Quantity], ...]:
+        """Declarations of parts as it or any of its options changes them, part by part."""
+        optional = (one for parts in self.optional_overrides.values() for one in parts.values())
+        return (*self.overrides.values(), *optional)
 
 
 @dataclass(frozen=True, slots=True)

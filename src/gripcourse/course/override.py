@@ -2,10 +2,10 @@
 
 A change holds in whichever part declares the quantity: of several parts, among which options
 choose, each keeps what is not changed. Where the change is right for some of them only, it names
-those under `parts`.
+those under `parts`. What a part changes that an option brings holds for variants with that choice.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.course.declare import declare
@@ -32,11 +32,6 @@ class RawPart:
     quantities: Mapping[str, Table]
     overrides: Mapping[str, Table]
     kinematics: Kinematics | None
-
-    @property
-    def changes_others(self) -> bool:
-        """Whether it says more than its own declarations."""
-        return bool(self.overrides) or self.kinematics is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +76,51 @@ def read_overrides(
                 change.name, shared, written[key], change.keys
             )
     return declared
+
+
+def read_optional_overrides(
+    table: Table,
+    optional: Sequence[str],
+    raw_parts: Mapping[str, RawPart],
+) -> dict[str, dict[str, dict[str, Quantity]]]:
+    """Declare again what parts change that options bring, over what the scheme always changes.
+
+    Args:
+        table: of the scheme.
+        optional: the parts that its options bring.
+        raw_parts: all parts of the course.
+
+    Returns:
+        The changed declarations by the part that changes them, the changed part, and quantity.
+    """
+    part_ids = [*table.strings("parts"), *optional]
+    changed: dict[str, dict[str, dict[str, Quantity]]] = {}
+    for bringing in dict.fromkeys(optional):
+        fixed = bringing in table.strings("parts")
+        for name, keys in () if fixed else _overrides_of(bringing, raw_parts):
+            change = _Change(name, keys, is_own=False)
+            parts = _declaring(name, part_ids, raw_parts)
+            if not parts:
+                _report_unknown(change, table, part_ids, raw_parts)
+            for part in _chosen(change, parts):
+                shared = _always(part, name, table, raw_parts)
+                quantity = _declare(name, shared, _laid_over(shared, keys), keys)
+                changed.setdefault(bringing, {}).setdefault(part, {})[name] = quantity
+    return changed
+
+
+def _overrides_of(part: str, raw_parts: Mapping[str, RawPart]) -> Iterable[tuple[str, Table]]:
+    return raw_parts[part].overrides.items() if part in raw_parts else ()
+
+
+def _always(part: str, name: str, table: Table, raw_parts: Mapping[str, RawPart]) -> Table:
+    """Return the declaration of a quantity in a part with what the scheme always changes of it."""
+    shared = raw_parts[part].quantities[name]
+    for change in _changes(table, raw_parts):
+        named = change.keys.strings(_ONLY_IN) if change.keys.has(_ONLY_IN) else (part,)
+        if change.name == name and part in named:
+            shared = _laid_over(shared, change.keys)
+    return shared
 
 
 def _changes(table: Table, raw_parts: Mapping[str, RawPart]) -> Iterator[_Change]:

@@ -10,7 +10,7 @@ from gripcourse.course.keys import EXAMPLE, SCHEME
 from gripcourse.course.kinematics import Kinematics, read_kinematics
 from gripcourse.course.model import Option, Scheme, WorkedExample
 from gripcourse.course.options import read_rules, scheme_options
-from gripcourse.course.override import RawPart, read_overrides
+from gripcourse.course.override import RawPart, read_optional_overrides, read_overrides
 from gripcourse.course.quantity import Convention
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.view import View
@@ -64,6 +64,7 @@ def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem
             name: declare(name, one) for name, one in table.named_tables("quantity").items()
         },
         overrides=read_overrides(table, part_ids, shared.parts, complete=all_options is not None),
+        optional_overrides=read_optional_overrides(table, optional, shared.parts),
         kinematics=_motion(table, optional, shared.parts),
         diagram=read_diagram(folder, root, shared.symbols, problems),
         view=_view(folder / "drawing.toml", root, shared.drawings, problems),
@@ -99,13 +100,13 @@ def _motion(
             message("It stands in {file} too: keep one.", file=found[0].file),
         )
     for part in dict.fromkeys(optional):
-        if part in raw_parts and raw_parts[part].changes_others:
+        if part in raw_parts and raw_parts[part].kinematics is not None:
             table.add(
                 "options",
                 message(
-                    "An option brings the part '{part}', which changes other parts.", part=part
+                    "An option brings the part '{part}', which says how links move.", part=part
                 ),
-                message("Name it in 'parts': only a fixed part may hold overrides or kinematics."),
+                message("Name it in 'parts': only a fixed part may hold kinematics."),
             )
     return found[0] if found else None
 

@@ -79,7 +79,7 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
 def _has_ranges(course: Course, scheme: Scheme) -> bool:
     """Tell whether a scheme without a file means to be drawn from: one of its givens says how."""
     parts = [course.parts[part].quantities for part in all_part_ids(scheme)]
-    declared = (*parts, scheme.quantities, *scheme.overrides.values())
+    declared = (*parts, scheme.quantities, *scheme.changed)
     return any(one.range is not None for quantities in declared for one in quantities.values())
 
 

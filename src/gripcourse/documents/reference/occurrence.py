@@ -115,6 +115,12 @@ def _declared(course: Course, scheme: Scheme) -> Iterable[Occurrence]:
             anchor = f"{name}.{part.id}" if name in seen else name
             seen.add(name)
             yield Occurrence(quantity, part.id, conditions, anchor, changed)
+    for bringing, parts in scheme.optional_overrides.items():
+        conditions = conditions_of(scheme, bringing)
+        for part, own in parts.items():
+            for name, one in own.items():
+                both = (*conditions_of(scheme, part), *conditions)
+                yield Occurrence(one, part, both, f"{name}.{part}.{bringing}", changed=True)
     yield from map(_always, scheme.quantities.values())
 
 
