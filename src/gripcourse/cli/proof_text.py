@@ -14,6 +14,7 @@ _KINDS = {
     ProofKind.TRAVEL: message("travel"),
     ProofKind.IDENTITY: message("identity"),
     ProofKind.INEQUALITY: message("inequality"),
+    ProofKind.EQUILIBRIUM: message("equilibrium"),
     ProofKind.OPERATORS: message("flipped operators"),
     ProofKind.WRONG_METHODS: message("slips and errata"),
     ProofKind.PRINTED_LINES: message("printed lines"),
