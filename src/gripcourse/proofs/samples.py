@@ -147,9 +147,10 @@ def trials_with(
         for one in source.mixed(scheme.id)
         if _suits(source, scheme, one.options, options, names)
     ]
-    # Neighbours in the list differ in the last option only: some from all over it.
+    # Neighbours in the list differ in the last option only: some from all over it, and not all of
+    # them at the same place of what repeats.
     step = max(1, len(suited) // most)
-    for one in suited[::step][:most]:
+    for one in [one for turn in range(most) for one in suited[turn * (step + 1) :][:1]]:
         drawn = _drawn(source, one)
         if drawn is not None:
             yield drawn

@@ -223,7 +223,8 @@ def _dimension_faults(
             if key.startswith("point."):
                 yield from _unlike(one, key, measured, length)
             else:
-                known[key.rpartition(".")[2]] = measured or PLAIN
+                name = key.rpartition(".")[2]
+                known[name] = known.get(name, PLAIN) if measured is None else measured
         for key, formula in acting_formulas(one):
             measured = _measured(one, key, formula, known, columns)
             section, _, rest = key.partition(".")

@@ -7,16 +7,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.formula.tree import Formula
 from gripcourse.proofs.equilibrium.check import schemes_of
+from gripcourse.proofs.equilibrium.faults import Fault, problems
 from gripcourse.proofs.equilibrium.model import Claim, Condition, Joint, Mechanism, names_used
 from gripcourse.proofs.equilibrium.places import placed
 from gripcourse.proofs.equilibrium.statics import solve
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import SampleSource, Trial, trials_with
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import message
 
 Array = NDArray[np.float64]
 
@@ -52,21 +51,20 @@ def prove_equilibrium(
 ) -> ProofResult:
     """Try a mechanism with drawn variants of the schemes that it is about."""
     proof, compared = proof_of(mechanism), 0
-    problems: list[Problem] = []
+    faults: list[Fault] = []
     done: dict[tuple[object, ...], dict[str, Solved]] = {}
     for judged in (*mechanism.claims, *mechanism.conditions):
         for trial in _trials(mechanism, judged, source, scheme):
             key = _key(trial)
             if key not in done:
                 done[key] = solved_of(mechanism, trial)
-                problems += _unsolved(mechanism, trial, done[key])
-                problems += _pressing(mechanism, trial, done[key])
+                faults += faults_of_solution(mechanism, trial, done[key])
             compared += len(trial.variants)
-            problems += _judge(mechanism, judged, trial, done[key])
+            faults += faults_of(judged, trial, done[key])
     if not compared:
         note = message("There is neither a worked example nor a range to draw such variants from.")
         return ProofResult(proof, Verdict.OPEN, 0, (), note)
-    return concluded(proof, compared, tuple(problems))
+    return concluded(proof, compared, tuple(problems(mechanism.file, faults)))
 
 
 def _key(trial: Trial) -> tuple[object, ...]:
@@ -128,101 +126,38 @@ def compare(
         yield name, declared, actual, agrees
 
 
-def _judge(
-    mechanism: Mechanism,
-    judged: Claim | Condition,
-    trial: Trial,
-    solved: Mapping[str, Solved],
-) -> Iterator[Problem]:
+def faults_of(
+    judged: Claim | Condition, trial: Trial, solved: Mapping[str, Solved]
+) -> Iterator[Fault]:
+    """Yield what a trial shows of a claim that is not so, or of a condition that is not met."""
     if isinstance(judged, Condition):
         for name, one in solved.items():
             if judged.at in {"", name}:
                 met = evaluate_formula(judged.that, "", one.known, trial.plan.columns)
-                yield from _unmet(mechanism, f"{judged.key}.that", trial, name, met != 1)
+                yield Fault(f"{judged.key}.that", judged.that.text, trial, name, met != 1)
         return
     for name, declared, actual, agrees in compare(judged, trial, solved):
-        wrong = np.flatnonzero(~agrees)
-        if len(wrong):
-            with np.errstate(all="ignore"):
-                ratio = actual[wrong] / declared[wrong]
-            first = int(wrong[0])
-            what = message(
-                "{quantity} is not in equilibrium{where} in {wrong} of {count} sets of numbers of"
-                " {scheme} ({options}): bodies give {low} to {high} times as much, for"
-                " example in {variant} {actual} instead of {declared}, in SI.",
-                quantity=judged.quantity.text,
-                low=_figures(np.nanmin(ratio)),
-                high=_figures(np.nanmax(ratio)),
-                actual=_figures(actual[first]),
-                declared=_figures(declared[first]),
-                **_place(trial, name, wrong),
-            )
-            yield Problem(mechanism.file, f"{judged.key}.quantity", what, _REMEDY)
+        text = judged.quantity.text
+        yield Fault(f"{judged.key}.quantity", text, trial, name, ~agrees, declared, actual)
 
 
-_REMEDY: Final = message("Correct the formula of the quantity, or the declared mechanism.")
-
-
-def _figures(value: float) -> float:
-    return float(f"{value:.5g}")
-
-
-def _place(trial: Trial, position: str, wrong: NDArray[np.intp]) -> dict[str, object]:
-    where = message(" ({position})", position=position) if position else message("")
-    return {
-        "where": where,
-        "wrong": len(wrong),
-        "count": len(trial.variants),
-        "scheme": trial.plan.scheme.id,
-        "options": ", ".join(f"{name}={choice}" for name, choice in trial.plan.options.items()),
-        "variant": trial.variants[int(wrong[0])].id,
-    }
-
-
-def _unmet(
-    mechanism: Mechanism, key: str, trial: Trial, position: str, wrong: NDArray[np.bool_]
-) -> Iterator[Problem]:
-    if wrong.any():
-        what = message(
-            "It does not hold{where} in {wrong} of {count} sets of numbers of {scheme}"
-            " ({options}), for example in {variant}.",
-            **_place(trial, position, np.flatnonzero(wrong)),
-        )
-        yield Problem(mechanism.file, key, what, _REMEDY)
-
-
-def _unsolved(
+def faults_of_solution(
     mechanism: Mechanism, trial: Trial, solved: Mapping[str, Solved]
-) -> Iterator[Problem]:
-    for name, one in solved.items():
-        if not one.is_solved.all():
-            what: Message = message(
-                "Equilibrium has no single solution{where} in {wrong} of {count} sets of numbers"
-                " of {scheme} ({options}), for example in {variant}; open are: {open}.",
-                open=", ".join(sorted(one.loose)) or "—",
-                **_place(trial, name, np.flatnonzero(~one.is_solved)),
-            )
-            remedy = message("Look for points without a place, and for joints that do not hold.")
-            yield Problem(mechanism.file, "joint", what, remedy)
-
-
-def _pressing(
-    mechanism: Mechanism, trial: Trial, solved: Mapping[str, Solved]
-) -> Iterator[Problem]:
-    """A contact presses, and friction that is found does not exceed what it can be."""
+) -> Iterator[Fault]:
+    """Yield where there is no solution, or a contact pulls, or slips though it should hold."""
     contacts = [one for one in mechanism.joints if one.kind == "contact"]
     for name, one in solved.items():
+        loose = ", ".join(sorted(one.loose))
+        yield Fault("joint", loose, trial, name, ~one.is_solved)
         for joint in contacts:
             normal = one.known[f"{joint.id}_normal"]
-            wrong = normal < -_EXACT * one.size
-            wrong |= _slips(joint, trial, one)
-            yield from _unmet(mechanism, f"joint.{joint.id}", trial, name, wrong)
+            wrong = (normal < -_EXACT * one.size) | _slips(joint, trial, one)
+            yield Fault(f"joint.{joint.id}", joint.id, trial, name, wrong)
 
 
 def _slips(joint: Joint, trial: Trial, one: Solved) -> NDArray[np.bool_]:
     if not joint.is_rough:
         return np.zeros(len(trial.variants), dtype=np.bool_)
-    friction: Formula = joint.formulas["friction"]
-    limit = evaluate_formula(friction, "", one.known, trial.plan.columns)
+    limit = evaluate_formula(joint.formulas["friction"], "", one.known, trial.plan.columns)
     tangent, normal = one.known[f"{joint.id}_tangent"], one.known[f"{joint.id}_normal"]
     return np.asarray(np.abs(tangent) > limit * np.abs(normal) * (1 + _EXACT) + _NOTHING * one.size)
