@@ -93,11 +93,12 @@ def _said(key: str, tried: list[Fault], wrong: list[Fault]) -> Message:
 
 
 def _ratios(wrong: list[Fault]) -> NDArray[np.float64]:
-    found = []
     with np.errstate(all="ignore"):
-        for one in wrong:
-            if one.declared is not None and one.actual is not None:
-                found.append((one.actual / one.declared)[one.wrong])
+        found = [
+            (one.actual / one.declared)[one.wrong]
+            for one in wrong
+            if one.declared is not None and one.actual is not None
+        ]
     return np.concatenate(found)
 
 

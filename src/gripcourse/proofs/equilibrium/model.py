@@ -207,6 +207,11 @@ class Mechanism:
         )
 
 
+def judged_of(mechanism: Mechanism) -> tuple[Claim | Condition, ...]:
+    """Return the claims and conditions of a mechanism."""
+    return (*mechanism.claims, *mechanism.conditions)
+
+
 def placing_formulas(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
     """Yield the formulas of positions, lets and points with their keys."""
     for position, state in mechanism.positions.items():

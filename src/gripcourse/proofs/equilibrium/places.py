@@ -44,6 +44,23 @@ def _given_by(found: Mapping[str, object], mechanism: Mechanism) -> frozenset[st
     return frozenset({*lets, *(f"{name}_{axis}" for name in points for axis in "xy")})
 
 
+def ordered_formulas(one: Mechanism) -> Iterator[tuple[str, Formula]]:
+    """Yield positions, then lets and points in the order in which they can be found."""
+    for position, state in one.positions.items():
+        for name, formula in state.items():
+            yield f"position.{position}.{name}", formula
+    for name in order_of(one)[0]:
+        if name in one.lets:
+            yield f"let.{name}", one.lets[name]
+        match one.points.get(name):
+            case Place(x, y):
+                yield f"point.{name}.x", x
+                yield f"point.{name}.y", y
+            case Circles(_, radii):
+                for radius in radii:
+                    yield f"point.{name}.radii", radius
+
+
 def placed(
     mechanism: Mechanism,
     position: str,

@@ -234,7 +234,7 @@ def _pair(table: Table, key: str) -> tuple[str, str]:
             what = message("This key is missing.")
         case _:
             what = message("The value has the wrong type.")
-    table.add(key, what, message("Write two texts in quotes: [\"…\", \"…\"]."))
+    table.add(key, what, message('Write two texts in quotes: ["…", "…"].'))
     return "", ""
 
 

@@ -10,7 +10,14 @@ from numpy.typing import NDArray
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.proofs.equilibrium.check import schemes_of
 from gripcourse.proofs.equilibrium.faults import Fault, problems
-from gripcourse.proofs.equilibrium.model import Claim, Condition, Joint, Mechanism, names_used
+from gripcourse.proofs.equilibrium.model import (
+    Claim,
+    Condition,
+    Joint,
+    Mechanism,
+    judged_of,
+    names_used,
+)
 from gripcourse.proofs.equilibrium.places import placed
 from gripcourse.proofs.equilibrium.statics import solve
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
@@ -53,7 +60,7 @@ def prove_equilibrium(
     proof, compared = proof_of(mechanism), 0
     faults: list[Fault] = []
     done: dict[tuple[object, ...], dict[str, Solved]] = {}
-    for judged in (*mechanism.claims, *mechanism.conditions):
+    for judged in judged_of(mechanism):
         for trial in _trials(mechanism, judged, source, scheme):
             key = _key(trial)
             if key not in done:

@@ -41,31 +41,29 @@ def force_at(x: Array, y: Array, along: Array, across: Array) -> Wrench:
 
 def unit_wrenches(joint: Joint, known: Mapping[str, Array], value: Value) -> list[Wrench]:
     """Return the wrench on the first body for one unit of each unknown of a joint."""
-    zero = np.zeros(np.shape(next(iter(known.values()))))
-    one = zero + 1.0
+    shape = np.shape(next(iter(known.values())))
+    zero, one = np.zeros(shape), np.ones(shape)
+    couple = (zero, zero, one)
     if joint.kind == "couple":
-        return [(zero, zero, one)]
+        return [couple]
     x, y = known[f"{joint.at}_x"], known[f"{joint.at}_y"]
     match joint.kind:
+        case "row" | "grid":
+            found = _row(joint, x, y, value) if joint.kind == "row" else _grid(joint, x, y, value)
         case "pin" | "weld":
-            both = [force_at(x, y, one, zero), force_at(x, y, zero, one)]
-            return both if joint.kind == "pin" else [*both, (zero, zero, one)]
-        case "slider":
-            angle = value(joint.formulas["along"]) + np.pi / 2
-            return [_turned(x, y, angle, zero), (zero, zero, one)]
+            found = [force_at(x, y, one, zero), force_at(x, y, zero, one)]
         case "link":
             away = known[f"{joint.to}_x"] - x, known[f"{joint.to}_y"] - y
             length = np.hypot(*away)
-            return [force_at(x, y, away[0] / length, away[1] / length)]
-        case "row":
-            return _row(joint, x, y, value)
-        case "grid":
-            return _grid(joint, x, y, value)
+            found = [force_at(x, y, away[0] / length, away[1] / length)]
+        case "slider":
+            found = [_turned(x, y, value(joint.formulas["along"]) + np.pi / 2, zero)]
         case _:
             angle = value(joint.formulas["direction"])
+            found = [_turned(x, y, angle, zero + _lean(joint, value))]
             if joint.is_rough:
-                return [_turned(x, y, angle, zero), _turned(x, y, angle + np.pi / 2, zero)]
-            return [_turned(x, y, angle, zero + _lean(joint, value))]
+                found.append(_turned(x, y, angle + np.pi / 2, zero))
+    return [*found, couple] if joint.kind in {"weld", "slider"} else found
 
 
 def _lean(joint: Joint, value: Value) -> Array:
