@@ -60,7 +60,7 @@ def check_mechanisms(course: Course, mechanisms: Iterable[Mechanism]) -> list[Pr
     for one in mechanisms:
         own = [*_structure_faults(one)] or [*_faults(course, one, columns, compositions)]
         # Each once, whatever schemes show it.
-        found += {(fault.key, fault.what): fault for fault in own}.values()
+        found += [fault for place, fault in enumerate(own) if fault not in own[:place]]
     return found
 
 

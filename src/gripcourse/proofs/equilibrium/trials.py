@@ -141,11 +141,14 @@ def faults_of(
         for name, one in solved.items():
             if judged.at in {"", name}:
                 met = evaluate_formula(judged.that, "", one.known, trial.plan.columns)
-                yield Fault(f"{judged.key}.that", judged.that.text, trial, name, met != 1)
+                wrong = one.is_solved & (met != 1)
+                yield Fault(f"{judged.key}.that", judged.that.text, trial, name, wrong)
         return
+    # Where there is no solution is told by itself.
+    is_solved = np.all([one.is_solved for one in solved.values()], axis=0)
     for name, declared, actual, agrees in compare(judged, trial, solved):
-        text = judged.quantity.text
-        yield Fault(f"{judged.key}.quantity", text, trial, name, ~agrees, declared, actual)
+        text, wrong = judged.quantity.text, is_solved & ~agrees
+        yield Fault(f"{judged.key}.quantity", text, trial, name, wrong, declared, actual)
 
 
 def faults_of_solution(
@@ -159,7 +162,7 @@ def faults_of_solution(
         for joint in contacts:
             normal = one.known[f"{joint.id}_normal"]
             wrong = (normal < -_EXACT * one.size) | _slips(joint, trial, one)
-            yield Fault(f"joint.{joint.id}", joint.id, trial, name, wrong)
+            yield Fault(f"joint.{joint.id}", joint.id, trial, name, wrong & one.is_solved)
 
 
 def _slips(joint: Joint, trial: Trial, one: Solved) -> NDArray[np.bool_]:
