@@ -153,9 +153,7 @@ def solved(mechanism: Mechanism, loads: tuple[float, ...] = (100.0,)) -> Solutio
         # Two equal bars, each at rise 0.2 over 1: F/(2 sin θ), in compression.
         pytest.param(TOGGLE, {"left_force": -50 / np.sin(np.arctan(0.2))}, id="toggle"),
         # A block raised by a wedge whose face alone is rough: P = W·tan(α + φ).
-        pytest.param(
-            WEDGE, {"push_force": 100 * np.tan(np.pi / 18 + np.arctan(0.3))}, id="wedge"
-        ),
+        pytest.param(WEDGE, {"push_force": 100 * np.tan(np.pi / 18 + np.arctan(0.3))}, id="wedge"),
         # A beam on two supports 4 apart, loaded 2 beyond the right one.
         pytest.param(
             BEAM,
