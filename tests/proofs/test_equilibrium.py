@@ -154,7 +154,7 @@ def test_without_numbers_a_mechanism_stays_open(with_mechanism: Write) -> None:
         ('around = ["O", "A"]', 'around = ["O", "B"]', "point.S.around", "'B' is not known"),
         ('side = "left"', 'side = "above"', "point.S.side", "'above' is not known"),
         ("at_min = {", "at_middle = {", "position.at_middle", "'at_middle' is not known"),
-        ('at_min = { rise', 'at_min = { height', "position.at_min", "do not give the same names"),
+        ("at_min = { rise", "at_min = { height", "position.at_min", "do not give the same names"),
         ("2*teeth_force", "2*tooth_farce", "claim[1].is", "'tooth_farce' is not known"),
         ("2*teeth_force", "2*teeth_force*arm_length", "claim[1].is", "different things"),
         ("2*teeth_force", "2*teeth_force +", "claim[1].is", "missing or too much"),
