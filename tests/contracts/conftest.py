@@ -24,6 +24,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import PrintedCalculation, calculations
 from gripcourse.proofs.check_declared import load_declared_proofs
 from gripcourse.proofs.declared import DeclaredProof
+from gripcourse.proofs.equilibrium.check import load_mechanisms
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.published_cases import load_published_cases
 from gripcourse.proofs.samples import SampleSource, Trial
@@ -173,6 +174,7 @@ def subject(course: Course, policy: Policy) -> Subject:
         SampleSource(course, all_spaces(), COUNT, SEED),
         policy,
         load_declared_proofs(course),
+        load_mechanisms(course),
         printed_calculations(),
         None,
     )

@@ -15,6 +15,7 @@ _KINDS = {
     ProofKind.INTERFERENCE: message("interference"),
     ProofKind.IDENTITY: message("identity"),
     ProofKind.INEQUALITY: message("inequality"),
+    ProofKind.EQUILIBRIUM: message("equilibrium"),
     ProofKind.OPERATORS: message("flipped operators"),
     ProofKind.WRONG_METHODS: message("slips and errata"),
     ProofKind.PRINTED_LINES: message("printed lines"),

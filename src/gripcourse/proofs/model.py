@@ -18,6 +18,7 @@ class ProofKind(StrEnum):
     INTERFERENCE = "interference"  # the bodies of the general view against one another
     IDENTITY = "identity"  # two formulas of the author's that must agree
     INEQUALITY = "inequality"  # a condition of the author's that must hold
+    EQUILIBRIUM = "equilibrium"  # forces against the sums over free bodies
     OPERATORS = "operators"  # one operator flipped must break one of the above
     WRONG_METHODS = "wrong_methods"  # every slip and erratum shows, and is named
     PRINTED_LINES = "printed_lines"  # the printed substitution reads back to the result

@@ -14,6 +14,9 @@ from gripcourse.proofs.calculations import (
 from gripcourse.proofs.check_declared import load_declared_proofs
 from gripcourse.proofs.declared import DeclaredProofs
 from gripcourse.proofs.declared_trials import proof_of, prove_declared
+from gripcourse.proofs.equilibrium.check import load_mechanisms
+from gripcourse.proofs.equilibrium.model import Mechanism
+from gripcourse.proofs.equilibrium.trials import prove_equilibrium
 from gripcourse.proofs.interference import prove_interference
 from gripcourse.proofs.kinematics import prove_motion, prove_ratios
 from gripcourse.proofs.model import ProofKind, ProofResult
@@ -38,6 +41,7 @@ class Subject:
         source: of numbers.
         policy: by which answers are graded.
         declared: what the course declares.
+        mechanisms: free bodies that it declares.
         calculations: with printed results, of the whole course.
         scheme: only this one; None for all.
     """
@@ -45,6 +49,7 @@ class Subject:
     source: SampleSource
     policy: Policy
     declared: DeclaredProofs
+    mechanisms: tuple[Mechanism, ...]
     calculations: tuple[PrintedCalculation, ...]
     scheme: str | None
 
@@ -79,12 +84,13 @@ def open_subject(
         seed: the same seed draws the same variants.
 
     Raises:
-        CourseError: the spaces, published cases or declared proofs have problems.
+        CourseError: the spaces, published cases, declared proofs or mechanisms have problems.
     """
     return Subject(
         source=SampleSource(course, load_spaces(course), count, seed),
         policy=policy,
         declared=load_declared_proofs(course),
+        mechanisms=load_mechanisms(course),
         calculations=tuple(calculations(course, load_published_cases(course))),
         scheme=scheme,
     )
@@ -108,7 +114,7 @@ def prove(
         scheme: prove only this one.
 
     Raises:
-        CourseError: the spaces, published cases or declared proofs have problems.
+        CourseError: the spaces, published cases, declared proofs or mechanisms have problems.
     """
     subject = open_subject(course, policy, count, scheme)
     yield from prove_subject(subject, kinds)
@@ -182,6 +188,15 @@ def _inequalities(subject: Subject, _trials: _Trials) -> Iterator[ProofResult]:
     return _declared(subject, ProofKind.INEQUALITY)
 
 
+def _equilibrium(subject: Subject, _trials: _Trials) -> Iterator[ProofResult]:
+    for one in subject.mechanisms:
+        if subject.scheme is None or subject.scheme in (one.schemes or {subject.scheme}):
+            result = prove_equilibrium(one, subject.source, subject.scheme)
+            # Of one scheme only: a mechanism of whichever scheme has its names is about others.
+            if result.compared or subject.scheme is None or one.schemes:
+                yield result
+
+
 def _every(trials: _Trials) -> tuple[Trial, ...]:
     return tuple(one for own in trials.values() for one in own)
 
@@ -210,6 +225,7 @@ _WITHOUT_TRIALS: Final = frozenset(
         ProofKind.TRAVEL,
         ProofKind.IDENTITY,
         ProofKind.INEQUALITY,
+        ProofKind.EQUILIBRIUM,
     }
 )
 _STEPS: Final[tuple[tuple[ProofKind, Callable[[Subject, _Trials], Iterator[ProofResult]]], ...]] = (
@@ -221,6 +237,7 @@ _STEPS: Final[tuple[tuple[ProofKind, Callable[[Subject, _Trials], Iterator[Proof
     (ProofKind.INTERFERENCE, _interference),
     (ProofKind.IDENTITY, _identities),
     (ProofKind.INEQUALITY, _inequalities),
+    (ProofKind.EQUILIBRIUM, _equilibrium),
     (ProofKind.PRINTED_LINES, _printed_lines),
     (ProofKind.WRONG_METHODS, _wrong_methods),
     (ProofKind.OPERATORS, _operators),

@@ -124,9 +124,21 @@ def trials_of(source: SampleSource, scheme: Scheme) -> Iterator[Trial]:
 
 
 def trials_with(
-    source: SampleSource, scheme: Scheme, options: Mapping[str, str], names: frozenset[str]
+    source: SampleSource,
+    scheme: Scheme,
+    options: Mapping[str, str],
+    names: frozenset[str],
+    most: int = _MOST_CASES,
 ) -> Iterator[Trial]:
-    """Yield few compositions that choose these options and hold all these quantities."""
+    """Yield few compositions that choose these options and hold all these quantities.
+
+    Args:
+        source: of numbers.
+        scheme: whose compositions.
+        options: that they have.
+        names: of quantities that they have.
+        most: how many of them, beside the worked example.
+    """
     example = _example_of(source.course, scheme)
     if example is not None and _suits(source, scheme, example.options, options, names):
         yield make_trial(_plan(source.course, example), (example,))
@@ -135,9 +147,10 @@ def trials_with(
         for one in source.mixed(scheme.id)
         if _suits(source, scheme, one.options, options, names)
     ]
-    # Neighbours in the list differ in the last option only: some from all over it.
-    step = max(1, len(suited) // _MOST_CASES)
-    for one in suited[::step][:_MOST_CASES]:
+    # Neighbours in the list differ in the last option only: some from all over it, and not all of
+    # them at the same place of what repeats.
+    step = max(1, len(suited) // most)
+    for one in [one for turn in range(most) for one in suited[turn * (step + 1) :][:1]]:
         drawn = _drawn(source, one)
         if drawn is not None:
             yield drawn

@@ -21,6 +21,7 @@ from gripcourse.exports.json_schema import json_schema
 from gripcourse.exports.key_page import FileKind, key_page
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.keys import POLICY, RUBRIC, SLIPS
+from gripcourse.proofs.equilibrium.keys import EQUILIBRIUM
 from gripcourse.proofs.keys import PROOFS
 from gripcourse.simulation.keys import MIX
 from gripcourse.variants.keys import SPACE
@@ -49,6 +50,8 @@ FILE_KINDS: Final = (
     FileKind("published_cases", ("variants/published_cases.toml",), "Published cases",
              PUBLISHED_CASES),
     FileKind("proofs", ("variants/proofs.toml",), "Proofs that a course declares", PROOFS),
+    FileKind("equilibrium", ("variants/equilibrium/*.toml",), "Free bodies in equilibrium",
+             EQUILIBRIUM),
     FileKind("atlas", ("variants/atlas/*.toml",), "An atlas of published figures", ATLAS),
     FileKind("policy", ("grader/policy.toml",), "The policy", POLICY),
     FileKind("slips", ("grader/slips.toml",), "Wrong methods", SLIPS),

@@ -16,6 +16,8 @@ from gripcourse.policy.load import load_policy, read_policy
 from gripcourse.proofs.calculations import calculations, differences
 from gripcourse.proofs.check_declared import check_declared
 from gripcourse.proofs.declared import read_declared_proofs
+from gripcourse.proofs.equilibrium.check import check_mechanisms
+from gripcourse.proofs.equilibrium.read import read_mechanisms
 from gripcourse.proofs.published_cases import read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
@@ -98,6 +100,8 @@ def _printed_problems(course: Course, scheme: str | None = None) -> list[Problem
     cases, problems = read_published_cases(course)
     declared, found = read_declared_proofs(course)
     problems += [*found, *check_declared(course, declared)]
+    mechanisms, found = read_mechanisms(course)
+    problems += [*found, *check_mechanisms(course, mechanisms)]
     for one in calculations(course, cases, scheme):
         problems += differences(one)
     return problems
