@@ -117,10 +117,10 @@ def _declared(course: Course, scheme: Scheme) -> Iterable[Occurrence]:
             yield Occurrence(quantity, part.id, conditions, anchor, changed)
     for bringing, parts in scheme.optional_overrides.items():
         conditions = conditions_of(scheme, bringing)
-        for part, own in parts.items():
+        for id_, own in parts.items():
             for name, one in own.items():
-                both = (*conditions_of(scheme, part), *conditions)
-                yield Occurrence(one, part, both, f"{name}.{part}.{bringing}", changed=True)
+                both = (*conditions_of(scheme, id_), *conditions)
+                yield Occurrence(one, id_, both, f"{name}.{id_}.{bringing}", changed=True)
     yield from map(_always, scheme.quantities.values())
 
 

@@ -4,8 +4,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from gripcourse.course.compose import compose, pair_option_sets, part_ids
+from gripcourse.course.compose import compose, part_ids
 from gripcourse.course.model import Course, Scheme
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.errors import CourseError, Problem
 from gripcourse.proofs.equilibrium.dimensions import Columns, dimension_faults
 from gripcourse.proofs.equilibrium.model import (
