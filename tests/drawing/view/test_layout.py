@@ -1,7 +1,11 @@
+import pytest
+
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.sheet import A2, A3, A4
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
+from gripcourse.drawing.view.face import length_text
 from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+from gripcourse.text.words import Words
 
 SQUARE = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
 
@@ -75,3 +79,14 @@ def test_a_line_that_nothing_covers_stays_whole() -> None:
 def test_of_a_circle_the_uncovered_part_is_left() -> None:
     pieces = list(outside(Arc((0.0, 0.0), 5.0), SQUARE))
     assert sum(one.high - one.low for one in pieces if isinstance(one, Arc)) == 270.0
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [(1.25, "1,25"), (0.355, "0,355"), (63.0, "63"), (106.0873, "106,1"), (4.0 / 3.0, "1,3")],
+)
+def test_sizes_of_a_series_are_written_exactly_and_other_lengths_to_tenths(
+    value: float, written: str
+) -> None:
+    assert length_text(value, Words("ru")) == written
+    assert length_text(value * 0.001 / 0.001, Words("ru")) == written  # SI and back

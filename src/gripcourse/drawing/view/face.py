@@ -1,5 +1,6 @@
 """One face of a general view on paper: its layout at a scale, and drawing it."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -21,7 +22,9 @@ _AXIS_BEYOND = 5.0  # mm of paper that an axis reaches beyond the outline
 _HATCH_SPACING = 2.0  # mm of paper
 _HATCH_ANGLE = 45.0
 _ORIGIN = (0.0, 0.0)
-_FIGURES = 6  # more than tenths of a millimetre are never written
+_FIGURES = 7  # tenths of a millimetre of any gripper, thousandths of a small size
+_SERIES_DECIMALS = 3  # no series is finer
+_SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +54,14 @@ class FaceLayout:
 
 
 def length_text(value: float, words: Words) -> str:
-    """Write a length to tenths of a millimetre, as dimensions do."""
-    return words.number(round(value, 1), _FIGURES)
+    """Write a length to tenths of a millimetre, as dimensions do.
+
+    A size as a series or a table of variants has it, such as a module of 1.25 mm or a wire of
+    0.355 mm, is written as it is: rounded, it would be another size.
+    """
+    tidy = round(value, _SERIES_DECIMALS)
+    is_tidy = math.isclose(value, tidy, rel_tol=_SAME)
+    return words.number(tidy if is_tidy else round(value, 1), _FIGURES)
 
 
 def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLayout:
