@@ -1,5 +1,6 @@
 """What follows from a student's own numbers: errors are carried, impossible values are not."""
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -7,12 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Against, Outcome
 
 if TYPE_CHECKING:
     from conftest import Case
 
-OUT_OF_REACH = "Later answers were not followed from this value: it is outside what is possible."
+OUT_OF_REACH = "This value is outside what is possible. Later answers that follow from it count."
 
 
 def costs_one_item(case: "Case", wrong: str, factor: float) -> None:
@@ -98,7 +100,7 @@ class TestImpossibleValues:
             pytest.param("arm_angle_at_max", -5.0, id="against its guard"),
         ],
     )
-    def test_they_are_not_carried_on_and_the_report_says_so(
+    def test_who_goes_on_with_the_right_number_loses_nothing_else(
         self, case: "Case", name: str, value: float
     ) -> None:
         findings = case.findings({**case.answers, name: value})
@@ -108,6 +110,18 @@ class TestImpossibleValues:
             used = findings[later].inputs
             assert used.get(name, case.reference[name]) == pytest.approx(case.reference[name])
             assert findings[later].outcome in {Outcome.CORRECT, Outcome.CARRIED}
+
+    @pytest.mark.parametrize(("name", "factor"), [("grip_force", -1.0), ("grip_force", 1e9)])
+    def test_who_goes_on_with_them_loses_nothing_else_either(
+        self, hydraulic: "Case", name: str, factor: float
+    ) -> None:
+        value = factor * hydraulic.reference[name]
+        follow = {**hydraulic.following(**{name: value}), name: value}
+        found = {one: at for one, at in follow.items() if math.isfinite(at)}  # no size is so large
+        lost = hydraulic.lost(found) & set(found)
+        assert {one for one in lost if hydraulic.plan.quantities[one].kind is Kind.FORMULA} == {
+            name
+        }
 
     def test_possible_values_have_no_such_remark(self, case: "Case") -> None:
         remarks = [r for one in case.judge(case.answers).findings for r in one.remarks]

@@ -5,7 +5,7 @@ follows from it is computed with every typed number moved to both ends of its ra
 the moves add up to the range in which an honest continuation may lie.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,6 +50,7 @@ def follow(
     answers: Mapping[str, Answer],
     reference: Mapping[str, float],
     policy: Policy,
+    anyway: Collection[str] = (),
 ) -> FollowThrough:
     """Evaluate a plan at a student's own numbers.
 
@@ -59,13 +60,16 @@ def follow(
         answers: what the student wrote.
         reference: the reference values in SI, to stand in where the student's numbers lead nowhere.
         policy: how far a number may be from the typed one.
+        anyway: answers that are carried on though they are physically unthinkable.
 
     Returns:
         The evaluation; a blank or unreadable answer is computed from what is upstream.
     """
-    inputs, carried = to_si(plan, given), _thinkable(plan, answers)
+    inputs, carried = to_si(plan, given), _thinkable(plan, answers, anyway)
     first = evaluate(plan, inputs | carried)
-    refused = {name for name in carried if not _guard_holds(plan, name, first)}
+    refused = {
+        name for name in carried if name not in anyway and not _guard_holds(plan, name, first)
+    }
     kept = {name: value for name, value in carried.items() if name not in refused}
     evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
@@ -79,12 +83,14 @@ def follow(
     )
 
 
-def _thinkable(plan: Plan, answers: Mapping[str, Answer]) -> dict[str, float]:
+def _thinkable(
+    plan: Plan, answers: Mapping[str, Answer], anyway: Collection[str]
+) -> dict[str, float]:
     """Return the answers that may be carried on, SI."""
     values = {
         name: answer.value
         for name, answer in answers.items()
-        if answer.value is not None and _is_thinkable(plan, answer)
+        if answer.value is not None and (name in anyway or _is_thinkable(plan, answer))
     }
     return to_si(plan, values)
 

@@ -34,7 +34,8 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
     Returns:
         The same in the same order, each with the better of both conclusions.
     """
-    best, seen, known = list(judged), list(judged), dict[str, Answer]()
+    best = _from_impossible(case, judged)
+    seen, known = list(best), dict[str, Answer]()
     while any(_may_be_better(one) for one in best if one.quantity.id not in known):
         new = _newly_intended(case, seen, known)
         if not new:
@@ -43,6 +44,22 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
         seen = _again(with_answers(case, known), seen, known.keys())
         best = [_better(*pair) for pair in zip(best, seen, strict=True)]
     return best
+
+
+def _from_impossible(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
+    """Judge again what does not follow otherwise, now from numbers that cannot be.
+
+    A force of 10¹² N is a mistake; who computes on with it makes no second one.
+    """
+    outside = [
+        name
+        for name in case.follow_through.not_carried
+        if case.answers[name].unit_fits and math.isfinite(case.answers[name].value or 0.0)
+    ]
+    if not outside or not any(_may_be_better(one) for one in judged):
+        return list(judged)
+    again = _again(with_answers(case, {}, outside), judged, ())
+    return [_better(*pair) for pair in zip(judged, again, strict=True)]
 
 
 def _newly_intended(

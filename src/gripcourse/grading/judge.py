@@ -226,7 +226,7 @@ def _sorted(case: GradingCase, names: set[str]) -> tuple[str, ...]:
 def _reading_remarks(case: GradingCase, quantity: Quantity, answer: Answer) -> tuple[Message, ...]:
     if quantity.id in case.follow_through.not_carried and answer.unit_fits:
         not_carried = message(
-            "Later answers were not followed from this value: it is outside what is possible."
+            "This value is outside what is possible. Later answers that follow from it count."
         )
         return (*answer.remarks, not_carried)
     return answer.remarks

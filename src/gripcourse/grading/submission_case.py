@@ -1,6 +1,6 @@
 """One submission on the judge's table: what its answers are compared with, one answer at a time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.course.quantity import Kind, Quantity
@@ -83,10 +83,18 @@ def make_case(
     )
 
 
-def with_answers(case: GradingCase, answers: Mapping[str, Answer]) -> GradingCase:
-    """Return the case where these answers are followed instead of those of the same ids."""
+def with_answers(
+    case: GradingCase, answers: Mapping[str, Answer], anyway: Collection[str] = ()
+) -> GradingCase:
+    """Return the case where these answers are followed instead of those of the same ids.
+
+    Args:
+        case: the submission.
+        answers: what is followed.
+        anyway: answers that are followed though they are physically unthinkable.
+    """
     followed = {**case.answers, **answers}
-    follow_through = follow(case.plan, case.given, followed, case.reference, case.policy)
+    follow_through = follow(case.plan, case.given, followed, case.reference, case.policy, anyway)
     return replace(case, answers=followed, follow_through=follow_through)
 
 
