@@ -7,7 +7,6 @@ from gripcourse.submission.model import Reading, Rejected, Submission
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
-
 UNREADABLE_SHARE = 0.1  # of the answers; beyond it nothing is judged
 _NAMED = 3  # cells and reasons that are told
 
@@ -34,7 +33,7 @@ def is_unreadable(submission: Submission) -> bool:
 def unreadable_report(submission: Submission, issued: Issued) -> Report:
     """Report a workbook whose answers cannot be read; the student can mend it and is told so."""
     unread = [one for one in submission.answers.values() if one.reading is Reading.UNREADABLE]
-    reasons = tuple(dict.fromkeys(remark for one in unread for remark in one.remarks[:1]))
+    reasons = {str(remark): remark for one in unread for remark in one.remarks[:1]}
     said = message(
         "{count} of {asked} answers cannot be read, so the work was not judged: for example "
         "{cells}. Open it, write numbers into the answer cells, save it as .xlsx and hand it in "
@@ -45,7 +44,7 @@ def unreadable_report(submission: Submission, issued: Issued) -> Report:
     )
     flag = Flag(FlagCode.UNREADABLE, said)
     report = unjudged(submission.file, flag, issued, submission.digest)
-    return replace(report, remarks=(said, *reasons[:_NAMED]))
+    return replace(report, remarks=(said, *list(reasons.values())[:_NAMED]))
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:
