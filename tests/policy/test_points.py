@@ -1,5 +1,7 @@
 """How the points of a course fall on its items."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -66,3 +68,9 @@ def test_where_nothing_else_is_asked_a_main_result_has_the_whole_section(
     section = policy.section_points[force.section]
     alone = shares_of(force, policy, np.array([5.0]), np.array([0.0]))
     assert alone.tolist() == pytest.approx([section])
+
+
+def test_in_a_section_without_points_nothing_has_any(plan: Plan, policy: Policy) -> None:
+    unmarked = replace(policy, section_points={**policy.section_points, "grip": 0.0})
+    points = points_of(plan, unmarked)
+    assert {points["grip_force"], points["lifting_load"]} == {0.0}

@@ -154,7 +154,7 @@ def _main_points(points: Table, course: Course) -> Mapping[str, float]:
         for section, sum_ in main_points_by_section(
             _quantities_of(course, scheme), declared
         ).items():
-            if sum_ >= sections.get(section, math.inf):
+            if sum_ >= sections.get(section, math.inf) > 0:
                 points.add(
                     "quantity",
                     message(

@@ -55,6 +55,8 @@ def shares_of(quantity: Quantity, policy: Policy, fixed: Array, weights: Array) 
     """
     section = policy.section_points[quantity.section]
     own = policy.main_points.get(quantity.id)
+    if section == 0:
+        return np.zeros_like(weights)  # a section that is not marked
     if own is None:
         return (section - fixed) * weight_of(quantity, policy) / np.where(weights, weights, 1.0)
     # Where a section asks for nothing else, its main results have all of it.
