@@ -16,7 +16,12 @@ from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbe
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
-from gripcourse.documents.report.totals import SectionTotal, section_totals
+from gripcourse.documents.report.totals import (
+    SectionTotal,
+    empty_sections,
+    is_blank,
+    section_totals,
+)
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
@@ -38,7 +43,8 @@ class SectionBlock:
         points: `12 / 15`.
         percent: share of the points earned, 0…100, as the width of the bar.
         waiting: what still waits for a person, empty for nothing.
-        rows: one for each answer.
+        rows: one for each answer that there is anything to say of.
+        empty: whether nothing was handed in for it.
     """
 
     title: str
@@ -46,6 +52,7 @@ class SectionBlock:
     percent: float
     waiting: str
     rows: tuple[AnswerRow, ...]
+    empty: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,15 +123,18 @@ def _sections(
     report: Report, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> Iterator[SectionBlock]:
     totals, own = section_totals(report), own_numbers(report, plan)
+    empty = empty_sections(report)
     for section in course.sections:
         if section.id not in totals:
             continue
         total = totals[section.id]
+        # Of a section without any answer there is nothing to say but that, once.
+        told_once = section.id in empty and policy.reveal is Reveal.NOTHING
         rows = aligned_rows(
             [
                 answer_row(finding, plan, own, policy, words)
                 for finding in report.findings
-                if finding.section == section.id
+                if finding.section == section.id and not (told_once and is_blank(finding))
             ],
             "points",
         )
@@ -134,6 +144,7 @@ def _sections(
             percent=100 * total.points / total.max_points if total.max_points else 0.0,
             waiting=_waiting(total, words),
             rows=tuple(rows),
+            empty=told_once,
         )
 
 
