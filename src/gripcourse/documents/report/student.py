@@ -31,6 +31,7 @@ from gripcourse.text.words import Words, message
 TEMPLATE = "student.html.j2"
 STYLES = ("page.css", "formula.css", "student.css")
 
+_AT_EASE = 30  # answers with something below them, before they stand closer
 _COSTLY = 6  # so many of the costliest answers stand on the first page
 
 
@@ -89,6 +90,7 @@ def student_values(
     """Return what the template needs but the date; see `student_report` for the arguments."""
     reveal = policy.reveal is Reveal.REFERENCE
     share = report.score / report.max_score if report.max_score else None
+    sections = list(_sections(report, plan, policy, course, words))
     return {
         "course": course.title.of(words.language),
         "student": report.name or report.student or "—",
@@ -101,7 +103,8 @@ def student_values(
         "open_points": report.open_points,
         "reveal": reveal,
         "remarks": [words.say(remark) for remark in report.remarks],
-        "sections": aligned_rows(list(_sections(report, plan, policy, course, words)), "points"),
+        "sections": aligned_rows(sections, "points"),
+        "dense": sum(row.detailed for one in sections for row in one.rows) > _AT_EASE,
         "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
