@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from gripcourse.usecases.audit import WrittenAudit
     from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
-    from gripcourse.usecases.solve import Solved
+    from gripcourse.usecases.solve import SolvedVariant
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
 
@@ -78,7 +78,7 @@ def progress() -> Iterator[Step]:
         yield step
 
 
-def solution_table(solved: "Solved", words: Words) -> str:
+def solution_table(solved: "SolvedVariant", words: Words) -> str:
     """Return the values of a solution as a table, by section."""
     plan = solved.plan
     rows = [

@@ -12,7 +12,7 @@ from gripcourse.course.toml_table import Table
 from gripcourse.course.view_read import read_view
 from gripcourse.drawing.view.interference import (
     Overlaps,
-    Pair,
+    PartPair,
     crossed_outlines,
     interference,
     together,
@@ -81,7 +81,7 @@ def test_a_body_that_enters_another_is_found_with_its_depth() -> None:
     assert found.of(0) is None
     worst = found.of(1)
     assert worst is not None
-    assert worst.pair == Pair("wall", "slide", "closed")
+    assert worst.pair == PartPair("wall", "slide", "closed")
     assert {pair.position for pair in found.pairs} == {"open", "closed"}
 
 
