@@ -54,7 +54,22 @@ def scheme_of(view: str) -> Scheme:
     )
     motion = read_kinematics(Table(tomllib.loads(MOTION), "scheme.toml", "kinematics", problems))
     assert not problems, problems
-    return Scheme("scheme", TEXTS, TEXTS, (), (), {}, {}, motion, None, found, None, "scheme.toml")
+    return Scheme(
+        id="scheme",
+        title=TEXTS,
+        task=TEXTS,
+        parts=(),
+        options=(),
+        own_rules=(),
+        quantities={},
+        overrides={},
+        optional_overrides={},
+        kinematics=motion,
+        diagram=None,
+        view=found,
+        example=None,
+        file="scheme.toml",
+    )
 
 
 def found_in(view: str, **more: float | list[float]) -> Overlaps:
