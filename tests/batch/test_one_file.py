@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.one_file import GradingContext, grade_file, judge_read
 from gripcourse.grading.model import KnownBy, Outcome
 from gripcourse.solver.plan import Plan, make_plan
+from gripcourse.submission.model import Identity
+from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Words
 from gripcourse.workbook.write import answer_workbook
 
@@ -69,6 +71,22 @@ def test_an_untouched_workbook_is_blank_and_belongs_to_its_student(
     assert report.student == "s02"
     assert report.flags == ()
     assert {one.outcome for one in report.findings} == {Outcome.BLANK, Outcome.MANUAL}
+
+
+def test_a_workbook_of_formulas_without_stored_results_is_not_judged(
+    context: GradingContext, plan: Plan
+) -> None:
+    issued = context.register["s02"]
+    cell = RawCell(None, "General", error=False, formula="=1+1", cell="A1")
+    answers = {one.id: cell for one in plan.answered}
+    identity = Identity("s02", issued.variant.id, plan.scheme.id, plan.options, issued.signature)
+    raw = RawWorkbook("s02.xlsx", "", identity, "", {}, answers, ())
+    report = judge_read(raw, issued, context)
+    assert [flag.code for flag in report.flags] == ["unreadable"]
+    assert not report.judged
+    assert "cannot be read" in str(report.remarks[0])
+    some = dict(list(answers.items())[: len(answers) // 11])
+    assert judge_read(replace(raw, answers=some), issued, context).judged
 
 
 def test_a_workbook_handed_in_under_another_s_name_goes_to_a_person(

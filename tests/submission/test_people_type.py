@@ -169,7 +169,7 @@ UNITS = (
 
 NOT_ONE_NUMBER = (
     *(text(typed, None, SEVERAL) for typed in ("12-13", "12…13", "12 – 13", "12±1", "12 13")),
-    *(text(typed, None, SEVERAL) for typed in ("12; 13", "12 или 13", "60 мм, 5 мм", "1/2")),
+    *(text(typed, None, SEVERAL) for typed in ("12; 13", "12 или 13", "60 мм, 5 мм", "7/2")),
     *(text(typed, None, SEVERAL) for typed in ("12x13", "2√2", "1,5π", "12 (13)", "5·103")),
     *(text(typed, None, NO_NUMBER) for typed in ("от 12 до 13", "NaN", "inf", "√2", "много")),
     *(text(typed, None, "too large") for typed in ("10^400", "1e400", "1" + "0" * 180 + "e200")),

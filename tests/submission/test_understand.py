@@ -1,6 +1,7 @@
 import math
 from datetime import date, datetime, time, timedelta
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -57,3 +58,25 @@ def test_a_cell_is_shown_as_one_short_line() -> None:
     assert show(timedelta(hours=30)) == "1 day, 6:00:00"
     assert show(None, "=A1") == "=A1"
     assert show("я" * 500) == "я" * LONGEST_SHOWN
+
+
+@pytest.mark.parametrize("fit", ["H7", "h6", "H7/f7", "js6", "k6"])
+def test_a_tolerance_of_fit_is_no_unit(plan: Plan, fit: str) -> None:
+    raw = RawCell(f"Ø16{fit}", "General", error=False, formula="", cell="A1")
+    read = understand(plan.quantities["pin_diameter"], raw)
+    assert isinstance(read, Understood)
+    assert (read.value, read.unit_fits) == (16.0, True)
+
+
+@pytest.mark.parametrize(
+    ("number_format", "value", "fits"),
+    [('0.0" кН"', 3900.0, True), ('#,##0.0 "kN"', 3900.0, True), ('0.0" Н"', 3.9, True),
+     ('0.0" кг"', 3.9, False), ('0.0" около"', 3.9, True), ("0.00", 3.9, True)],
+)  # fmt: skip
+def test_the_unit_that_a_number_format_shows_is_the_students(
+    plan: Plan, number_format: str, value: float, *, fits: bool
+) -> None:
+    raw = RawCell(3.9, number_format, error=False, formula="", cell="A1")
+    read = understand(plan.quantities["grip_force"], raw)
+    assert isinstance(read, Understood)
+    assert (read.value, read.unit_fits) == (pytest.approx(value), fits)

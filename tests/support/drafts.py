@@ -103,16 +103,18 @@ def declared_in(content: Path) -> set[str]:
 
 
 def forget_weights(policy: Path, declared: set[str]) -> None:
-    """Remove the weights of quantities that are not declared any more."""
+    """Remove the points and weights of quantities that are not declared any more."""
     text = policy.read_text("utf-8")
-    before, heading, after = text.partition("[weight.quantity]")
-    weights, gap, rest = after.partition("\n\n")
-    kept = [
-        line
-        for line in weights.splitlines()
-        if "=" not in line or line.split("=")[0].strip() in declared
-    ]
-    policy.write_text(before + heading + "\n".join(kept) + gap + rest, "utf-8")
+    for table in ("[points.quantity]", "[weight.quantity]"):
+        before, heading, after = text.partition(table)
+        lines, gap, rest = after.partition("\n\n")
+        kept = [
+            line
+            for line in lines.splitlines()
+            if "=" not in line or line.split("=")[0].strip() in declared
+        ]
+        text = before + heading + "\n".join(kept) + gap + rest
+    policy.write_text(text, "utf-8")
 
 
 @pytest.fixture

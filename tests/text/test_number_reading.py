@@ -127,7 +127,7 @@ def test_a_sign_or_symbol_before_the_number_is_left_out_and_remarked_on(typed: s
     "typed",
     [
         *("12-13", "12…13", "12..13", "12±1", "12 ± 0,5", "12 13", "12; 13", "12 или 13"),
-        *("12 мм (13)", "12,5 13,5", "1,5*2", "1/2", "2^3", "5²", "12½", "30°15'", "1:30", "12x13"),
+        *("12 мм (13)", "12,5 13,5", "1,5*2", "2^3", "5²", "1:30", "12x13"),
         *("12,345 678", "12 3456"),
     ],
 )
@@ -146,7 +146,7 @@ def test_a_typed_date_is_told_as_one(typed: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "typed", ["", "x", "около 12", "inf", "nan", "∞", "-", ".", "٣", "½", "одиннадцать", "#Н/Д"]
+    "typed", ["", "x", "inf", "nan", "∞", "-", ".", "٣", "одиннадцать", "#Н/Д"]
 )
 def test_text_that_does_not_begin_with_a_number_is_unreadable(typed: str) -> None:
     assert "does not begin with a number" in reason(typed)

@@ -11,7 +11,13 @@ from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
-from gripcourse.grading.unjudged import disputed_report, rejected_report, unknown_student_report
+from gripcourse.grading.unjudged import (
+    disputed_report,
+    is_unreadable,
+    rejected_report,
+    unknown_student_report,
+    unreadable_report,
+)
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
@@ -79,6 +85,8 @@ def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Rep
     """Judge a workbook that was read against what was issued to who handed it in."""
     plan, methods = methods_of(context, issued.variant)
     submission = interpret(raw, plan.quantities.values())
+    if is_unreadable(submission):
+        return unreadable_report(submission, issued)
     return judge(submission, issued, plan, context.policy, methods)
 
 

@@ -37,6 +37,7 @@ FLAGS = {
     FlagCode.SEVERAL_FILES: message("several files"),
     FlagCode.SIGNATURE: message("wrong signature"),
     FlagCode.UNKNOWN_STUDENT: message("unknown student"),
+    FlagCode.UNREADABLE: message("unreadable"),
     FlagCode.WHO_HANDED_IN: message("who handed this in?"),
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""

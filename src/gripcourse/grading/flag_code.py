@@ -23,4 +23,5 @@ class FlagCode(StrEnum):
     SEVERAL_FILES = "several_files"
     SIGNATURE = "signature"
     UNKNOWN_STUDENT = "unknown_student"
+    UNREADABLE = "unreadable"  # too many answers cannot be read: it is no mark, but a question
     WHO_HANDED_IN = "who_handed_in"  # workbook and path disagree, or nothing proves it

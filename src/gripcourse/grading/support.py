@@ -98,10 +98,7 @@ def _withheld(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool
     roots = tuple(
         name for name in _basis(case.plan, judged.quantity.id, earned) if not earned[name]
     )
-    said = message(
-        "This counts with the numbers that it rests on: most of the computed answers are neither "
-        "right nor explained."
-    )
+    said = message("It counts only with the numbers that it rests on, and these are not explained.")
     return replace(
         judged,
         judgement=replace(

@@ -3,9 +3,12 @@
 from dataclasses import replace
 
 from gripcourse.grading.model import Flag, FlagCode, Report
-from gripcourse.submission.model import Rejected
+from gripcourse.submission.model import Reading, Rejected, Submission
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
+
+UNREADABLE_SHARE = 0.1  # of the answers; beyond it nothing is judged
+_NAMED = 3  # cells and reasons that are told
 
 
 def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
@@ -15,6 +18,33 @@ def rejected_report(rejected: Rejected, issued: Issued | None) -> Report:
     )
     # The student can mend this, so the student is told; other flags are the instructor's.
     return replace(report, remarks=(rejected.reason,), refusal=rejected.code)
+
+
+def is_unreadable(submission: Submission) -> bool:
+    """Tell whether so many answers cannot be read that a mark would say nothing of the work.
+
+    One cell with a word in it is a mistake of the student's. A program that stored no results of
+    formulas, or a column of pictures, is none: whoever handed that in has to be asked.
+    """
+    unread = sum(one.reading is Reading.UNREADABLE for one in submission.answers.values())
+    return unread > UNREADABLE_SHARE * len(submission.answers)
+
+
+def unreadable_report(submission: Submission, issued: Issued) -> Report:
+    """Report a workbook whose answers cannot be read; the student can mend it and is told so."""
+    unread = [one for one in submission.answers.values() if one.reading is Reading.UNREADABLE]
+    reasons = {str(remark): remark for one in unread for remark in one.remarks[:1]}
+    said = message(
+        "{count} of {asked} answers cannot be read, so the work was not judged: for example "
+        "{cells}. Open it, write numbers into the answer cells, save it as .xlsx and hand it in "
+        "again.",
+        count=len(unread),
+        asked=len(submission.answers),
+        cells=", ".join(one.cell for one in unread[:_NAMED]),
+    )
+    flag = Flag(FlagCode.UNREADABLE, said)
+    report = unjudged(submission.file, flag, issued, submission.digest)
+    return replace(report, remarks=(said, *list(reasons.values())[:_NAMED]))
 
 
 def unknown_student_report(file: str, student: str, digest: str) -> Report:

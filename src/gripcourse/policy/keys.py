@@ -38,6 +38,10 @@ POLICY: Final = Shape(
                     number("Points.", required=True),
                     required=True,
                 ),
+                "quantity": by_name(
+                    "Of main results, whatever else their section asks for, by id.",
+                    number("Points.", 0, 100_000, required=True),
+                ),
             },
             required=True,
         ),

@@ -1,17 +1,19 @@
 """Loading the policy of a head of course: `grader/policy.toml` and the rubrics beside it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from gripcourse.course.compose import all_part_ids
 from gripcourse.course.declare import tolerance
-from gripcourse.course.model import Course
-from gripcourse.course.quantity import Kind, Tolerance
+from gripcourse.course.model import Course, Scheme
+from gripcourse.course.quantity import Kind, Quantity, Tolerance
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import CourseError, Problem
 from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy, Reveal
+from gripcourse.policy.points import main_points_by_section
 from gripcourse.policy.rubric_load import read_rubrics
 from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
 from gripcourse.policy.slips_load import read_slip_policy
@@ -54,6 +56,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     policy = Policy(
         total=total,
         section_points=_section_points(points, total, course),
+        main_points=_main_points(points, course),
         weights=_weights(weight, "quantity", _quantity_ids(course)),
         kind_weights=_weights(weight, "kind", set(_MARKED)),
         tolerance=_default_tolerance(bands),
@@ -134,6 +137,44 @@ def _section_points(points: Table, total: float, course: Course) -> Mapping[str,
                 message("Declare a quantity in it, or write 0."),
             )
     return sections
+
+
+def _main_points(points: Table, course: Course) -> Mapping[str, float]:
+    """Read the points of main results; every section must leave something for the rest."""
+    declared = points.numbers("quantity", {})
+    known = _quantity_ids(course)
+    for name in sorted(set(declared) - known):
+        points.add(
+            f"quantity.{name}",
+            message("There is no '{name}' in the course.", name=name),
+            did_you_mean(name, known),
+        )
+    sections = points.numbers("section", {})
+    for scheme in course.schemes.values():
+        for section, sum_ in main_points_by_section(
+            _quantities_of(course, scheme), declared
+        ).items():
+            if sum_ >= sections.get(section, math.inf) > 0:
+                points.add(
+                    "quantity",
+                    message(
+                        "In the scheme '{scheme}' the main results of the section '{section}' have"
+                        " {sum} points, the section has {points}.",
+                        scheme=scheme.id,
+                        section=section,
+                        sum=sum_,
+                        points=sections[section],
+                    ),
+                    message("Leave points for the other quantities of the section."),
+                )
+    return declared
+
+
+def _quantities_of(course: Course, scheme: Scheme) -> Iterator[Quantity]:
+    """Yield what any variant of a scheme may have; of options, all choices."""
+    for part in all_part_ids(scheme):
+        yield from course.parts[part].quantities.values()
+    yield from scheme.quantities.values()
 
 
 def _marked_sections(course: Course) -> set[str]:

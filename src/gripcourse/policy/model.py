@@ -91,6 +91,7 @@ class Policy:
     Attributes:
         total: points of the whole assignment.
         section_points: points of each section; they add up to `total`.
+        main_points: points of main results, whatever else their section asks for.
         weights: weight of a quantity inside its section, where it is not the kind's default.
         kind_weights: default weight by kind.
         tolerance: default band.
@@ -117,6 +118,7 @@ class Policy:
 
     total: float
     section_points: Mapping[str, float]
+    main_points: Mapping[str, float]
     weights: Mapping[str, float]
     kind_weights: Mapping[str, float]
     tolerance: Tolerance

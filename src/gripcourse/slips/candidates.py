@@ -11,15 +11,18 @@ from gripcourse.formula.evaluate import Column
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
-from gripcourse.policy.slips import GenericSlip, SlipPolicy
+from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
 from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings, other_ends
 from gripcourse.slips.model import Candidate, SlipId
+from gripcourse.slips.practical import in_practical_units
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import known, unit_text
 from gripcourse.text.words import LANGUAGES, Texts
 
 _GENERIC = frozenset({Kind.FORMULA, Kind.PICK})
+# After these a result may measure something else: its number then depends on the units of the work.
+_OF_DIMENSIONS = frozenset({SlipKind.POWER, SlipKind.MULTIPLIED_FOR_DIVIDED})
 _REMEMBERED = 4096  # quantities: several courses of the size of the reference course
 
 
@@ -121,7 +124,10 @@ def _surroundings(declared: _Declared, slip: GenericSlip) -> Surroundings:
 def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
     """Share a kind's prior among its candidates: the more ways, the rarer each."""
     slip = around.slip
-    made = {one.tree: one for one in reversed(tuple(GENERATORS[slip.kind](around)))}
+    ways = tuple(GENERATORS[slip.kind](around))
+    if slip.kind in _OF_DIMENSIONS:
+        ways = (*ways, *in_practical_units(around, ways))
+    made = {one.tree: one for one in reversed(ways)}
     new = [one for one in made.values() if one.tree not in taken and _is_known(one, around.formula)]
     for one in reversed(new):
         yield Candidate(

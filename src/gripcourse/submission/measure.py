@@ -1,6 +1,7 @@
 """Numbers of answer cells in the declared unit, with the unit that stands behind a typed one."""
 
 import math
+import re
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Final
@@ -19,8 +20,12 @@ from gripcourse.text.number_reading import (
 from gripcourse.text.units import UnitError, dimension, factor, read_unit, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
-_ANGLES: Final = frozenset({"deg", "rad"})
+# `H7`, `h6`, `H7/f7`: a tolerance of fit behind a size. Powers of units, as m2, have other letters.
+_FIT: Final = re.compile(r"(?:[HhEFfGgJjKknNPpRrSs]|js|JS)\d{1,2}(?:/[a-zA-Z]{1,2}\d{1,2})?")
+_FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
+_ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"
+_QUOTED: Final = re.compile(r'"([^"]{1,20})"')
 _OUT_OF_RANGE: Final = message("The number is too large or too small to compute with.")
 
 
@@ -64,6 +69,9 @@ def from_number(
         return _OUT_OF_RANGE
     figures = figures_of_number(number, number_format) if typed else None
     plain = _plain(number, _half_unit(number), (), figures)
+    shown = _unit_shown(number_format)
+    if shown not in {None, quantity.unit}:
+        return _measured(NumberRead(number, plain.half_unit, "", (), figures), str(shown), quantity)
     if _PERCENT not in number_format or quantity.unit == "":
         return plain
     if quantity.unit == _PERCENT:
@@ -78,11 +86,20 @@ def from_number(
     return replace(plain, remarks=(remark,))
 
 
+def _unit_shown(number_format: str) -> str | None:
+    """Return the unit that a number format writes behind every number; None for none."""
+    words = [one.strip() for one in _QUOTED.findall(number_format.partition(";")[0])]
+    units = (read_unit(one) for one in words if one)
+    return next((unit for unit in units if unit and _measures(unit)), None)
+
+
 def from_text(quantity: Quantity, text: str) -> Understood | Message:
     """Read a cell that holds text: a number, perhaps with a unit behind it."""
     read = read_number(text)
     if isinstance(read, Unreadable):
         return read.reason
+    if quantity.unit == "mm" and _FIT.fullmatch(read.unit):
+        read = replace(read, unit="", remarks=(*read.remarks, _FIT_LEFT_OUT))
     unit = read_unit(read.unit) if read.unit else ""
     if unit is None and names_month(read.unit):
         return A_DATE
@@ -97,11 +114,16 @@ def from_text(quantity: Quantity, text: str) -> Understood | Message:
     if unit in {"", quantity.unit}:
         remarks = (_as_number(read), *read.remarks)
         return replace(_plain(read.value, read.half_unit, remarks, read.figures), unit=unit)
-    if not _fits(unit, quantity.unit):
-        remarks = (*read.remarks, _unfit(unit, quantity))
-        plain = _plain(read.value, read.half_unit, remarks, read.figures)
-        return replace(plain, unit=unit, unit_fits=False)
-    return _converted(read, unit, quantity)
+    return _measured(read, unit, quantity)
+
+
+def _measured(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:
+    """Read a number in another unit than the declared one: converted, or told that it is unfit."""
+    if _fits(unit, quantity.unit):
+        return _converted(read, unit, quantity)
+    remarks = (*read.remarks, _unfit(unit, quantity))
+    plain = _plain(read.value, read.half_unit, remarks, read.figures)
+    return replace(plain, unit=unit, unit_fits=False)
 
 
 def _plain(

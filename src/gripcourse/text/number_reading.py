@@ -7,6 +7,7 @@ Characters are mapped one by one, not by Unicode's compatibility forms, which tu
 import math
 from dataclasses import dataclass, replace
 
+from gripcourse.text.typed_forms import refusal, special_form, tidied
 from gripcourse.text.words import Message, message
 
 LONGEST = 200
@@ -112,11 +113,19 @@ def read_number(text: str) -> NumberRead | Unreadable:
     """
     if len(text.strip()) > LONGEST:
         return Unreadable(_TOO_LONG)
-    plain = text.translate(_PLAIN).strip().removeprefix("'").strip().rstrip(" .,;")
+    typed = text.translate(_PLAIN).strip()
+    special = special_form(typed)
+    if special is not None:
+        return NumberRead(special.value, special.half_unit, special.unit, (), None)
+    plain, remarks = tidied(typed)
+    reason = refusal(plain)
+    if reason is not None:
+        return Unreadable(reason)
     try:
-        return _read(plain)
+        read = _read(plain.removeprefix("'").strip().rstrip(" .,;"))
     except _NotANumber as fault:
         return Unreadable(fault.reason)
+    return replace(read, remarks=(*remarks, *read.remarks))
 
 
 def _read(plain: str) -> NumberRead:

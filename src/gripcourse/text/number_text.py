@@ -6,7 +6,7 @@ How people's numbers are read back is in `number_reading`.
 import math
 from decimal import Decimal
 
-from gripcourse.text.conventions import decimal_sign, is_english
+from gripcourse.text.conventions import decimal_sign
 
 _MINUS = "\u2212"
 _NARROW_SPACE = "\u202f"
@@ -20,7 +20,7 @@ def format_number(value: float, language: str, figures: int = 5) -> str:
 
     Args:
         value: any float.
-        language: `en` has a point and comma groups, `ru` and `uk` a comma and narrow spaces.
+        language: `en` has a decimal point, `ru` and `uk` a comma; all group by narrow spaces.
         figures: significant figures, at least 1; zeros at the end are cut.
 
     Returns:
@@ -43,9 +43,8 @@ def format_number(value: float, language: str, figures: int = 5) -> str:
 
 def _plain(size: Decimal, language: str) -> str:
     """Write a number that is not negative without a power of ten."""
-    group_sign = "," if is_english(language) else _NARROW_SPACE
     whole, _, decimals = f"{size:f}".partition(".")
     decimals = decimals.rstrip("0")
     if len(whole) >= _GROUPED_FROM:
-        whole = f"{int(whole):,}".replace(",", group_sign)
+        whole = f"{int(whole):,}".replace(",", _NARROW_SPACE)
     return f"{whole}{decimal_sign(language)}{decimals}" if decimals else whole

@@ -12,7 +12,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import SLACK, bands
 from gripcourse.policy.model import Policy
-from gripcourse.policy.points import weight_of
+from gripcourse.policy.points import shares_of, weight_of
 from gripcourse.solver.family import Family, Member, Rows, families_of
 from gripcourse.variants.feasible import Array, Mask, Reason, judge
 from gripcourse.variants.model import Variant
@@ -53,14 +53,19 @@ class Group:
             for one in self.family.members
             if one.quantity.kind.answered or one.quantity.kind is Kind.MANUAL
         ]
-        totals: dict[str, Array] = {}
+        sums: dict[str, tuple[Array, Array]] = {}
         for one in marked:
-            total = totals.setdefault(one.quantity.section, np.zeros(self.family.size))
-            total[one.at] += weight_of(one.quantity, policy)
+            fixed, weights = sums.setdefault(
+                one.quantity.section, (np.zeros(self.family.size), np.zeros(self.family.size))
+            )
+            own = policy.main_points.get(one.quantity.id)
+            if own is None:
+                weights[one.at] += weight_of(one.quantity, policy)
+            else:
+                fixed[one.at] += own
         for one in marked:
-            section = one.quantity.section
-            share = weight_of(one.quantity, policy) / one.of(totals[section])
-            yield one, policy.section_points[section] * np.where(np.isfinite(share), share, 0.0)
+            fixed, weights = (one.of(each) for each in sums[one.quantity.section])
+            yield one, shares_of(one.quantity, policy, fixed, weights)
 
 
 @dataclass(frozen=True, slots=True)

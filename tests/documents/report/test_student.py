@@ -255,6 +255,28 @@ def test_unreadable_cells_are_listed_with_their_places_and_blank_ones_by_symbol(
     assert "D req" in empty
 
 
+def test_an_empty_work_is_told_no_formula_and_each_section_once(
+    perfect: Report, blank: Change, text: Callable[..., str]
+) -> None:
+    report = perfect
+    for one in perfect.findings:
+        if not one.outcome.traits.by_rubric:
+            report = blank(report, one.quantity)
+    written = text(report, words=Words("en"))
+    sections = len({one.section for one in report.findings})
+    assert written.count("You handed in nothing for this section.") == sections
+    assert "Nothing was handed in for:" in written
+    assert "Cells without an answer" not in written
+    assert "=" not in written[written.index("What to do next") :]
+
+
+def test_the_formula_of_a_blank_answer_waits_for_publication(
+    perfect: Report, blank: Change, text: Callable[..., str]
+) -> None:
+    report = blank(perfect, "jaw_travel")
+    assert "S =" not in text(report, words=Words("en"))
+
+
 def test_an_accepted_erratum_comes_with_its_remark(
     perfect: Report, with_finding: Change, text: Callable[..., str]
 ) -> None:
@@ -339,12 +361,18 @@ def test_headers_are_repeated_on_every_page(
     assert all(perfect.name in page for page in pages)
 
 
-def test_the_worst_report_of_all_still_fits(
-    perfect: Report, blank: Change, printed: Printer, pages_of: Callable[[bytes], list[str]]
+def test_the_worst_reports_of_all_are_short(
+    perfect: Report,
+    blank: Change,
+    wrong: Change,
+    printed: Printer,
+    pages_of: Callable[[bytes], list[str]],
 ) -> None:
-    report = perfect
+    empty = all_wrong = perfect
     for finding in perfect.findings:
         if finding.outcome is not Outcome.MANUAL:
-            report = blank(report, finding.quantity)
-    assert report.score == 0
-    assert 2 <= len(pages_of(printed(report))) <= 7
+            empty = blank(empty, finding.quantity)
+            all_wrong = wrong(all_wrong, finding.quantity, 1234.5)
+    assert empty.score == 0
+    assert len(pages_of(printed(empty))) <= 2
+    assert 2 <= len(pages_of(printed(all_wrong))) <= 5

@@ -154,6 +154,8 @@ def _line(
 ) -> Box | None:
     if finding.outcome.traits.equals_reference or finding.is_open:
         return None
+    if finding.outcome.traits.missing and not reveal:
+        return None  # until the solution is published, the formulas are the student's to find
     quantity = plan.quantities[finding.quantity]
     shown = finding.inputs if reveal else _only_own(finding.inputs, own)
     return worked_line(quantity, shown, _result(finding, quantity, reveal=reveal), plan, words)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from gripcourse.documents.report.answers import is_unreadable, shortened
 from gripcourse.documents.report.root_causes import first_affected
-from gripcourse.documents.report.totals import is_blank
+from gripcourse.documents.report.totals import empty_sections, is_blank
 from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import points_text
@@ -46,7 +46,8 @@ class NextSteps:
             for, in order of calculation.
         other: the other wrong answers.
         unreadable: cells that could not be read.
-        blank: cells without an answer.
+        empty: titles of sections without any answer.
+        blank: cells without an answer in other sections.
         waiting: what a person decides about.
         waiting_points: how much that may bring.
     """
@@ -55,6 +56,7 @@ class NextSteps:
     first: tuple[NamedStep, ...]
     other: tuple[NamedStep, ...]
     unreadable: tuple[Unread, ...]
+    empty: tuple[str, ...]
     blank: tuple[NamedStep, ...]
     waiting: tuple[NamedStep, ...]
     waiting_points: str
@@ -62,20 +64,26 @@ class NextSteps:
     @property
     def any(self) -> bool:
         """Whether there is anything to do or to wait for."""
-        steps = (self.compare, self.first, self.other, self.unreadable, self.blank, self.waiting)
-        return any(steps)
+        wrong = (self.compare, self.first, self.other, self.unreadable)
+        return any((*wrong, self.empty, self.blank, self.waiting))
 
 
 def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
     """Gather what a student should do next."""
     faults = _faults(report, plan)
+    empty = empty_sections(report)
     open_cells = [one for one in report.findings if is_unreadable(one)]
     return NextSteps(
         compare=_named(faults.compare, plan, words),
         first=_named(_ordered(faults.first, plan), plan, words),
         other=_named(_ordered(faults.other, plan), plan, words),
         unreadable=tuple(_unread(one, plan, words) for one in open_cells),
-        blank=_named(_where(report, is_blank), plan, words),
+        empty=tuple(
+            one.title.of(words.language) for one in plan.course.sections if one.id in empty
+        ),
+        blank=_named(
+            _where(report, lambda one: is_blank(one) and one.section not in empty), plan, words
+        ),
         waiting=_named(_where(report, lambda one: one.is_open), plan, words),
         waiting_points=points_text(report.open_points, words),
     )

@@ -16,7 +16,12 @@ from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbe
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
-from gripcourse.documents.report.totals import SectionTotal, section_totals
+from gripcourse.documents.report.totals import (
+    SectionTotal,
+    empty_sections,
+    is_blank,
+    section_totals,
+)
 from gripcourse.grading.model import Finding, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
@@ -26,6 +31,7 @@ from gripcourse.text.words import Words, message
 TEMPLATE = "student.html.j2"
 STYLES = ("page.css", "formula.css", "student.css")
 
+_AT_EASE = 30  # answers with something below them, before they stand closer
 _COSTLY = 6  # so many of the costliest answers stand on the first page
 
 
@@ -38,7 +44,8 @@ class SectionBlock:
         points: `12 / 15`.
         percent: share of the points earned, 0…100, as the width of the bar.
         waiting: what still waits for a person, empty for nothing.
-        rows: one for each answer.
+        rows: one for each answer that there is anything to say of.
+        empty: whether nothing was handed in for it.
     """
 
     title: str
@@ -46,6 +53,7 @@ class SectionBlock:
     percent: float
     waiting: str
     rows: tuple[AnswerRow, ...]
+    empty: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +90,7 @@ def student_values(
     """Return what the template needs but the date; see `student_report` for the arguments."""
     reveal = policy.reveal is Reveal.REFERENCE
     share = report.score / report.max_score if report.max_score else None
+    sections = list(_sections(report, plan, policy, course, words))
     return {
         "course": course.title.of(words.language),
         "student": report.name or report.student or "—",
@@ -94,7 +103,8 @@ def student_values(
         "open_points": report.open_points,
         "reveal": reveal,
         "remarks": [words.say(remark) for remark in report.remarks],
-        "sections": aligned_rows(list(_sections(report, plan, policy, course, words)), "points"),
+        "sections": aligned_rows(sections, "points"),
+        "dense": sum(row.detailed for one in sections for row in one.rows) > _AT_EASE,
         "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
@@ -116,15 +126,18 @@ def _sections(
     report: Report, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> Iterator[SectionBlock]:
     totals, own = section_totals(report), own_numbers(report, plan)
+    empty = empty_sections(report)
     for section in course.sections:
         if section.id not in totals:
             continue
         total = totals[section.id]
+        # Of a section without any answer there is nothing to say but that, once.
+        told_once = section.id in empty and policy.reveal is Reveal.NOTHING
         rows = aligned_rows(
             [
                 answer_row(finding, plan, own, policy, words)
                 for finding in report.findings
-                if finding.section == section.id
+                if finding.section == section.id and not (told_once and is_blank(finding))
             ],
             "points",
         )
@@ -134,6 +147,7 @@ def _sections(
             percent=100 * total.points / total.max_points if total.max_points else 0.0,
             waiting=_waiting(total, words),
             rows=tuple(rows),
+            empty=told_once,
         )
 
 

@@ -74,6 +74,14 @@ def is_blank(finding: Finding) -> bool:
     return finding.outcome.traits.missing and not finding.outcome.traits.typed
 
 
+def empty_sections(report: Report) -> frozenset[str]:
+    """Return the sections in which every answer that was asked for is missing."""
+    asked = [one for one in report.findings if not one.outcome.traits.by_rubric]
+    return frozenset(one.section for one in asked) - frozenset(
+        one.section for one in asked if not is_blank(one)
+    )
+
+
 def shares(reports: Sequence[Report]) -> list[float]:
     """Return the score of each judged report as a share of its possible points."""
     return [

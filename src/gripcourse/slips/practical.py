@@ -1,0 +1,54 @@
+"""Wrong methods as they come out for somebody who works in millimetres, newtons and megapascals.
+
+A formula computes in SI. Where a root is forgotten, the result measures something else than it
+should, and the number depends on the units of the work: 3600 square millimetres are written down as
+3600 mm, not as the 3.6 mm that 0.0036 square metres would be.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Final
+
+from gripcourse.formula.dimension import measured_by
+from gripcourse.formula.fault import FormulaFault
+from gripcourse.formula.tree import Node
+from gripcourse.slips.generic import Rewritten, Surroundings
+from gripcourse.slips.rewrite import scaled
+from gripcourse.text.units import Dimension, dimension
+
+# The mass that one newton accelerates by one millimetre a second each second is a tonne.
+_SIZES: Final[Mapping[str, float]] = {"length": 1e-3, "mass": 1e3}
+
+
+def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Iterator[Rewritten]:
+    """Yield those of the rewritten formulas that give another number in practical units."""
+    if around.formula.units:
+        return  # an empirical formula states its units
+    asked = dimension(around.quantity.unit)
+    for one in made:
+        found = _dimension_of(around, one.tree)
+        ratio = 1.0 if found is None else practical_ratio(asked, found)
+        if ratio != 1.0:
+            yield replace(one, detail=f"{one.detail},mm", tree=scaled(one.tree, ratio))
+
+
+def practical_ratio(asked: Dimension, found: Dimension) -> float:
+    """Return how many times as large the SI value is that a practical number is taken for.
+
+    Args:
+        asked: what the quantity measures, in whose unit the number is written down.
+        found: what the wrong formula gives.
+    """
+    ratio = 1.0
+    for base, exponent in (asked / found).exponents:
+        ratio *= _SIZES.get(base, 1.0) ** float(exponent)
+    return ratio
+
+
+def _dimension_of(around: Surroundings, tree: Node) -> Dimension | None:
+    """Return what a wrong formula measures; None for nothing, or for a sum of unlike things."""
+    known = {name: dimension(one.unit) for name, one in around.quantities.items()}
+    try:
+        return measured_by(tree, known, {})
+    except FormulaFault:
+        return None
