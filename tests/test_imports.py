@@ -15,7 +15,6 @@ LEVELS = (
     ("text",),
     ("errors",),
     ("machine",),
-    ("spreadsheet",),
     ("jobs",),
     ("formula",),
     ("course",),

@@ -35,7 +35,8 @@ TICKET = re.compile(r"\b(issue|ticket|bug|pull request)s? #?\d", re.IGNORECASE)
 
 def text_files() -> Iterator[Path]:
     """Every file that people write, without what tools leave behind."""
-    yield from (path for path in REPOSITORY.iterdir() if path.is_file())
+    # In a second working tree `.git` is a file.
+    yield from (path for path in REPOSITORY.iterdir() if path.is_file() and path.name != ".git")
     for folder in FOLDERS:
         for path in (REPOSITORY / folder).rglob("*"):
             if path.is_file() and "__pycache__" not in path.parts:

@@ -93,7 +93,7 @@ class Term:
 
     @property
     def place(self) -> tuple[object, ...]:
-        return ("--course", self.folder / "course", "--workers", 1, "--date", "2026-09-07")
+        return ("--course", self.folder / "course", "--workers", 0, "--date", "2026-09-07")
 
 
 @pytest.fixture(scope="module")

@@ -32,7 +32,7 @@ def test_stories_without_an_occasion_are_left_out(
 ) -> None:
     monkeypatch.setattr(classroom, "_STUDENTS", 7)
     source = small_course(tmp_path / "source")
-    demo = run_demo(source, tmp_path / "out", Words("en"), 2, lambda _name, _total: lambda: None)
+    demo = run_demo(source, tmp_path / "out", Words("en"), 0, lambda _name, _total: lambda: None)
     assert list(demo.students.values()) == [
         *("correct", "three_figures", "early_slip", "blank", "text_and_units", "rounded_down"),
         COPIED,
@@ -49,5 +49,5 @@ def test_with_fewer_students_than_stories_nobody_copies(
 ) -> None:
     monkeypatch.setattr(classroom, "_STUDENTS", 1)
     source = small_course(tmp_path / "source")
-    demo = run_demo(source, tmp_path / "out", Words("en"), 1, lambda _name, _total: lambda: None)
+    demo = run_demo(source, tmp_path / "out", Words("en"), 0, lambda _name, _total: lambda: None)
     assert list(demo.students.values()) == ["correct"]

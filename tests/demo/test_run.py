@@ -25,7 +25,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
         steps.append(name)
         return lambda: None
 
-    done = run_demo(course_root(), out, Words("en"), 2, step)
+    done = run_demo(course_root(), out, Words("en"), 0, step)
     assert len(steps) == 3
     return done
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.exports.files import Fate, files_csv, graded_account
 from gripcourse.grading.unjudged import disputed_report, rejected_report
-from gripcourse.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.model import Rejected
 from gripcourse.text.words import Words, message
 

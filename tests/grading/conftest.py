@@ -1,6 +1,6 @@
 """Submissions built in memory: a variant, its reference answers, and what a student wrote."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import cache
@@ -30,6 +30,8 @@ SIGNATURE = "a1" * 32
 Written: TypeAlias = float | str | Answer | None
 """What stands in an answer cell: a number, text that is none, nothing; or an answer as read."""
 
+
+DrawMore: TypeAlias = Callable[[Collection[str]], "Iterator[Case]"]
 
 _METHODS: dict[tuple[int, int], tuple[Plan, Policy, CandidatesOf]] = {}
 
@@ -185,6 +187,19 @@ def drawn(course: Course, policy: Policy) -> tuple[Case, ...]:
         make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
         for one in variants
     )
+
+
+@pytest.fixture(scope="session")
+def draw_more(course: Course, policy: Policy) -> DrawMore:
+    """Draw many variants of a few schemes, for what few of them show."""
+
+    def more(schemes: Collection[str]) -> Iterator[Case]:
+        spaces = [space for space in load_spaces(course) if space.scheme in schemes]
+        for one in draw(course, spaces, 40 * len(spaces), 20260908).variants if spaces else ():
+            plan = make_plan(course, one.scheme, one.options)
+            yield make_case(plan, one.given, policy, one.id)
+
+    return more
 
 
 @pytest.fixture(scope="session")

@@ -98,19 +98,19 @@ class TestWrongRule:
     """140 kg bend the flange by nearly 1200 N·m: I bears 1300 at 90 mm, II 1100 at 120 mm."""
 
     def test_the_loads_of_the_other_execution_are_a_known_slip(self, square: "Case") -> None:
-        found = finding(square, "flange_size", 90.0)
+        found = finding(square, "flange_first", 90.0)
         assert (found.outcome, found.points) == (Outcome.SLIP, 0)
         assert str(found.slip) == "loads_of_the_round_flange"
         assert "execution I" in str(found.message)
 
     def test_another_size_is_only_too_small(self, square: "Case") -> None:
-        found = finding(square, "flange_size", 120.0)
+        found = finding(square, "flange_first", 120.0)
         assert found.outcome is Outcome.WRONG
         assert str(found.message) == "Rounded down: the size is below the required value."
 
     def test_where_both_executions_bear_the_same_there_is_no_slip(self, square: "Case") -> None:
-        found = square.findings({**square.following(mount_bending=399.0), "flange_size": 40.0})
-        assert found["flange_size"].outcome is Outcome.WRONG
+        found = square.findings({**square.following(mount_bending=399.0), "flange_first": 40.0})
+        assert found["flange_first"].outcome is Outcome.WRONG
 
 
 class TestOwnNumbers:
@@ -170,7 +170,7 @@ class TestNearest:
         return rounding_to_nearest(hydraulic, None)
 
     def test_the_nearest_size_is_sound_and_no_other(self, nearest: "Case") -> None:
-        found = {size: finding(nearest, "bore", size) for size in (50.0, 63.0, 80.0)}
+        found = {size: finding(nearest, "bore_first", size) for size in (50.0, 63.0, 80.0)}
         assert {size: one.outcome for size, one in found.items()} == {
             50.0: Outcome.WRONG,
             63.0: Outcome.CORRECT,
@@ -185,35 +185,35 @@ class TestNearest:
         light = replace(nearest, issued=issued_with(nearest, given),
                         reference=solve_variant(nearest.plan, given))  # fmt: skip
         assert light.reference["bore_required"] == pytest.approx(52.7, abs=0.2)
-        assert light.reference["bore"] == pytest.approx(50)
-        assert finding(light, "bore", 50.0).outcome is Outcome.CORRECT
-        assert finding(light, "bore", 63.0).outcome is Outcome.WRONG
+        assert light.reference["bore_first"] == pytest.approx(50)
+        assert finding(light, "bore_first", 50.0).outcome is Outcome.CORRECT
+        assert finding(light, "bore_first", 63.0).outcome is Outcome.WRONG
 
     def test_so_many_steps_are_sound_on_either_side(self, hydraulic: "Case") -> None:
         case = rounding_to_nearest(hydraulic, 1)
-        sizes = series(case, "bore")
+        sizes = series(case, "bore_first")
         place = sizes.index(63.0)
-        found = [finding(case, "bore", size) for size in sizes[place - 2 : place + 3]]
+        found = [finding(case, "bore_first", size) for size in sizes[place - 2 : place + 3]]
         right, wrong = Outcome.CORRECT, Outcome.WRONG
         assert [one.outcome for one in found] == [wrong, right, right, right, wrong]
         assert "more than 1 steps from the nearest size" in str(found[0].message)
 
     def test_a_second_row_is_sound_where_it_is_as_near(self, nearest: "Case") -> None:
         """70 mm of the second row is farther from 59.7 mm than 63 mm."""
-        assert finding(nearest, "bore", 70.0).outcome is Outcome.WRONG
+        assert finding(nearest, "bore_first", 70.0).outcome is Outcome.WRONG
 
     def test_the_students_own_required_value_counts_too(self, nearest: "Case") -> None:
-        answers = {**nearest.answers, "bore_required": 82.0, "bore": 80.0}
-        found = nearest.findings(answers)["bore"]
+        answers = {**nearest.answers, "bore_required": 82.0, "bore_first": 80.0}
+        found = nearest.findings(answers)["bore_first"]
         assert found.outcome is Outcome.CARRIED
 
 
 def rounding_to_nearest(case: "Case", steps: int | None) -> "Case":
     """The case in a course that rounds the bore to the nearest size."""
-    bore = case.plan.quantities["bore"]
-    assert bore.choice is not None
-    rule = replace(bore.choice, rounding=Rounding.NEAREST, steps=steps)
-    changed = {**case.plan.quantities, "bore": replace(bore, choice=rule)}
+    bore_first = case.plan.quantities["bore_first"]
+    assert bore_first.choice is not None
+    rule = replace(bore_first.choice, rounding=Rounding.NEAREST, steps=steps)
+    changed = {**case.plan.quantities, "bore_first": replace(bore_first, choice=rule)}
     answered = tuple(changed[one.id] for one in case.plan.answered)
     plan = replace(case.plan, quantities=changed, answered=answered)
     return replace(case, plan=plan, reference=solve_variant(plan, case.given))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from gripcourse.course.quantity import Kind
@@ -62,7 +62,7 @@ class TestCarriedErrors:
         answers = {**hydraulic.answers, "grip_force": 2 * hydraulic.reference["grip_force"]}
         assert hydraulic.lost(answers) == {"grip_force"}
 
-    @settings(max_examples=40)
+    @settings(max_examples=15)
     @given(
         factors=st.dictionaries(
             st.sampled_from(["lifting_load", "jaw_travel", "gear_torque", "pin_force", "stroke"]),
@@ -75,6 +75,7 @@ class TestCarriedErrors:
     ) -> None:
         wrong = {name: factor * hydraulic.reference[name] for name, factor in factors.items()}
         answers = hydraulic.following(**wrong) if followed else {**hydraulic.answers, **wrong}
+        assume(all(math.isfinite(value) for value in answers.values()))
         plain = hydraulic.with_policy(carried_credit=0.0)
         assert hydraulic.judge(answers).score >= plain.judge(answers).score
 

@@ -1,6 +1,6 @@
 """What a whole workbook earns: right, rounded, wrong at one place, blank, unreadable."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Outcome
 from gripcourse.policy.bands import band
+from gripcourse.submission.model import Answer
 
 if TYPE_CHECKING:
     from conftest import Case
@@ -51,15 +52,15 @@ class TestRightAnswers:
             assert case.lost(computed_on(case, 3)) == set(), case.label
 
     def test_typing_three_figures_of_exact_numbers_costs_nothing(
-        self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
+        self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]", typed: Callable[..., Answer]
     ) -> None:
-        for case in (*table, *drawn):
+        for case in (*table[::4], *drawn[::2]):
             kinds = {one.id: one.kind for one in case.plan.answered}
-            typed = {
-                name: rounded(value, 3) if kinds[name] is Kind.FORMULA else value
+            answers = {
+                name: typed(name, value, 3) if kinds[name] is Kind.FORMULA else value
                 for name, value in case.answers.items()
             }
-            assert case.lost(typed) == set(), case.label
+            assert case.lost(answers) == set(), case.label
 
     def test_manual_items_wait_for_a_person_and_count_in_neither_sum(self, case: "Case") -> None:
         report = case.judge(case.answers)

@@ -21,7 +21,7 @@ def scores(course: Course, policy: Policy) -> tuple[StrategyScore, ...]:
 
 def test_no_strategy_pays(scores: tuple[StrategyScore, ...]) -> None:
     assert [one.strategy for one in scores] == list(Strategy)
-    assert missed(scores, 0.05) == ()
+    assert missed(scores, 0.1) == ()  # two works each; the mix demands less of many
 
 
 def test_a_strategy_that_pays_is_named(course: Course) -> None:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 from openpyxl import Workbook
 
-from gripcourse.spreadsheet import preflight
-from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
+from gripcourse.machine.spreadsheet import preflight
+from gripcourse.machine.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook

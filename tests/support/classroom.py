@@ -19,7 +19,8 @@ from gripcourse.simulation.write import Typed, fill
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.usecases.handout import issue_one, workbook_path
+from gripcourse.usecases.handout import issue_one as usual
+from gripcourse.usecases.handout import workbook_path
 from gripcourse.usecases.init import init_course
 from gripcourse.usecases.issue import IssueOne, Issuing, Order, issue_order
 from gripcourse.variants.model import Issued, Variant
@@ -44,10 +45,13 @@ class Classroom:
     policy: Policy
     order: Order
 
-    def issue(self, issue_one: IssueOne = issue_one, **changes: object) -> Issuing:
+    def issue(self, issue_one: IssueOne = usual, **changes: object) -> Issuing:
         """Issue by the order, or by one that differs; the register keeps what was issued."""
         order = replace(self.order, **changes)  # type: ignore[arg-type]
-        return issue_order(self.course, self.policy, order, 2, lambda _: None, issue_one=issue_one)
+        workers = 0 if issue_one is usual else 2  # only what may fail needs a process of its own
+        return issue_order(
+            self.course, self.policy, order, workers, lambda _: None, issue_one=issue_one
+        )
 
     @property
     def register(self) -> Mapping[str, Issued]:

@@ -33,7 +33,7 @@ def nothing(_: Path) -> None:
 
 
 def run(
-    context: GradingContext, paths: Sequence[Path], out: Path, workers: int = 2
+    context: GradingContext, paths: Sequence[Path], out: Path, workers: int = 0
 ) -> GradingOutcome:
     found = collect(paths)
     return write_results(
@@ -87,13 +87,13 @@ def rough(
     entry = issued.register["s01"]
     lost = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
     context = replace(issued.context, register={**issued.register, "s01": lost})
-    return run(context, [rough_inbox], out, workers=1), out
+    return run(context, [rough_inbox], out), out
 
 
 @pytest.fixture(scope="module")
 def graded(issued: "Classroom", inbox: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("graded")
-    run(issued.context, [inbox], out)
+    run(issued.context, [inbox], out, workers=1)
     return out
 
 
@@ -153,14 +153,14 @@ class TestResults:
         old = tmp_path / "reports" / "s09.pdf"
         old.parent.mkdir()
         old.write_bytes(b"%PDF-")
-        outcome = run(issued.context, [inbox / "s01.xlsx"], tmp_path, workers=1)
+        outcome = run(issued.context, [inbox / "s01.xlsx"], tmp_path)
         assert outcome.left_over == (old,)
         assert old.is_file()
 
     def test_grading_again_gives_the_same_bytes(
         self, issued: "Classroom", inbox: Path, graded: Path, tmp_path: Path
     ) -> None:
-        run(issued.context, [inbox], tmp_path, workers=1)
+        run(issued.context, [inbox], tmp_path)
         for path in sorted(graded.rglob("*.*")):
             assert (tmp_path / path.relative_to(graded)).read_bytes() == path.read_bytes(), path
 

@@ -60,7 +60,7 @@ class Office:
         return {one.report.student: one.report for one in self.keep(files, **changes)}
 
     def write(self, files: Sequence[Path], out: Path) -> Batch:
-        return write_results(self.keep(files), self.context, out, date(2026, 12, 2), 1, nothing)
+        return write_results(self.keep(files), self.context, out, date(2026, 12, 2), 0, nothing)
 
     def mark(self, quantity: str = DRAWING, student: str = "s01", **draft: object) -> Marking:
         wanted = Draft(student, quantity, **{"lines": {}, **draft})  # type: ignore[arg-type]

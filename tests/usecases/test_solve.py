@@ -11,7 +11,7 @@ from gripcourse.course.quantity import Convention
 from gripcourse.errors import Problem, UsageError
 from gripcourse.text.words import Words
 from gripcourse.usecases.solve import (
-    Solved,
+    SolvedVariant,
     solve_from_table,
     solve_scheme,
     write_key,
@@ -27,7 +27,7 @@ def course() -> Course:
     return load_course(Path(__file__).parents[2])
 
 
-def solve(course: Course, *settings: str, convention: Convention | None = None) -> Solved:
+def solve(course: Course, *settings: str, convention: Convention | None = None) -> SolvedVariant:
     given = dict(one.split("=", 1) for one in settings)
     return solve_scheme(course, SCHEME, given, {}, convention)
 

@@ -50,16 +50,16 @@ def narrow(tmp_path_factory: pytest.TempPathFactory) -> tuple[Course, Policy, To
     policy = load_policy(own)
     table = own.root / "variants" / "tables" / "main.csv"
     variants = variants_of(own, ToleranceSample(table, count=0, seed=1))[:6]
-    return own, policy, audit(own, policy, variants, 1, nothing)
+    return own, policy, audit(own, policy, variants, 0, nothing)
 
 
 def test_a_cohort_is_written_and_graded(course: Course, policy: Policy, tmp_path: Path) -> None:
     out = tmp_path / "cohort"
-    assert simulate(course, policy, COHORT, out, 1, nothing) == 6
-    found = evaluate_folder(course, policy, out, 1, nothing)
+    assert simulate(course, policy, COHORT, out, 0, nothing) == 6
+    found = evaluate_folder(course, policy, out, 0, nothing)
     assert found.students == 6
     assert (out / MISSES).is_file()
-    in_memory = evaluate_in_memory(course, policy, COHORT, tmp_path / "misses.csv", 1, nothing)
+    in_memory = evaluate_in_memory(course, policy, COHORT, tmp_path / "misses.csv", 0, nothing)
     assert in_memory.table == found.table
     assert (tmp_path / "misses.csv").read_text() == (out / MISSES).read_text()
 
@@ -67,7 +67,7 @@ def test_a_cohort_is_written_and_graded(course: Course, policy: Policy, tmp_path
 def test_a_folder_in_use_is_left_alone(course: Course, policy: Policy, tmp_path: Path) -> None:
     (tmp_path / "work.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(UsageError, match="not empty"):
-        simulate(course, policy, COHORT, tmp_path, 1, nothing)
+        simulate(course, policy, COHORT, tmp_path, 0, nothing)
     assert [one.name for one in tmp_path.iterdir()] == ["work.txt"]
 
 
@@ -76,7 +76,7 @@ def test_a_scheme_that_nobody_declared_is_named(
 ) -> None:
     unknown = replace(COHORT, scheme="rack_paralelogram")
     with pytest.raises(UsageError, match="rack_paralelogram"):
-        simulate(course, policy, unknown, tmp_path / "cohort", 1, nothing)
+        simulate(course, policy, unknown, tmp_path / "cohort", 0, nothing)
 
 
 def test_derived_tolerances_are_written_once_and_keep_what_was_there(

@@ -106,10 +106,13 @@ def test_choices_that_do_not_go_together_and_angles_that_differ_are_refused(
     reference_course: Course,
 ) -> None:
     scheme = reference_course.schemes["screw"]
-    usual = {**default_options(scheme), "grip_model": "contact"}
+    usual = {**default_options(scheme), "grip_model": "contact", "jaw_shape": "flat"}
     plan = make_plan(reference_course, "screw", usual)
     (said,) = (one for one in why_infeasible(plan, usual_values(plan)) if "go with" in str(one))
     assert str(said).startswith("grip model: four points of contact: 'flat' of 'shape of the jaws'")
     plan = make_plan(reference_course, "screw", {**usual, "jaw_shape": "prism"})
-    refused = [str(one) for one in why_infeasible(plan, usual_values(plan))]
-    assert any("(contact_angle_1) and angle of contact at point 3" in one for one in refused)
+    (first, *others) = next(rule.same for rule in scheme.rules if rule.same)
+    given = {**usual_values(plan), **dict.fromkeys((first, *others), 60.0)}
+    assert not any("must be one number" in str(one) for one in why_infeasible(plan, given))
+    refused = [str(one) for one in why_infeasible(plan, {**given, others[-1]: 65.0})]
+    assert any(f"({first})" in one and "must be one number" in one for one in refused)

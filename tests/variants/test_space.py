@@ -162,10 +162,22 @@ def test_the_spaces_of_the_reference_course_are_sound(reference_course: Course) 
 
 
 def test_givens_that_a_rule_makes_one_number_are_drawn_alike(reference_course: Course) -> None:
-    (space,) = (one for one in load_spaces(reference_course) if one.scheme == "screw")
-    options = next(one for one in space.cases.combinations if one["grip_model"] == "contact")
-    case = space.cases.with_options(options)
-    assert case is not None
-    angles = [f"contact_angle_{number}" for number in (2, 3, 4)]
-    assert {case.followers[one].leader for one in (*angles, "jaw_angle")} == {"contact_angle_1"}
-    assert all(one == led for one, led in case.followers["jaw_angle"].values.items())
+    ruled = {
+        scheme.id: rule
+        for scheme in reference_course.schemes.values()
+        for rule in scheme.rules
+        if rule.same
+    }
+    assert ruled
+    for space in load_spaces(reference_course):
+        if space.scheme not in ruled:
+            continue
+        rule = ruled[space.scheme]
+        options = next(one for one in space.cases.combinations if rule.counts(one))
+        case = space.cases.with_options(options)
+        assert case is not None
+        led = [case.followers[one] for one in rule.same if one in case.followers]
+        (leader,) = {one.leader for one in led}
+        assert len(led) == len(rule.same) - 1
+        assert leader in rule.same
+        assert all(one == number for follower in led for number, one in follower.values.items())

@@ -37,7 +37,7 @@ from gripcourse.variants.table import read_table, write_table
 if TYPE_CHECKING:
     import pandas as pd
 
-    from gripcourse.usecases.solve import Solved
+    from gripcourse.usecases.solve import SolvedVariant
 
 # Every call imports what it needs itself: documents and databases cost up to half a second.
 # ruff: noqa: PLC0415
@@ -193,7 +193,7 @@ class Course:
 
     def solved(
         self, variant: str, table: FileLike | None = None, convention: str | None = None
-    ) -> "Solved":
+    ) -> "SolvedVariant":
         """Solve a variant for the writers of documents in `gripcourse.api.documents`."""
         from gripcourse.usecases.solve import solve_from_table
 

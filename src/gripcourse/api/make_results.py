@@ -27,12 +27,12 @@ if TYPE_CHECKING:
     # Who asks for one result should not wait for what makes the others.
     from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
-    from gripcourse.usecases.solve import Solved
+    from gripcourse.usecases.solve import SolvedVariant
     from gripcourse.variants.model import Variant
     from gripcourse.variants.tally import Tally
 
 
-def solution_result(solved: "Solved", words: Words) -> SolutionResult:
+def solution_result(solved: "SolvedVariant", words: Words) -> SolutionResult:
     """Put a solved variant into words."""
     plan = solved.plan
     values = {

@@ -54,7 +54,10 @@ DateOption = Annotated[
     typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; default: today."),
 ]
 WorkersOption = Annotated[
-    int, typer.Option("--workers", min=1, help="How many processes.", show_default="processors")
+    int,
+    typer.Option(
+        "--workers", min=0, help="How many processes; 0: this one alone.", show_default="processors"
+    ),
 ]
 PROCESSORS = os.cpu_count() or 1
 GradebookOption = Annotated[

@@ -6,7 +6,7 @@ import json
 import math
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,12 +20,14 @@ from gripcourse.text.words import Message, Texts, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from rich.console import JustifyMethod
+
     from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.audit import WrittenAudit
     from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
-    from gripcourse.usecases.solve import Solved
+    from gripcourse.usecases.solve import SolvedVariant
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
 
@@ -78,7 +80,7 @@ def progress() -> Iterator[Step]:
         yield step
 
 
-def solution_table(solved: "Solved", words: Words) -> str:
+def solution_table(solved: "SolvedVariant", words: Words) -> str:
     """Return the values of a solution as a table, by section."""
     plan = solved.plan
     rows = [
@@ -93,7 +95,9 @@ def solution_table(solved: "Solved", words: Words) -> str:
         )
         for quantity in (*plan.constants, *plan.givens, *plan.answered)
     ]
-    return table_text(("id", "", plan.scheme.title.of(words.language), "", ""), rows, right={3})
+    heads = ("id", "", plan.scheme.title.of(words.language), "", "")
+    # A condition is a symbol too: long ones must leave the titles their room.
+    return table_text(heads, rows, right={3}, widest={1: 16})
 
 
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
@@ -256,8 +260,13 @@ def _unit(unit: str, words: Words) -> str:
     return unit_text(unit, words.language)
 
 
-def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[int]) -> str:
-    """Lay out a table; `right` are the columns that stand at the right."""
+def table_text(
+    heads: Iterable[str],
+    rows: Iterable[Sequence[str]],
+    right: set[int],
+    widest: Mapping[int, int] | None = None,
+) -> str:
+    """Lay out a table; columns in `right` stand at the right, those in `widest` break earlier."""
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
     from rich.table import Table
@@ -265,7 +274,9 @@ def table_text(heads: Iterable[str], rows: Iterable[Sequence[str]], right: set[i
 
     table = Table(box=SIMPLE_HEAD, pad_edge=False)
     for number, head in enumerate(heads):
-        table.add_column(Text(head), justify="right" if number in right else "left")
+        side: JustifyMethod = "right" if number in right else "left"
+        most = None if widest is None else widest.get(number)
+        table.add_column(Text(head), justify=side, max_width=most)
     for row in rows:
         # Text, not markup: what a student typed must not be read as a colour.
         table.add_row(*(Text(shown(cell)) for cell in row))

@@ -66,6 +66,8 @@ def read_overrides(
     readable = complete and all(part in raw_parts for part in part_ids)  # else that is reported
     for change in _changes(table, raw_parts):
         parts = _declaring(change.name, part_ids, raw_parts)
+        if readable:
+            _report_unknown_parts(change, parts)
         if not parts and readable:
             _report_unknown(change, table, part_ids, raw_parts)
         for part in _chosen(change, parts):
@@ -100,6 +102,7 @@ def read_optional_overrides(
         for name, keys in () if fixed else _overrides_of(bringing, raw_parts):
             change = _Change(name, keys, is_own=False)
             parts = _declaring(name, part_ids, raw_parts)
+            _report_unknown_parts(change, parts)
             if not parts:
                 _report_unknown(change, table, part_ids, raw_parts)
             for part in _chosen(change, parts):
@@ -148,6 +151,12 @@ def _chosen(change: _Change, parts: Sequence[str]) -> Sequence[str]:
     if not change.keys.has(_ONLY_IN):
         return parts
     named = change.keys.strings(_ONLY_IN)
+    return [part for part in parts if part in named]
+
+
+def _report_unknown_parts(change: _Change, parts: Sequence[str]) -> None:
+    """Report the parts that a change names though they do not declare its quantity."""
+    named = change.keys.strings(_ONLY_IN) if change.keys.has(_ONLY_IN) else ()
     for part in named:
         if part not in parts:
             change.keys.add(
@@ -155,7 +164,6 @@ def _chosen(change: _Change, parts: Sequence[str]) -> Sequence[str]:
                 message("The part '{part}' declares no '{name}'.", part=part, name=change.name),
                 did_you_mean(part, parts),
             )
-    return [part for part in parts if part in named]
 
 
 def _report_unknown(

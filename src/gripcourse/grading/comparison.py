@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.quantity import Quantity
+from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
@@ -166,6 +166,8 @@ class Comparison:
         return ExpectedRange(value, max(low, value - most), min(high, value + most))
 
     def _widest(self, value: float) -> float:
+        if self.quantity.kind is Kind.VERDICT:
+            return 1.0  # at the edge a last digit decides between yes and no
         return self.policy.widest * computed_band(self.quantity, value, self.policy)
 
     def _evaluate(

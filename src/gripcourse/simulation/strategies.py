@@ -50,7 +50,7 @@ class StrategyScore:
 
 
 @dataclass(frozen=True, slots=True)
-class _Job:
+class _StrategyJob:
     strategy: Strategy
     student: str
     other: str
@@ -133,10 +133,10 @@ def _smallest(plan: Plan, quantity: Quantity) -> float | None:
     return float(plan.columns[quantity.choice.column].sizes.min()) / factor(quantity.unit)
 
 
-def _jobs(register: Mapping[str, Issued], seed: int) -> Iterator[_Job]:
+def _jobs(register: Mapping[str, Issued], seed: int) -> Iterator[_StrategyJob]:
     for strategy in Strategy:
         for number, (student, mate) in enumerate(_pairs(register)):
-            yield _Job(strategy, student, mate, seed + number)
+            yield _StrategyJob(strategy, student, mate, seed + number)
 
 
 def _pairs(register: Mapping[str, Issued]) -> Iterator[tuple[str, str]]:
@@ -153,7 +153,7 @@ def _pairs(register: Mapping[str, Issued]) -> Iterator[tuple[str, str]]:
     yield from pairs[:: max(1, len(pairs) // _WORKS)]
 
 
-def _share_of(job: _Job, context: GradingContext) -> float:
+def _share_of(job: _StrategyJob, context: GradingContext) -> float:
     """Return the share of the points that no person gives."""
     issued, other = context.register[job.student], context.register[job.other]
     plan = plan_of(context.course, issued.variant.composition)

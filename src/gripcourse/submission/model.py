@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.spreadsheet.refusals import REASONS, WhyRefused
+from gripcourse.machine.spreadsheet.refusals import REASONS, WhyRefused
 from gripcourse.text.words import Message
 
 __all__ = ["Answer", "Identity", "Reading", "Rejected", "Submission", "WhyRefused"]

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gripcourse.spreadsheet.cell_value import CellValue
+from gripcourse.machine.spreadsheet.cell_value import CellValue
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message
 

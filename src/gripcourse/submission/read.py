@@ -16,20 +16,20 @@ from typing import Final
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
-from gripcourse.spreadsheet.cell_value import (
+from gripcourse.machine.spreadsheet.cell_value import (
     GENERAL,
     counts_from_1904,
     formats_of,
     shown_value,
     text_index,
 )
-from gripcourse.spreadsheet.package import (
+from gripcourse.machine.spreadsheet.package import (
     Package,
     local,
     package_of,
 )
-from gripcourse.spreadsheet.preflight import refusal
-from gripcourse.spreadsheet.sheet_cells import (
+from gripcourse.machine.spreadsheet.preflight import refusal
+from gripcourse.machine.spreadsheet.sheet_cells import (
     EMPTY,
     Place,
     StoredCell,

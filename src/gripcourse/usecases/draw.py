@@ -8,10 +8,10 @@ from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.solve import Solved
+from gripcourse.usecases.solve import SolvedVariant
 
 
-def write_general_view(solved: Solved, out: Path, student: str, words: Words) -> list[Path]:
+def write_general_view(solved: SolvedVariant, out: Path, student: str, words: Words) -> list[Path]:
     """Write the general view of a variant into a folder and return what was written.
 
     Args:

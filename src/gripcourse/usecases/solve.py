@@ -20,7 +20,7 @@ from gripcourse.variants.model import Variant
 
 
 @dataclass(frozen=True, slots=True)
-class Solved:
+class SolvedVariant:
     """A solved variant.
 
     Attributes:
@@ -38,7 +38,7 @@ class Solved:
 
 def solve_from_table(
     course: Course, variants: Iterable[Variant], identifier: str, convention: Convention | None
-) -> Solved:
+) -> SolvedVariant:
     """Solve a variant of a table.
 
     Raises:
@@ -59,7 +59,7 @@ def solve_scheme(
     given: Mapping[str, float | str],
     options: Mapping[str, str],
     convention: Convention | None,
-) -> Solved:
+) -> SolvedVariant:
     """Solve a scheme with values set by hand.
 
     What is not set, a constant too, is the worked example's; else a given takes its default.
@@ -91,7 +91,7 @@ def solve_scheme(
     return replace(solved, assumed=tuple(name for name in known if name not in taken))
 
 
-def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
+def write_solution(solved: SolvedVariant, out: Path | None, words: Words) -> Path:
     """Write the worked solution as a PDF file and return where it is."""
     from gripcourse.documents.report.solution import solution_pdf  # noqa: PLC0415 (WeasyPrint, 450 ms)
 
@@ -101,7 +101,7 @@ def write_solution(solved: Solved, out: Path | None, words: Words) -> Path:
     return path
 
 
-def write_key(solved: Solved, out: Path | None, words: Words) -> Path:
+def write_key(solved: SolvedVariant, out: Path | None, words: Words) -> Path:
     """Write the instructor's key workbook and return where it is.
 
     Raises:
@@ -119,17 +119,17 @@ def write_key(solved: Solved, out: Path | None, words: Words) -> Path:
     return path
 
 
-def _name(solved: Solved) -> str:
+def _name(solved: SolvedVariant) -> str:
     return solved.variant.id or solved.plan.scheme.id
 
 
-def _solved(plan: Plan, variant: Variant, known: Mapping[str, float]) -> Solved:
+def _solved(plan: Plan, variant: Variant, known: Mapping[str, float]) -> SolvedVariant:
     problems = [*_out_of_bounds(plan, known)]
     values = solve_variant(plan, known)
     problems = problems or [*_without_value(plan, values)]
     if problems:
         raise UsageError(problems)
-    return Solved(plan, variant, values)
+    return SolvedVariant(plan, variant, values)
 
 
 def _out_of_bounds(plan: Plan, known: Mapping[str, float]) -> Iterable[Problem]:

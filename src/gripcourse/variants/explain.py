@@ -96,25 +96,25 @@ def broken_option_rule(
         forbidden: the option whose choice it does not allow.
     """
     by_id = {option.id: option for option in scheme.options}
+    chosen = (_chosen(by_id[one], options[one]) for one in rule.when)
+    wrong = by_id[forbidden]
+    allowed = rule.requires[forbidden]
     return message(
         "{choices}: '{choice}' of '{option}' does not go with this, only {allowed}. {note}",
-        choices=list_text(
-            message(
-                "{option}: {choice}",
-                option=by_id[one].title,
-                choice=_choice(by_id[one], options[one]),
-            )
-            for one in rule.when
-        ),
-        choice=_choice(by_id[forbidden], options[forbidden]),
-        option=by_id[forbidden].title,
-        allowed=list_text(
-            message("'{choice}'", choice=choice.title)
-            for choice in by_id[forbidden].choices
-            if choice.id in rule.requires[forbidden]
-        ),
+        choices=list_text(chosen),
+        choice=_choice(wrong, options[forbidden]),
+        option=wrong.title,
+        allowed=list_text(_quoted(one.title) for one in wrong.choices if one.id in allowed),
         note=rule.note,
     )
+
+
+def _chosen(option: Option, choice: str) -> Message:
+    return message("{option}: {choice}", option=option.title, choice=_choice(option, choice))
+
+
+def _quoted(choice: Texts) -> Message:
+    return message("'{choice}'", choice=choice)
 
 
 def _choice(option: Option, id_: str) -> Texts:

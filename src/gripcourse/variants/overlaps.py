@@ -1,4 +1,4 @@
-"""Bodies of a gripper that stand in each other: the seam to whoever knows the bodies.
+"""Bodies of a machine that stand in each other: the seam to whoever knows the bodies.
 
 Tables know numbers and no shapes. A check of shapes is handed in; it is asked scheme by scheme,
 with the values of all its variants at once.
@@ -21,7 +21,7 @@ class Overlap:
 
     Attributes:
         bodies: what they are called.
-        position: of the gripper in which they stand in each other, as open.
+        position: of the machine in which they stand in each other, as open.
         depth: how far, mm.
     """
 

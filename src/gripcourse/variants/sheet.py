@@ -11,8 +11,8 @@ from datetime import date, time
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
-from gripcourse.spreadsheet.refusals import WhyRefused
-from gripcourse.spreadsheet.table import first_sheet
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.table import first_sheet
 from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")

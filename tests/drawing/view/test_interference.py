@@ -12,7 +12,7 @@ from gripcourse.course.toml_table import Table
 from gripcourse.course.view_read import read_view
 from gripcourse.drawing.view.interference import (
     Overlaps,
-    Pair,
+    PartPair,
     crossed_outlines,
     interference,
     together,
@@ -54,7 +54,22 @@ def scheme_of(view: str) -> Scheme:
     )
     motion = read_kinematics(Table(tomllib.loads(MOTION), "scheme.toml", "kinematics", problems))
     assert not problems, problems
-    return Scheme("scheme", TEXTS, TEXTS, (), (), {}, {}, motion, None, found, None, "scheme.toml")
+    return Scheme(
+        id="scheme",
+        title=TEXTS,
+        task=TEXTS,
+        parts=(),
+        options=(),
+        own_rules=(),
+        quantities={},
+        overrides={},
+        optional_overrides={},
+        kinematics=motion,
+        diagram=None,
+        view=found,
+        example=None,
+        file="scheme.toml",
+    )
 
 
 def found_in(view: str, **more: float | list[float]) -> Overlaps:
@@ -81,7 +96,7 @@ def test_a_body_that_enters_another_is_found_with_its_depth() -> None:
     assert found.of(0) is None
     worst = found.of(1)
     assert worst is not None
-    assert worst.pair == Pair("wall", "slide", "closed")
+    assert worst.pair == PartPair("wall", "slide", "closed")
     assert {pair.position for pair in found.pairs} == {"open", "closed"}
 
 

@@ -7,7 +7,7 @@ from typing import Final
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import AsPrinted, Choice, Kind, Quantity, Rounding, Source
 from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
-from gripcourse.documents.reference.occurrence import Condition, Content, Occurrence
+from gripcourse.documents.reference.occurrence import Content, Occurrence, OptionCondition
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.tree import Formula, names
 from gripcourse.formula.typeset import typeset
@@ -216,7 +216,7 @@ def link_to(one: Occurrence, content: Content, language: str) -> Link:
     return Link(one.anchor, symbol_of(quantity, language), quantity.title.of(language), version)
 
 
-def bringing_option(condition: Condition, language: str) -> BringingOption:
+def bringing_option(condition: OptionCondition, language: str) -> BringingOption:
     """Name an option and those of its choices that bring a part."""
     choices = " / ".join(one.title.of(language) for one in condition.choices)
     return BringingOption(condition.option.title.of(language), choices)

@@ -9,7 +9,7 @@ from gripcourse.course.quantity import Convention, Quantity
 
 
 @dataclass(frozen=True, slots=True)
-class Condition:
+class OptionCondition:
     """Choices of an option, any of which brings a part."""
 
     option: Option
@@ -30,7 +30,7 @@ class Occurrence:
 
     quantity: Quantity
     part: str
-    conditions: tuple[Condition, ...]
+    conditions: tuple[OptionCondition, ...]
     anchor: str
     changed: bool
 
@@ -79,7 +79,7 @@ def parts_of(course: Course, scheme: Scheme) -> tuple[Part, ...]:
     return tuple(course.parts[part] for part in all_part_ids(scheme))
 
 
-def conditions_of(scheme: Scheme, part: str) -> tuple[Condition, ...]:
+def conditions_of(scheme: Scheme, part: str) -> tuple[OptionCondition, ...]:
     """Return which choices bring a part; nothing where every variant has it."""
     if part in scheme.parts:
         return ()
@@ -89,7 +89,7 @@ def conditions_of(scheme: Scheme, part: str) -> tuple[Condition, ...]:
         if len(choices) == len(option.choices):
             return ()
         if choices:
-            found.append(Condition(option, choices))
+            found.append(OptionCondition(option, choices))
     return tuple(found)
 
 

@@ -75,7 +75,7 @@ class ReferenceRule:
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class SharedPart:
     """A shared part of a scheme: what brings it, and what it declares."""
 
     id: str
@@ -231,9 +231,9 @@ def _rules(content: Content, language: str) -> tuple[ReferenceRule, ...]:
     )
 
 
-def _pieces(content: Content, language: str) -> tuple[Piece, ...]:
+def _pieces(content: Content, language: str) -> tuple[SharedPart, ...]:
     return tuple(
-        Piece(
+        SharedPart(
             part.id,
             tuple(bringing_option(one, language) for one in conditions_of(content.scheme, part.id)),
             tuple(

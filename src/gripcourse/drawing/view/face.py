@@ -22,7 +22,7 @@ _AXIS_BEYOND = 5.0  # mm of paper that an axis reaches beyond the outline
 _HATCH_SPACING = 2.0  # mm of paper
 _HATCH_ANGLE = 45.0
 _ORIGIN = (0.0, 0.0)
-_FIGURES = 7  # tenths of a millimetre of any gripper, thousandths of a small size
+_FIGURES = 7  # tenths of a millimetre of any machine, thousandths of a small size
 _SERIES_DECIMALS = 3  # no series is finer
 _SAME = 1e-9
 

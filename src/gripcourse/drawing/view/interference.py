@@ -32,7 +32,7 @@ _CHUNK = 2048  # variants whose bodies are held at once
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class PartPair:
     """Two parts by id, in order, and a position of the kinematics; empty where there is none."""
 
     first: str
@@ -44,7 +44,7 @@ class Pair:
 class Interference:
     """Two bodies that go through one another by `overlap` mm."""
 
-    pair: Pair
+    pair: PartPair
     overlap: float
 
 
@@ -60,7 +60,7 @@ class Overlaps:
     """
 
     count: int
-    pairs: Mapping[Pair, Array]
+    pairs: Mapping[PartPair, Array]
 
     @property
     def worst(self) -> Array:
@@ -90,7 +90,7 @@ def interference(scheme: Scheme, columns: Mapping[str, Column], values: Values) 
             different options: what one of them does not have is NaN (`together`).
     """
     size = _size(values)
-    found: dict[Pair, Array] = {}
+    found: dict[PartPair, Array] = {}
     for start in range(0, size, _CHUNK):
         rows = slice(start, min(start + _CHUNK, size))
         part = {name: one[rows] if np.ndim(one) else one for name, one in values.items()}
@@ -147,13 +147,13 @@ def _size(values: Values) -> int:
     return max((np.size(one) for one in values.values()), default=1)
 
 
-def _pairs(scenes: Mapping[str, Sequence[Piece]]) -> Iterator[tuple[Pair, Array]]:
+def _pairs(scenes: Mapping[str, Sequence[Piece]]) -> Iterator[tuple[PartPair, Array]]:
     for number, (position, pieces) in enumerate(scenes.items()):
         for first, second in combinations(pieces, 2):
             if _may_collide(first, second) and (number == 0 or not _is_known(first, second)):
                 depth = _depth(first, second)
                 if depth is not None:
-                    yield Pair(first.part.id, second.part.id, position), depth
+                    yield PartPair(first.part.id, second.part.id, position), depth
 
 
 def _scenes(

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from typing import Final
 from xml.parsers import expat
 
-from gripcourse.spreadsheet.package import part_name
-from gripcourse.spreadsheet.refusals import WhyRefused
-from gripcourse.spreadsheet.sheet_cells import column_number
+from gripcourse.machine.spreadsheet.package import part_name
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.sheet_cells import column_number
 
 MEGABYTE: Final = 1_000_000
 LARGEST_FILE: Final = 60 * MEGABYTE  # with pictures

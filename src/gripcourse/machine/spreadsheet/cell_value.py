@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from typing import Final, TypeAlias
 
-from gripcourse.spreadsheet.package import Package, local
-from gripcourse.spreadsheet.sheet_cells import StoredCell
+from gripcourse.machine.spreadsheet.package import Package, local
+from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
 
 CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
 """What a spreadsheet cell can hold; `date` includes `datetime`."""

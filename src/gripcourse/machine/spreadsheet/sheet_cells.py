@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 from xml.etree.ElementTree import Element
 
-from gripcourse.spreadsheet.package import Package, attribute, child, local
+from gripcourse.machine.spreadsheet.package import Package, attribute, child, local
 
 Place: TypeAlias = tuple[int, int]
 """Row and column of a cell, from 1."""

@@ -4,7 +4,7 @@ import io
 import zipfile
 from dataclasses import dataclass
 
-from gripcourse.spreadsheet.cell_value import (
+from gripcourse.machine.spreadsheet.cell_value import (
     GENERAL,
     CellValue,
     UnreadableContentError,
@@ -12,10 +12,15 @@ from gripcourse.spreadsheet.cell_value import (
     formats_of,
     shown_value,
 )
-from gripcourse.spreadsheet.package import package_of
-from gripcourse.spreadsheet.preflight import TABLE, refusal
-from gripcourse.spreadsheet.refusals import WhyRefused
-from gripcourse.spreadsheet.sheet_cells import StoredCell, all_cells, shared_texts, sheets_of
+from gripcourse.machine.spreadsheet.package import package_of
+from gripcourse.machine.spreadsheet.preflight import TABLE, refusal
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.sheet_cells import (
+    StoredCell,
+    all_cells,
+    shared_texts,
+    sheets_of,
+)
 
 MOST_COLUMNS = 2_000
 
