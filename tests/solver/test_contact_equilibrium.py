@@ -297,7 +297,10 @@ def test_a_lever_with_a_fixed_jaw_is_balanced_by_moments_about_its_pivot(
             values[diameter] / 2 - values["pivot_offset"]
         )
         np.testing.assert_allclose(height, values[diameter] / 2, rtol=1e-9)  # it is that lever
-    spacing, diameters = 2 * values["pivot_offset"], (values["diameter_min"], values["diameter_max"])
+    spacing, diameters = (
+        2 * values["pivot_offset"],
+        (values["diameter_min"], values["diameter_max"]),
+    )
     forces = [
         turning(values, points, length, spacing, diameter)
         for diameter, length in zip(diameters, reach, strict=True)
