@@ -171,7 +171,7 @@ def printed_calculations() -> tuple[PrintedCalculation, ...]:
 def subject(course: Course, policy: Policy) -> Subject:
     """What is proved of the reference course."""
     return Subject(
-        SampleSource(course, all_spaces(), COUNT, SEED),
+        SampleSource(course, all_spaces(), COUNT, SEED, load_published_cases(course)),
         policy,
         load_declared_proofs(course),
         load_mechanisms(course),

@@ -52,8 +52,8 @@ def test_a_value_breaks_a_calculation_where_a_printed_number_depends_on_it(
     right = solve_variant(calculation.plan, calculation.known)["grip_force"]
     found = broken_by(
         calculation,
-        {"grip_force": (right, right * 2, float("nan")), "overall_width": (1.0,), "mass": (1.0,)},
+        {"grip_force": (right, right * 2, float("nan")), "overall_length": (1.0,), "mass": (1.0,)},
     )
     assert found["grip_force"] == (False, True, True)
-    assert found["overall_width"] == (False,)
+    assert found["overall_length"] == (False,)
     assert found["mass"] == (False,)  # it is known: no formula gives it

@@ -269,13 +269,17 @@ def test_a_finger_that_turns_is_balanced_by_moments_about_its_pivot(
 ) -> None:
     """What the shared part declares for schemes with pivots."""
     rng = np.random.default_rng(8)
-    length, spacing = rng.uniform(0.1, 0.3, COUNT), rng.uniform(0.02, 0.4, COUNT)
+    spacing = rng.uniform(0.02, 0.4, COUNT)
+    lengths = {end: rng.uniform(0.1, 0.3, COUNT) for end in ("max", "min")}
     declared = course.parts["contact_grip"].quantities[f"finger_force_{side}"]
     assert declared.formula is not None
-    known = {**values, "finger_length": length, "finger_spacing": spacing}
+    known = {**values, "finger_spacing": spacing}
+    known.update({f"finger_length_at_{end}": length for end, length in lengths.items()})
     found = evaluate_formula(declared.formula, declared.unit, known, {})
-    diameters = (values["diameter_min"], values["diameter_max"])
-    forces = [turning(values, points, length, spacing, diameter) for diameter in diameters]
+    forces = [
+        turning(values, points, length, spacing, values[f"diameter_{end}"])
+        for end, length in lengths.items()
+    ]
     np.testing.assert_allclose(found, np.max(forces, axis=0), rtol=1e-9, atol=1e-6)
 
 
@@ -293,9 +297,14 @@ def test_a_lever_with_a_fixed_jaw_is_balanced_by_moments_about_its_pivot(
             values[diameter] / 2 - values["pivot_offset"]
         )
         np.testing.assert_allclose(height, values[diameter] / 2, rtol=1e-9)  # it is that lever
-    shorter, spacing = np.min(reach, axis=0), 2 * values["pivot_offset"]
-    diameters = (values["diameter_min"], values["diameter_max"])
-    forces = [turning(values, points, shorter, spacing, diameter) for diameter in diameters]
+    spacing, diameters = (
+        2 * values["pivot_offset"],
+        (values["diameter_min"], values["diameter_max"]),
+    )
+    forces = [
+        turning(values, points, length, spacing, diameter)
+        for diameter, length in zip(diameters, reach, strict=True)
+    ]
     expected = np.max(forces, axis=0)
     np.testing.assert_allclose(values[f"finger_force_{side}"], expected, rtol=1e-9, atol=1e-6)
 

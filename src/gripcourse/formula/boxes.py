@@ -122,11 +122,18 @@ def boxes(box: Box) -> Iterator[Box]:
         yield from boxes(part)
 
 
-def word(name: str, elsewhere: str = "") -> Form:
-    """Print a function by an upright name; `elsewhere` where it differs, as in tan and tg."""
+def word(name: str, elsewhere: str = "", **own: str) -> Form:
+    """Print a function by an upright name.
+
+    Args:
+        name: in English.
+        elsewhere: in the other languages where it differs, as in tan and tg.
+        own: by language that has a name of its own.
+    """
 
     def form(arguments: tuple[Box, ...], _column: Box | None, language: str) -> Box:
-        return Applied(name if is_english(language) else elsewhere or name, arguments)
+        usual = name if is_english(language) else elsewhere or name
+        return Applied(own.get(language, usual), arguments)
 
     return form
 

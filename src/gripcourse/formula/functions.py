@@ -212,7 +212,8 @@ FUNCTIONS: Final[Mapping[str, Function]] = MappingProxyType(
                 "MAX({arguments})",
             ),
             Function(
-                "exceeds", 2, 2, False, _of(_exceeds), _ANGLE, boxes.word("exceeds", "превышает"),
+                "exceeds", 2, 2, False, _of(_exceeds), _ANGLE,
+                boxes.word("exceeds", "превышает", uk="перевищує"),
                 "IF({0}>{1},1,0)",
             ),
             Function(

@@ -86,12 +86,13 @@ def open_subject(
     Raises:
         CourseError: the spaces, published cases, declared proofs or mechanisms have problems.
     """
+    cases = load_published_cases(course)
     return Subject(
-        source=SampleSource(course, load_spaces(course), count, seed),
+        source=SampleSource(course, load_spaces(course), count, seed, cases),
         policy=policy,
         declared=load_declared_proofs(course),
         mechanisms=load_mechanisms(course),
-        calculations=tuple(calculations(course, load_published_cases(course))),
+        calculations=tuple(calculations(course, cases)),
         scheme=scheme,
     )
 

@@ -28,6 +28,8 @@ _WORDS: Final = {
     "arctg": "atan",
     "tg": "tan",
     "ln": "log",
+    "превышает": "exceeds",
+    "перевищує": "exceeds",
     "Hertz": "hertz_crossed",
     "превышает": "exceeds",
     "перевищує": "exceeds",

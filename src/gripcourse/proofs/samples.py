@@ -16,6 +16,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import TableError
+from gripcourse.proofs.published_cases import PublishedCase
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate
 from gripcourse.text.units import factor
@@ -39,34 +40,42 @@ class SampleSource:
         spaces: ranges of its schemes.
         count: variants of each combination of options.
         seed: the same seed draws the same variants.
+        cases: published ones, for what no variants are drawn of.
         drawn: variants of combinations that were drawn already, None where there are none.
         names: ids of quantities by parts that were asked for already.
+        mixes: combinations of options of the schemes that were asked for already.
     """
 
     course: Course
     spaces: tuple[Space, ...]
     count: int
     seed: int
+    cases: tuple[PublishedCase, ...] = ()
     drawn: dict[Composition, "Trial | None"] = field(default_factory=dict, compare=False)
     names: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict, compare=False)
+    mixes: dict[str, tuple["Mixed", ...]] = field(default_factory=dict, compare=False)
 
-    def mixed(self, scheme: str) -> list["Mixed"]:
+    def mixed(self, scheme: str) -> tuple["Mixed", ...]:
         """Return the combinations of options that variants of a scheme are drawn with."""
-        own = (space for space in self.spaces if space.scheme == scheme)
-        return [
-            Mixed(space, place, options)
-            for space in own
-            for place, options in enumerate(space.cases.combinations)
-        ]
+        if scheme not in self.mixes:
+            declared = self.course.schemes[scheme]
+            self.mixes[scheme] = tuple(
+                Mixed(space, place, options, _known_names(self, declared, options))
+                for space in self.spaces
+                if space.scheme == scheme
+                for place, options in enumerate(space.cases.combinations)
+            )
+        return self.mixes[scheme]
 
 
 @dataclass(frozen=True, slots=True)
 class Mixed:
-    """A combination of options that a space mixes, and its place there."""
+    """A combination of options that a space mixes, its place there, and ids of its quantities."""
 
     space: Space
     place: int
     options: Mapping[str, str]
+    names: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +141,8 @@ def trials_with(
 ) -> Iterator[Trial]:
     """Yield few compositions that choose these options and hold all these quantities.
 
+    Where variants of none of them are drawn, the published cases stand in.
+
     Args:
         source: of numbers.
         scheme: whose compositions.
@@ -140,13 +151,19 @@ def trials_with(
         most: how many of them, beside the worked example.
     """
     example = _example_of(source.course, scheme)
-    if example is not None and _suits(source, scheme, example.options, options, names):
+    if (
+        example is not None
+        and options.items() <= example.options.items()
+        and names <= _known_names(source, scheme, example.options)
+    ):
         yield make_trial(_plan(source.course, example), (example,))
     suited = [
         one
         for one in source.mixed(scheme.id)
-        if _suits(source, scheme, one.options, options, names)
+        if options.items() <= one.options.items() and names <= one.names
     ]
+    if not suited:
+        yield from _published(source, scheme, options, names)
     # Neighbours in the list differ in the last option only: some from all over it, and not all of
     # them at the same place of what repeats.
     step = max(1, len(suited) // most)
@@ -156,22 +173,23 @@ def trials_with(
             yield drawn
 
 
+def _published(
+    source: SampleSource, scheme: Scheme, options: Mapping[str, str], names: frozenset[str]
+) -> Iterator[Trial]:
+    for one in source.cases:
+        if one.scheme == scheme.id and options.items() <= one.options.items():
+            plan = make_plan(source.course, scheme.id, one.options, Convention.CORRECTED)
+            if names <= _known_names(source, scheme, one.options):
+                given = {**one.given, **one.chosen}
+                yield make_trial(plan, (Variant(one.id, scheme.id, one.options, given),))
+
+
 def redrawn(source: SampleSource, trial: Trial, count: int) -> Trial | None:
     """Draw more variants of the composition of a trial; None where there is no range for it."""
     for one in source.mixed(trial.plan.scheme.id):
         if one.options == trial.plan.options:
             return _drawn(replace(source, count=count, drawn={}), one)
     return None
-
-
-def _suits(
-    source: SampleSource,
-    scheme: Scheme,
-    chosen: Mapping[str, str],
-    options: Mapping[str, str],
-    names: frozenset[str],
-) -> bool:
-    return options.items() <= chosen.items() and names <= _known_names(source, scheme, chosen)
 
 
 def _known_names(

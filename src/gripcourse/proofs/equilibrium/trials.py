@@ -54,14 +54,21 @@ def proof_of(mechanism: Mechanism) -> Proof:
 
 
 def prove_equilibrium(
-    mechanism: Mechanism, source: SampleSource, scheme: str | None
+    mechanism: Mechanism, source: SampleSource, scheme: str | None, most: int = _MOST_CASES
 ) -> ProofResult:
-    """Try a mechanism with drawn variants of the schemes that it is about."""
+    """Try a mechanism with drawn variants of the schemes that it is about.
+
+    Args:
+        mechanism: to try.
+        source: of numbers.
+        scheme: only variants of this one; None for all.
+        most: how many combinations of options a claim is tried with, in one scheme.
+    """
     proof, compared = proof_of(mechanism), 0
     faults: list[Fault] = []
     done: dict[tuple[object, ...], dict[str, Solved]] = {}
     for judged in judged_of(mechanism):
-        for trial in _trials(mechanism, judged, source, scheme):
+        for trial in _trials(mechanism, judged, source, scheme, most):
             key = _key(trial)
             if key not in done:
                 done[key] = solved_of(mechanism, trial)
@@ -81,12 +88,16 @@ def _key(trial: Trial) -> tuple[object, ...]:
 
 
 def _trials(
-    mechanism: Mechanism, judged: Claim | Condition, source: SampleSource, scheme: str | None
+    mechanism: Mechanism,
+    judged: Claim | Condition,
+    source: SampleSource,
+    scheme: str | None,
+    most: int,
 ) -> Iterator[Trial]:
     names = names_used(mechanism, judged)
     for candidate in schemes_of(source.course, mechanism):
         if scheme in {None, candidate.id}:
-            yield from trials_with(source, candidate, mechanism.options, names, _MOST_CASES)
+            yield from trials_with(source, candidate, mechanism.options, names, most)
 
 
 def solved_of(mechanism: Mechanism, trial: Trial) -> dict[str, Solved]:
