@@ -69,7 +69,7 @@ def test_teeth_are_drawn_by_their_tip_pitch_and_root_lines(
         if isinstance(one.stroke, Arc):
             radii[one.kind].add(round(one.stroke.radius, 6))
     pitch = drawn.values.get("pitch_radius", drawn.values.get("pivot_spacing", 0.0) / 2)
-    module = drawn.values.get("module", pitch / 15)
+    module = drawn.values.get("module", pitch / 25)
     assert round(pitch + module, 6) in radii[LineKind.OUTLINE]
     assert round(pitch, 6) in radii[LineKind.CENTRE]
     assert round(pitch - 1.25 * module, 6) in radii[LineKind.THIN]
