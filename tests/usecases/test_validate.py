@@ -102,3 +102,9 @@ def test_a_folder_without_a_course_has_one_problem(tmp_path: Path) -> None:
         "variants/course.toml",
         "The file is missing.",
     )
+
+
+@pytest.mark.parametrize("scheme", ["plain_lever", "prism_lever"])
+def test_a_scheme_alone_is_as_valid_as_the_course(course: Course, scheme: str) -> None:
+    # Rules of shared options name choices that only other schemes offer.
+    assert scheme_problems(course.root, scheme) == []

@@ -29,18 +29,21 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, message
 
 
-def check_course(course: Course, *, thorough: bool = False) -> list[Problem]:
+def check_course(
+    course: Course, *, thorough: bool = False, whole: Course | None = None
+) -> list[Problem]:
     """Return every problem that shows only when the files of a course are put together.
 
     Args:
         course: as read.
         thorough: look at every combination of options, which takes seconds, and not only at enough
             of them for any two choices to occur together.
+        whole: the course with all its schemes, where this one has a few of them only.
     """
     tables = _Tables.of(course)
     found: list[Problem] = []
     seen: set[object] = set()
-    unknown = list(check_option_names(course))
+    unknown = list(check_option_names(course, whole or course))
     found += unknown
     for scheme in course.schemes.values():
         found += [] if unknown else check_option_rules(course, scheme)

@@ -12,15 +12,19 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
 
 
-def check_option_names(course: Course) -> Iterator[Problem]:
+def check_option_names(course: Course, whole: Course) -> Iterator[Problem]:
     """Yield the options and choices that rules name and nothing has.
 
     A shared option serves many schemes: its rules may name what some scheme of the course offers. A
     scheme's own rules name its own options.
+
+    Args:
+        course: whose rules are checked; it may have a few of the schemes only.
+        whole: with all schemes.
     """
-    schemes = course.schemes.values()
-    everywhere = _offered(option for scheme in schemes for option in scheme.options)
-    for scheme in schemes:
+    offering = whole.schemes.values()
+    everywhere = _offered(option for scheme in offering for option in scheme.options)
+    for scheme in course.schemes.values():
         for rule in scheme.own_rules:
             yield from _unknown(rule, _offered(scheme.options))
         for rule in (rule for option in scheme.options for rule in option.rules):

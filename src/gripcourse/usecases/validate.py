@@ -76,7 +76,7 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
     if course is None:
         return problems
     only = with_scheme(course, scheme)
-    problems += check_course(only)
+    problems += check_course(only, whole=course)
     return problems or _printed_problems(course, scheme)
 
 
