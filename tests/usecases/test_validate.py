@@ -15,7 +15,7 @@ from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.issuing.store import extend_register
 from gripcourse.machine.database.home import gradebook_path
 from gripcourse.machine.database.opening import open_engine
-from gripcourse.usecases.validate import all_problems, register_problems
+from gripcourse.usecases.validate import all_problems, register_problems, scheme_problems
 from gripcourse.variants.model import Student, Variant
 
 REPOSITORY = Path(__file__).parents[2]

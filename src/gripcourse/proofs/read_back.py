@@ -31,8 +31,6 @@ _WORDS: Final = {
     "превышает": "exceeds",
     "перевищує": "exceeds",
     "Hertz": "hertz_crossed",
-    "превышает": "exceeds",
-    "перевищує": "exceeds",
 }
 _SIGNS: Final = {"·": "*", "−": "-", "^": "**", "≤": "<=", "≥": ">=", "π": "pi"}
 
