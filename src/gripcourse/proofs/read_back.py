@@ -10,7 +10,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor, read_unit
 
 _DIGITS: Final = {
-    "en": r"\d[\d,]*(?:\.\d+)?",
+    "en": r"\d[\d\u202f]*(?:\.\d+)?",
     "ru": r"\d[\d\u202f]*(?:,\d+)?",
     "uk": r"\d[\d\u202f]*(?:,\d+)?",
 }
@@ -29,6 +29,8 @@ _WORDS: Final = {
     "tg": "tan",
     "ln": "log",
     "Hertz": "hertz_crossed",
+    "превышает": "exceeds",
+    "перевищує": "exceeds",
 }
 _SIGNS: Final = {"·": "*", "−": "-", "^": "**", "≤": "<=", "≥": ">=", "π": "pi"}
 
@@ -42,7 +44,7 @@ def read_back(printed: str, language: str) -> float:
 
     def number(found: re.Match[str]) -> str:
         digits, power, degree, unit = found.groups()
-        plain = digits.replace(",", "") if language == "en" else digits.replace(",", ".")
+        plain = digits.replace(",", ".")
         plain = plain.replace("\u202f", "")
         if power:
             plain = f"({plain}*10**({power.translate(_RAISED)}))"
@@ -56,7 +58,7 @@ def read_back(printed: str, language: str) -> float:
         "[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"**({found[0].translate(_RAISED)})", rewritten
     )
     for word, name in _WORDS.items():
-        rewritten = re.sub(rf"(?<![A-Za-z]){word}(?=\()", name, rewritten)
+        rewritten = re.sub(rf"(?<![^\W\d_]){word}(?=\()", name, rewritten)
     for sign, plain in _SIGNS.items():
         rewritten = rewritten.replace(sign, plain)
     rewritten = _separated(rewritten)
