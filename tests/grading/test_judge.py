@@ -48,7 +48,7 @@ class TestRightAnswers:
     def test_rounding_every_step_to_three_figures_and_computing_on_costs_nothing(
         self, table: "tuple[Case, ...]", drawn: "tuple[Case, ...]"
     ) -> None:
-        for case in (*table[::4], *drawn[::2]):
+        for case in (*table[::10], *drawn[::5]):
             assert case.lost(computed_on(case, 3)) == set(), case.label
 
     def test_typing_three_figures_of_exact_numbers_costs_nothing(
@@ -84,7 +84,7 @@ class TestOneAnswerMoved:
         lost = {name: strict.lost(moved(strict, name, direction)) for name in computed}
         assert lost == {name: {name} for name in computed}
 
-    @pytest.mark.parametrize("direction", [-0.9, 0.9, -0.999999, 0.999999])
+    @pytest.mark.parametrize("direction", [-0.999999, 0.999999])
     def test_just_inside_its_band_it_costs_nothing(
         self, case: "Case", computed: tuple[str, ...], direction: float
     ) -> None:
@@ -98,7 +98,7 @@ class TestOneAnswerMoved:
         lost = {name: case.lost(moved(case, name, direction)) for name in computed}
         assert set().union(*lost.values()) == set()
 
-    @settings(max_examples=40)
+    @settings(max_examples=15)
     @given(near=st.floats(0, 3), far=st.floats(0, 3), data=st.data())
     def test_marks_never_fall_when_an_answer_gets_closer(
         self, hydraulic: "Case", near: float, far: float, data: st.DataObject

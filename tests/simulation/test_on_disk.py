@@ -41,7 +41,7 @@ def small(course: Course, policy: Policy, mix: Mix) -> Classroom:
 @pytest.fixture(scope="module")
 def folder(small: Classroom, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("cohort")
-    write_cohort(small, out, 1)
+    write_cohort(small, out, 0)
     return out
 
 

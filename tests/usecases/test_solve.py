@@ -143,7 +143,7 @@ def test_a_refusal_is_written_in_the_readers_language(course: Course) -> None:
 
 def test_an_empty_catalogue_entry_is_named_at_its_cause(course: Course) -> None:
     [problem] = refused(course, "supply_pressure=0.1", "mass=200")
-    assert problem.key == "bore"
+    assert problem.key == "bore_first"
     assert "bore_required = " in str(problem.what)
 
 

@@ -25,7 +25,7 @@ SECTIONS = 2
 
 def test_a_drawn_table_passes_its_audit(course: Course, policy: Policy) -> None:
     spaces = load_spaces(course)
-    found = draw(course, spaces, 32, 11, sifter(policy, len(course.sections)))
+    found = draw(course, spaces, 20, 11, sifter(policy, len(course.sections)))
     audited = audit(course, policy, found.variants, spaces)
     assert audited.passed, [one for one in audited.variants if not one.passed]
     assert audited.apart.whole.share.max() <= policy.variants.shared_points
