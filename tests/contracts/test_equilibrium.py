@@ -32,7 +32,6 @@ OPEN = {
     "prism_lever": "both faces of a tilted prism are taken for equal",
     "prisms_across": "the prism is sized by the grip force",
     "rack_parallelogram": "the pins of the parallelogram are loaded by a couple",
-    "tangent_slider_losses": "the worst of both ends are added up",
 }
 
 
