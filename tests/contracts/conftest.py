@@ -276,7 +276,7 @@ def variants_of(
         if len(tabled) >= DRAWN:
             return tabled[:DRAWN]
         cases = [
-            Space(scheme, 1, Cases.of([case]), space.file)
+            Space(scheme, 1, Cases.of([case]), space.constraints, space.file)
             for space in spaces
             if space.scheme == scheme and (case := space.cases.with_options(options)) is not None
         ]
