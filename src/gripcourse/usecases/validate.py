@@ -92,7 +92,8 @@ def with_scheme(course: Course, scheme: str) -> Course:
     one = course.schemes[scheme]
     used = all_part_ids(one)
     parts = {name: part for name, part in course.parts.items() if name in used}
-    return replace(course, schemes={scheme: one}, parts=parts)
+    # Notes speak of quantities of any scheme: they are checked with the whole course.
+    return replace(course, schemes={scheme: one}, parts=parts, notes=())
 
 
 def _printed_problems(course: Course, scheme: str | None = None) -> list[Problem]:
