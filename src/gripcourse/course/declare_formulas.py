@@ -102,7 +102,8 @@ def _slip(table: Table, units: Mapping[str, str]) -> Slip:
         )
     fallback = Formula("0", parse("0"), {})
     formula = _wrong_formula(table, units) or fallback
-    return Slip(table.text("id"), formula, credit, table.texts("hint"))
+    hint = table.texts("hint")
+    return Slip(table.text("id"), formula, credit, hint, table.flag("seldom"))
 
 
 def _as_printed(table: Table, units: Mapping[str, str]) -> AsPrinted:

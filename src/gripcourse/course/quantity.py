@@ -68,12 +68,18 @@ class Tolerance:
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """An anticipated wrong method: the value it gives, its credit (0…1) and the hint it earns."""
+    """An anticipated wrong method: the value it gives, its credit (0…1) and the hint it earns.
+
+    Attributes:
+        seldom: whether its value is right, or nearly so, in many variants; it is named where it can
+            be told, and no variant is refused for it.
+    """
 
     id: str
     formula: Formula
     credit: float
     hint: Texts
+    seldom: bool = False
 
 
 @dataclass(frozen=True, slots=True)

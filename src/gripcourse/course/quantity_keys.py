@@ -67,6 +67,9 @@ _SLIP: Final = Shape(
         "formula": text("What the wrong method computes.", required=True),
         "credit": number("Share of the points that it earns.", required=True),
         "hint": texts("What the student reads.", required=True),
+        "seldom": flag(
+            "Whether its value is nearly right in many variants: none is refused for it."
+        ),
     }
 )
 _AS_PRINTED: Final = Shape(

@@ -14,7 +14,7 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.policy.bands import bands
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
-from gripcourse.slips.model import Candidate
+from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.family import Family, Member, Rows
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import choose, reference_rounding
@@ -32,6 +32,7 @@ class NearSlip:
         kind: of generic slip, or that of declared ones.
         is_size: whether the answer is a size taken from a series, where another method often leads
             to the same size; such a slip refuses nothing.
+        seldom: whether it is declared as one that seldom tells; it refuses nothing either.
         near: places of the variants of the group in which it comes too near to the right result.
         variants: how many of the group have it.
     """
@@ -40,6 +41,7 @@ class NearSlip:
     slip: str
     kind: str
     is_size: bool
+    seldom: bool
     near: Rows
     variants: int
 
@@ -76,6 +78,7 @@ def near_slips(
         right = member.of(group.values[quantity.id])
         reach = policy.variants.slip_bands * bands(quantity, right, policy)
         places = np.arange(group.family.size)[member.at]
+        seldom = {SlipId.declared(one.id) for one in quantity.slips if one.seldom}
         for where, plan, slips in _slips(group.family, member, policy, kinds):
             at = places[where]
             for slip in slips:
@@ -83,14 +86,22 @@ def near_slips(
                 with np.errstate(invalid="ignore"):  # a slip that gives no number misleads nobody
                     near = np.abs(wrong - right[where]) < reach[where]
                 is_size = quantity.kind is Kind.CHOICE
-                yield NearSlip(quantity.id, str(slip.id), slip.kind, is_size, at[near], len(at))
+                yield NearSlip(
+                    quantity.id,
+                    str(slip.id),
+                    slip.kind,
+                    is_size,
+                    seldom=slip.id in seldom,
+                    near=at[near],
+                    variants=len(at),
+                )
 
 
 def too_near(group: Group, policy: Policy) -> dict[tuple[str, str], Mask]:
     """Return by quantity and slip which variants must be refused for it."""
     found: dict[tuple[str, str], Mask] = {}
     for one in near_slips(group, policy, policy.variants.keep_apart):
-        if not one.is_size and len(one.near):
+        if not (one.is_size or one.seldom) and len(one.near):
             near = found.setdefault(
                 (one.quantity, one.slip), np.zeros(group.family.size, dtype=np.bool_)
             )
