@@ -29,6 +29,7 @@ STUDENTS = 60  # for each set of reference numbers
 EQUIVALENT = {
     "jaw_chord: +": "as printed, by E3, the band of contact is too narrow to count",
     "jaw_chord: *": "as printed, by E3, the band of contact is too narrow to count",
+    "flange_ok: <=": "what bears the bending bears the torque in drawn variants; a case shows it",
     "load_lift: *": "a share of 1 in the table of motions: times it and divided by it are the same",
     "load_extend: *": "a share of 1 in the table of motions, as above",
     "load_turn: *": "a share of 1 in the table of motions, as above",
