@@ -456,7 +456,7 @@ def test_a_course_from_issue_to_grades(gripcourse: Command, term: Term, tmp_path
     other.write_bytes(story.own.read_bytes())
     looked_at = gripcourse("grade", *story.place, other, "--out", tmp_path / "graded")
     assert looked_at.code == cli.NEEDS_PERSON
-    assert "issued to another" in looked_at.out
+    assert "who handed this in?" in looked_at.out
     assert "Traceback" not in looked_at.out + looked_at.err
 
 

@@ -63,6 +63,23 @@ def moved(one: Quantity, value: float, policy: Policy) -> float:
     return value + MOVED * band(one, value, policy)
 
 
+def moved_alone(
+    composition: "Composition", one: Quantity, right: dict[str, float], policy: Policy
+) -> float:
+    """Return an answer just outside the band on a side where no verdict on it is another one."""
+    plan, value = composition.plan, moved(one, right[one.id], policy)
+    verdicts = [
+        name
+        for name, inputs in plan.inputs.items()
+        if one.id in inputs and plan.quantities[name].kind is Kind.VERDICT
+    ]
+    if verdicts:
+        values = solve_variant(plan, {**composition.example.given, one.id: value})
+        if any(values[name] != right[name] for name in verdicts):
+            return 2 * right[one.id] - value
+    return value
+
+
 def steps_from(plan: Plan, one: Quantity) -> set[object]:
     """Name an answer with its own formula, and with that of everything computed from it."""
 
@@ -103,7 +120,7 @@ def test_one_answer_outside_its_band_loses_that_item_only(
         if steps <= seen:
             continue
         seen |= steps
-        answers = {**right, one.id: moved(one, right[one.id], strict)}
+        answers = {**right, one.id: moved_alone(composition, one, right, strict)}
         report = judged(composition, answers, strict, methods)
         lost = {
             found.quantity for found in report.findings if found.points < found.max_points - 1e-9

@@ -46,4 +46,4 @@ def test_a_published_work_has_one_title_for_all_languages(course: Course) -> Non
     several = {
         work.id for work in course.works.values() if len(set(work.title.by_language.values())) > 1
     }
-    assert several == {"derived"}
+    assert several == {"derived", "course_rule"}

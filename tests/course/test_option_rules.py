@@ -64,7 +64,8 @@ def test_a_rule_of_a_shared_option_passes_over_schemes_without_the_other_option(
 def test_an_unknown_name_is_told_with_file_key_and_remedy(
     ruled: Callable[..., tuple[Course, Scheme]], when: Choices, requires: Choices, what: str
 ) -> None:
-    (problem,) = check_option_names(ruled(when, requires)[0])
+    changed, _scheme = ruled(when, requires)
+    (problem,) = check_option_names(changed, changed)
     assert (problem.file, str(problem.what)) == ("scheme.toml", what)
     assert str(problem.key).startswith("option_rule[1].")
     assert str(problem.remedy)

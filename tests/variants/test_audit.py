@@ -141,7 +141,7 @@ def test_a_refused_slip_lies_within_the_demanded_bands_and_the_others_do_not(
             for slip in quantity.slips:
                 wrong = evaluate_formula(slip.formula, quantity.unit, values, plan.columns) / size
                 near = abs(float(wrong) - right) < reach
-                assert ((quantity.id, slip.id) in checked.slips) == near
+                assert ((quantity.id, slip.id) in checked.slips) == (near and not slip.seldom)
 
 
 def test_no_right_answer_of_a_sound_table_is_what_a_declared_slip_gives(

@@ -54,7 +54,7 @@ def blank(_plan: Plan, _issued: Issued) -> Typed:
 def text_and_units(plan: Plan, issued: Issued) -> Typed:
     """Type numbers as text, with comma, group spaces and units, some of them in other units.
 
-    The first number is about right and the second is a range: neither is a number.
+    The first number is in doubt and the second is a range: neither is a number.
     """
     words = Words(issued.student.language or plan.course.language)
     values = solve_variant(plan, issued.variant.given)
@@ -63,7 +63,7 @@ def text_and_units(plan: Plan, issued: Issued) -> Typed:
         value, other = values[quantity.id], larger_unit(quantity.unit)
         match place:
             case 0:
-                typed[quantity.id] = words.say(message("about {number}", number=f"{value:.1g}"))
+                typed[quantity.id] = f"{value:.1g}?"
             case 1:
                 typed[quantity.id] = f"30-35 {unit_text(quantity.unit, words.language)}"
             case _ if other is not None:
@@ -124,11 +124,12 @@ def fill_workbooks(
     A story that a student's assignment gives no occasion for waits for the next student.
 
     Returns:
-        What each student did, by student id; the last one hands in the first one's workbook, where
-        there are more students than stories.
+        What each student did, by student id; one for whom no story is left hands in the first one's
+        workbook.
     """
     stories: dict[str, str] = {}
     left = dict(STORIES)
+    idle: list[str] = []
     for student, issued in register.items():
         plan = plan_of(course, issued.variant.composition)
         for story, behaviour in left.items():
@@ -139,11 +140,13 @@ def fill_workbooks(
                 del left[story]
                 break
         else:
-            if stories:
-                first = next(iter(stories))
-                shutil.copyfile(out / f"{first}.xlsx", out / f"{student}.xlsx")
-                stories[student] = COPIED
+            idle.append(student)
+        if idle and not left:
             break
+    if stories and idle:
+        first, student = next(iter(stories)), idle[0]
+        shutil.copyfile(out / f"{first}.xlsx", out / f"{student}.xlsx")
+        stories[student] = COPIED
     return stories
 
 

@@ -45,7 +45,7 @@ def read_whose(
         else:
             decided[found[0]] = student
             continue
-        remedy = message("Write file=student, for example --whose work/s002.xlsx=s003.")
+        remedy = message("Write file=student, for example work/s002.xlsx=s003.")
         problems.append(Problem("", "--whose", what, remedy, parameter="whose"))
     if problems:
         raise UsageError(problems)
