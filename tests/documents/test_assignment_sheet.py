@@ -98,7 +98,7 @@ def test_it_is_one_sheet_of_paper_and_the_same_bytes_each_time(
     first = assignment_sheet(named, plan, policy, course, words)
     assert first == assignment_sheet(named, plan, policy, course, words)
     assert len(pages(first)) <= 2
-    assert LONG_NAME in pages(first)[0]
+    assert LONG_NAME in pages(first)[0].replace("- ", "-")  # a line may end at the hyphen
     assert all("3fa912bc77aa" in page for page in pages(first))
     assert not any("3fa912bc77aa0" in page for page in pages(first))
 
