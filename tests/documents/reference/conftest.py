@@ -72,9 +72,9 @@ def read(english: Mapping[str, str]) -> Mapping[str, Page]:
 @pytest.fixture(scope="session")
 def declared(course: Course) -> Mapping[str, list[Quantity]]:
     """Every declaration that some variant of a scheme has, each once, by scheme."""
-    found: dict[str, dict[tuple[str, str], Quantity]] = {}
+    found: dict[str, dict[int, Quantity]] = {}  # parts may have one file of a scheme's changes
     for scheme in course.schemes.values():
         own = found.setdefault(scheme.id, {})
         for options in option_sets(scheme):
-            own |= {(one.id, one.file): one for one in compose(course, scheme, options).values()}
+            own |= {id(one): one for one in compose(course, scheme, options).values()}
     return {scheme: list(own.values()) for scheme, own in found.items()}

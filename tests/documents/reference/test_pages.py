@@ -114,7 +114,7 @@ def test_pages_stay_of_a_size_that_opens_at_once(english: Mapping[str, str]) -> 
             "6.0535",
             "6.05",
         ],
-        ["dp", "accepted diameter of the pin", "mm", "12", "12", "10", "10"],
+        ["dp1", "first choice of the pin's diameter, by shear alone", "mm", "12", "12", "10", ""],
         ["lp", "working length of the pin", "mm", "40", "", "50*", ""],
     ],
 )

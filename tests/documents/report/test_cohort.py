@@ -14,6 +14,7 @@ from gripcourse.documents.report.totals import quantity_totals
 from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
+from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Words, message
 
 Change = Callable[..., Report]
@@ -79,7 +80,10 @@ def test_each_quantity_has_its_outcomes(
     assert isinstance(groups, list)
     rows = [row for group in groups for row in group.rows]
     force = next(row for row in rows if row.title == "required force of the drive")
-    assert force.counts == ("2", "", "", "1", "", "", "")
+    outcomes = [one for one in Outcome if one.traits.counted]
+    counted = dict(zip(outcomes, force.counts, strict=True))
+    some = {outcome: count for outcome, count in counted.items() if count}
+    assert some == {Outcome.CORRECT: "2", Outcome.WRONG: "1"}
     assert force.facility == ("66.7%", "66.7%")
     assert force.discrimination == ("—", "—")
 
@@ -94,12 +98,13 @@ def test_what_a_person_marks_is_no_row_of_outcomes(
 
 
 def test_a_row_has_only_what_somebody_got_wrong_or_left_out(
-    reports: list[Report], policy: Policy, course: Course
+    reports: list[Report], plan: Plan, policy: Policy, course: Course
 ) -> None:
     groups = cohort_values(reports, policy, course, Words("en"))["groups"]
     assert isinstance(groups, list)
     titles = {row.title for group in groups for row in group.rows}
-    assert titles == {"required force of the drive", "accepted bore of the cylinder"}
+    changed = ("drive_force", "bore")
+    assert titles == {plan.quantities[one].title.of("en") for one in changed}
     assert {one.answers for group in groups for one in group.faultless} == {3}
 
 
@@ -133,13 +138,13 @@ def test_what_one_scheme_alone_asks_for_comes_after_what_several_do(
 
 
 def test_what_a_likeness_rests_on_is_named_by_titles(
-    perfect: Report, policy: Policy, course: Course
+    perfect: Report, plan: Plan, policy: Policy, course: Course
 ) -> None:
     names = message("{names} and {count} more", names="grip_force, bore", count=50)
     odd = Flag(FlagCode.SAME_ANSWERS, message("It rests on: {names}.", names=names))
     flagged = cohort_values([replace(perfect, flags=(odd,))], policy, course, Words("en"))
     (said,) = flagged["flagged"][0].sentences  # type: ignore[index]
-    assert "accepted bore of the cylinder and 50 more" in said
+    assert f"{plan.quantities['bore'].title.of('en')} and 50 more" in said
     assert "grip_force" not in said
 
 

@@ -128,8 +128,8 @@ def test_the_students_own_numbers_are_substituted(
     perfect: Report, with_finding: Change, wrong: Change, text: Callable[..., str]
 ) -> None:
     own = with_finding(perfect, "bore_required", given=TELLTALE)
-    report = wrong(own, "bore", 50.0, inputs={"bore_required": TELLTALE})
-    assert "D ≥ D тр = 77,777 мм" in text(report)
+    report = wrong(own, "bore_first", 50.0, inputs={"bore_required": TELLTALE})
+    assert "D I ≥ D тр = 77,777 мм" in text(report)
 
 
 def test_what_follows_from_own_numbers_is_shown_with_its_result(

@@ -71,12 +71,12 @@ def test_what_is_the_same_twice_is_written_once(plan: Plan) -> None:
 
 def test_a_choice_is_written_as_a_step_up_to_a_series(plan: Plan) -> None:
     # Guide, section 5, with the worst position: bore 60.08 -> 63 mm.
-    written = line(plan, "bore", {"bore_required": 60.08}, 63.0)
-    assert written == "D ≥ D_тр = 60,08 мм → 63 мм"
+    written = line(plan, "bore_first", {"bore_required": 60.08}, 63.0)
+    assert written == "D_I ≥ D_тр = 60,08 мм → 63 мм"
 
 
 def test_a_choice_without_a_result_ends_at_what_is_required(plan: Plan) -> None:
-    assert line(plan, "bore", {"bore_required": 60.08}) == "D ≥ D_тр = 60,08 мм"
+    assert line(plan, "bore_first", {"bore_required": 60.08}) == "D_I ≥ D_тр = 60,08 мм"
 
 
 def test_a_verdict_shows_both_sides_and_the_answer(plan: Plan) -> None:

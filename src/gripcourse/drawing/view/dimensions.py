@@ -3,6 +3,7 @@
 All lengths are millimetres of paper, in the coordinates of the face.
 """
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ _BESIDE = 1.5  # what is free beside a number
 _ABOVE = 1.0  # the number over its line
 _TAIL = 2.0 * ARROW  # the line behind an arrow that points inward
 _HALF = 1e-6
+_FINER = re.compile(r"[.,]\d{2}")  # more decimals than one
 _TRIES = (0.5, 0.3, 0.7, 0.15, 0.85)
 
 
@@ -120,11 +122,15 @@ def draw_dimensions(
 
 
 def _written(wanted: Wanted, scale: float) -> str:
-    """Let the document measure; half a tenth, which may be rounded either way, is written out."""
+    """Let the document measure, in tenths; what those do not tell is written out.
+
+    That is half a tenth, which may be rounded either way, and a size that is written more finely.
+    """
     low, high = wanted.span
     tenths = 10 * (high - low) / scale
     is_half = abs(tenths % 1 - 0.5) < _HALF
-    return wanted.text if is_half else f"{wanted.sign}<>"
+    is_finer = _FINER.search(wanted.text) is not None
+    return wanted.text if is_half or is_finer else f"{wanted.sign}<>"
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:
