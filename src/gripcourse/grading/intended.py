@@ -34,31 +34,42 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
     Returns:
         The same in the same order, each with the better of both conclusions.
     """
-    best = _from_impossible(case, judged)
-    seen, known = list(best), dict[str, Answer]()
+    outside = _impossible(case, judged)
+    best = _from_impossible(case, judged, outside)
+    seen, known, changed = list(best), dict[str, Answer](), set(outside)
     while any(_may_be_better(one) for one in best if one.quantity.id not in known):
         new = _newly_intended(case, seen, known)
         if not new:
             break
         known |= new
-        seen = _again(with_answers(case, known), seen, known.keys())
+        changed |= new.keys()
+        seen = _again(with_answers(case, known), seen, known.keys(), changed)
         best = [_better(*pair) for pair in zip(best, seen, strict=True)]
+        changed = set()
     return best
 
 
-def _from_impossible(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
-    """Judge again what does not follow otherwise, now from numbers that cannot be.
-
-    A force of 10¹² N is a mistake; who computes on with it makes no second one.
-    """
-    outside = [
+def _impossible(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[str]:
+    """Return the answers that cannot be, and that others may follow from."""
+    if not any(_may_be_better(one) for one in judged):
+        return []
+    return [
         name
         for name in case.follow_through.not_carried
         if case.answers[name].unit_fits and math.isfinite(case.answers[name].value or 0.0)
     ]
-    if not outside or not any(_may_be_better(one) for one in judged):
+
+
+def _from_impossible(
+    case: GradingCase, judged: Sequence[JudgedAnswer], outside: Collection[str]
+) -> list[JudgedAnswer]:
+    """Judge again what does not follow otherwise, now from numbers that cannot be.
+
+    A force of 10¹² N is a mistake; who computes on with it makes no second one.
+    """
+    if not outside:
         return list(judged)
-    again = _again(with_answers(case, {}, outside), judged, ())
+    again = _again(with_answers(case, {}, outside), judged, (), outside)
     return [_better(*pair) for pair in zip(judged, again, strict=True)]
 
 
@@ -138,17 +149,38 @@ def _earliest(plan: Plan, names: Collection[str]) -> list[str]:
 
 
 def _again(
-    case: GradingCase, judged: Sequence[JudgedAnswer], known: Collection[str]
+    case: GradingCase,
+    judged: Sequence[JudgedAnswer],
+    known: Collection[str],
+    changed: Collection[str],
 ) -> list[JudgedAnswer]:
+    """Judge and explain again what the changed numbers may lead to; the rest stays as it is."""
+    reached = _reached(case.plan, changed)
     return explain(
         case,
         [
             judge_answer(case, one.quantity, one.answer)
-            if one.quantity.id not in known and _rests_on_earlier(one)
+            if one.quantity.id in reached - set(known) and _rests_on_earlier(one)
             else one
             for one in judged
         ],
+        reached,
     )
+
+
+def _reached(plan: Plan, changed: Collection[str]) -> set[str]:
+    """Return what is computed from changed numbers, and what is used together with them.
+
+    An answer is explained by those that use it, so that other inputs of theirs matter too.
+    """
+    moved = set(changed)
+    for name in plan.quantities:
+        if not moved.isdisjoint(plan.inputs[name]):
+            moved.add(name)
+    beside = (
+        plan.inputs[name] for name in plan.quantities if not moved.isdisjoint(plan.inputs[name])
+    )
+    return moved.union(*beside)
 
 
 def _may_be_better(judged: JudgedAnswer) -> bool:

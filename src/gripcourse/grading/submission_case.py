@@ -111,12 +111,22 @@ def judge_answer(case: GradingCase, quantity: Quantity, answer: Answer | None) -
     return JudgedAnswer(quantity, answer, None, judgement)
 
 
-def explain(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
-    """Name the slips behind wrong answers; a unit that does not fit explains itself."""
+def explain(
+    case: GradingCase, judged: Sequence[JudgedAnswer], only: Collection[str] | None = None
+) -> list[JudgedAnswer]:
+    """Name the slips behind wrong answers; a unit that does not fit explains itself.
+
+    Args:
+        case: the submission.
+        judged: every answer.
+        only: ids of those that are looked at; None for all.
+    """
     views = {one.quantity.id: one.comparison for one in judged if one.comparison is not None}
     return [
         replace(one, judgement=_diagnosed(case, one.comparison, one.judgement, views))
-        if one.comparison is not None and is_unexplained(case, one)
+        if one.comparison is not None
+        and (only is None or one.quantity.id in only)
+        and is_unexplained(case, one)
         else one
         for one in judged
     ]

@@ -21,7 +21,7 @@ from gripcourse.variants.model import Issued
 SECONDS_PER_WORK = 120.0
 
 _BLUR = 0.3  # standard deviation of the logarithm: right within a third
-_WORKS = 64  # of each strategy, evenly taken from a larger cohort
+_WORKS = 34  # of each strategy, evenly taken from a larger cohort
 
 
 class Strategy(StrEnum):
