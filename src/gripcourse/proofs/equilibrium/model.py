@@ -220,13 +220,18 @@ def placing_formulas(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
     for name, formula in mechanism.lets.items():
         yield f"let.{name}", formula
     for name, point in mechanism.points.items():
-        match point:
-            case Place(x, y):
-                yield f"point.{name}.x", x
-                yield f"point.{name}.y", y
-            case Circles(_, radii):
-                for radius in radii:
-                    yield f"point.{name}.radii", radius
+        yield from formulas_of_point(name, point)
+
+
+def formulas_of_point(name: str, point: Point) -> Iterator[tuple[str, Formula]]:
+    """Yield the formulas that place a point, with their keys."""
+    match point:
+        case Place(x, y):
+            yield f"point.{name}.x", x
+            yield f"point.{name}.y", y
+        case Circles(_, radii):
+            for radius in radii:
+                yield f"point.{name}.radii", radius
 
 
 def acting_formulas(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:

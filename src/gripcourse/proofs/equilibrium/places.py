@@ -8,7 +8,13 @@ from numpy.typing import NDArray
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
-from gripcourse.proofs.equilibrium.model import Circles, Mechanism, Place, Point
+from gripcourse.proofs.equilibrium.model import (
+    Circles,
+    Mechanism,
+    Place,
+    Point,
+    formulas_of_point,
+)
 
 Array = NDArray[np.float64]
 
@@ -52,13 +58,8 @@ def ordered_formulas(one: Mechanism) -> Iterator[tuple[str, Formula]]:
     for name in order_of(one)[0]:
         if name in one.lets:
             yield f"let.{name}", one.lets[name]
-        match one.points.get(name):
-            case Place(x, y):
-                yield f"point.{name}.x", x
-                yield f"point.{name}.y", y
-            case Circles(_, radii):
-                for radius in radii:
-                    yield f"point.{name}.radii", radius
+        if name in one.points:
+            yield from formulas_of_point(name, one.points[name])
 
 
 def placed(
