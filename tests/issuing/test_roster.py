@@ -29,7 +29,7 @@ def problems_of(path: Path) -> list[tuple[str, str]]:
 
 def test_a_row_is_a_student(tmp_path: Path) -> None:
     path = write(tmp_path, HEADER, "popov-im,Попов  Илья,РТК-41,p@example.org,ru,007")
-    assert read_roster(path) == (
+    assert read_roster(path).students == (
         Student("popov-im", "Попов Илья", "РТК-41", "p@example.org", "ru", "007"),
     )
 
@@ -45,13 +45,13 @@ def test_a_row_is_a_student(tmp_path: Path) -> None:
 def test_headings_and_languages_are_understood_in_three_languages(
     tmp_path: Path, header: str, language: str
 ) -> None:
-    (student,) = read_roster(write(tmp_path, header, f"1843;Попов Илья;{language}"))
+    (student,) = read_roster(write(tmp_path, header, f"1843;Попов Илья;{language}")).students
     assert (student.id, student.name) == ("1843", "Попов Илья")
     assert student.language == {"E": "en", "Р": "ru", "у": "uk"}[language[0]]
 
 
 def test_only_id_and_name_are_needed(tmp_path: Path) -> None:
-    (student,) = read_roster(write(tmp_path, "student,name", "a-1,Anna"))
+    (student,) = read_roster(write(tmp_path, "student,name", "a-1,Anna")).students
     assert student == Student("a-1", "Anna", "", "", "", "")
 
 
@@ -60,12 +60,12 @@ def test_a_spreadsheet_is_a_roster_too(tmp_path: Path) -> None:
     book.active.append(["Шифр", "ФИО"])
     book.active.append([184301, "Попов Илья"])
     book.save(tmp_path / "roster.xlsx")
-    (student,) = read_roster(tmp_path / "roster.xlsx")
+    (student,) = read_roster(tmp_path / "roster.xlsx").students
     assert student.id == "184301"
 
 
 def test_a_letter_written_as_two_signs_becomes_one(tmp_path: Path) -> None:
-    (student,) = read_roster(write(tmp_path, "student,name", "и\u0306,Anna"))
+    (student,) = read_roster(write(tmp_path, "student,name", "и\u0306,Anna")).students
     assert student.id == "й"
 
 
@@ -94,17 +94,76 @@ def test_all_problems_are_told_at_once(tmp_path: Path) -> None:
     )
     assert [key for key, _ in problems_of(path)] == [
         "row 3, column language",
-        "row 4, column student",
         "row 5, column name",
         "row 3, column student",
         "row 5, column variant",
     ]
 
 
-def test_missing_columns_are_named(tmp_path: Path) -> None:
-    keys_and_words = problems_of(write(tmp_path, "student,nme", "a,Anna"))
-    assert "Did you mean 'name'" in keys_and_words[0][1]
-    assert "no column 'name'" in keys_and_words[1][1]
+def test_a_list_without_names_is_refused_with_what_may_have_been_meant(tmp_path: Path) -> None:
+    ((_, said),) = problems_of(write(tmp_path, "student,nme", "a,Anna"))
+    assert "no column 'name'" in said
+    assert "Did you mean 'nme'" in said
+
+
+OFFICE = (
+    "Министерство образования;;;",
+    "Список студентов, группа РТК-41;;;",
+    ";;;",
+    "№ п/п;ФИО;Группа;Форма обучения",
+    "1;Попов Илья Михайлович;РТК-41;бюджет",
+    "2;Ёлкина Анна;РТК-41;контракт",
+)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1251", "koi8_u"])
+def test_an_office_list_is_taken_as_it_is(tmp_path: Path, encoding: str) -> None:
+    text = "\r\n".join(OFFICE).replace("№", "N" if encoding == "koi8_u" else "№")
+    path = tmp_path / "list.csv"
+    path.write_bytes(text.encode(encoding))
+    roster = read_roster(path)
+    assert [(one.id, one.name, one.group) for one in roster.students] == [
+        ("попов-илья-михайлович", "Попов Илья Михайлович", "РТК-41"),
+        ("ёлкина-анна", "Ёлкина Анна", "РТК-41"),
+    ]
+    said = " ".join(map(str, roster.notes))
+    assert "Форма обучения" in said
+    assert "no ids for 2 students" in said
+    assert ("read as" in said) == (encoding in {"cp1251", "koi8_u"})
+
+
+def test_a_title_row_of_a_spreadsheet_is_passed_over(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    for row in (["Список групи РТК-41"], [], ["№ з/п", "Прізвище", "Ім'я", "По батькові", "Пошта"]):
+        book.active.append(row)
+    book.active.append([1, "Їжак", "Олена", "Іванівна", "o.yizhak@example.org"])
+    book.save(tmp_path / "roster.xlsx")
+    (student,) = read_roster(tmp_path / "roster.xlsx").students
+    assert (student.id, student.name) == ("o.yizhak", "Їжак Олена Іванівна")
+
+
+def test_a_platforms_list_of_participants_is_a_roster(tmp_path: Path) -> None:
+    header = "First name,Last name,ID number,Email address,Groups"
+    path = write(tmp_path, header, "Anna,Berg,,a.berg@example.org,RTK-41", "Ivan,Orlov,77,,")
+    assert [(one.id, one.name) for one in read_roster(path).students] == [
+        ("a.berg", "Berg Anna"),
+        ("77", "Orlov Ivan"),
+    ]
+
+
+def test_an_id_once_made_is_kept_though_mail_or_list_change(tmp_path: Path) -> None:
+    first = read_roster(write(tmp_path, "name,group,email", "Anna Berg,A,", "Ivan Orlov,A,i@x.org"))
+    assert [one.id for one in first.students] == ["anna-berg", "i"]
+    later = write(tmp_path, "name,group,email", "Ivan Orloff,B,i@x.org", "Anna  Berg,A,ab@x.org")
+    assert [one.id for one in read_roster(later, first.students).students] == ["i", "anna-berg"]
+
+
+def test_made_ids_are_told_apart_and_namesakes_are_asked_about(tmp_path: Path) -> None:
+    path = write(tmp_path, "name,group", "Anna Berg,A", "Anna Berg,B")
+    assert [one.id for one in read_roster(path).students] == ["anna-berg", "anna-berg-2"]
+    ((key, said),) = problems_of(write(tmp_path, "name,group", "Anna Berg,A", "anna berg,A"))
+    assert key == "row 3"
+    assert "no id tells both apart" in said
 
 
 def test_an_empty_roster_is_a_problem(tmp_path: Path) -> None:
@@ -113,6 +172,6 @@ def test_an_empty_roster_is_a_problem(tmp_path: Path) -> None:
 
 
 def test_the_reference_roster_is_sound() -> None:
-    students = read_roster(REFERENCE)
+    students = read_roster(REFERENCE).students
     assert len(students) == 12
     assert {student.language for student in students} == {"", "en", "ru", "uk"}

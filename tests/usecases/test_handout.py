@@ -36,7 +36,7 @@ def course() -> Course:
 @pytest.fixture(scope="module")
 def entries(course: Course) -> tuple[Issued, ...]:
     """What the first three students of the reference roster are issued."""
-    students = read_roster(ROOT / "variants" / "roster.csv")[:3]
+    students = read_roster(ROOT / "variants" / "roster.csv").students[:3]
     variants = read_table(ROOT / "variants" / "tables" / "main.csv", course)
     return extend(Register(course.id, ()), students, variants, TERMS).register.entries
 

@@ -93,7 +93,7 @@ def run_demo(
         today=ISSUED_ON,
         deadline=DEADLINE,
     )
-    tick = step(words.say(message("Issuing")), len(read_roster(order.roster)))
+    tick = step(words.say(message("Issuing")), len(read_roster(order.roster).students))
     issuing = issue_order(course, policy, order, workers, lambda _: tick())
     register = read_register(course.root, course.id).by_student()
     stories = fill_workbooks(

@@ -162,12 +162,13 @@ def _notes(
     """Say what was kept although the roster, the table or the deadline says otherwise now."""
     table = {variant.id: variant for variant in variants}
     notes: list[Message] = []
+    absent = 0
     for entry in register.entries:
         name, id_ = entry.student.id, entry.variant.id
         student = roster.get(name)
         if student is None:
-            notes.append(message("{student} is no longer in the roster and keeps variant"
-                                 " {variant}.", student=name, variant=id_))  # fmt: skip
+            # A part of a group may be listed alone: that is no list of all.
+            absent += 1
             continue
         now = table.get(id_)
         if now is None:
@@ -185,4 +186,7 @@ def _notes(
             before = entry.deadline.isoformat() if entry.deadline else "—"
             notes.append(message("{student} keeps the deadline {deadline}.", student=name,
                                  deadline=before))  # fmt: skip
+    if absent:
+        notes.append(message("{count} students who have a variant are not in this list and keep"
+                             " it.", count=absent))  # fmt: skip
     return tuple(notes)

@@ -1,11 +1,16 @@
-"""The roster: who gets a variant."""
+"""The roster: who gets a variant.
+
+An office's list is taken as it is: titles above it, columns that nobody here needs, a name in one
+column or in three, no ids. Who has no id gets one, the same again whenever the list is read.
+"""
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.issuing.made_ids import with_ids
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
@@ -15,6 +20,7 @@ from gripcourse.variants.headings import (
     find_columns,
     plain,
     roster_vocabulary,
+    without_strange,
 )
 from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
@@ -23,29 +29,48 @@ _ID = re.compile(r"[\w-][\w.-]*")
 # Names that Windows keeps for devices, whatever follows the dot: no folder can be called so.
 _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 _LONGEST_ID = 64
+_PARTS_OF_NAME = ("surname", "first", "patronymic")
+"""In the order in which they are printed."""
 
 
-def read_roster(source: Readable) -> tuple[Student, ...]:
+@dataclass(frozen=True, slots=True)
+class Roster:
+    """A list of students as it was understood.
+
+    Attributes:
+        students: in the order of the rows; each has an id.
+        notes: what was left out, guessed or made.
+    """
+
+    students: tuple[Student, ...]
+    notes: tuple[Message, ...]
+
+
+def read_roster(source: Readable, known: Iterable[Student] = ()) -> Roster:
     """Read a roster from a `.csv` or `.xlsx` file.
 
     Args:
-        source: the file, or its bytes; its headings may be English, Russian or Ukrainian.
+        source: the file, or its bytes; its headings may be English, Russian or Ukrainian, with
+            titles above and other columns beside them.
+        known: students of earlier lists: who has no id here and is one of them keeps that id.
 
     Returns:
         The students in the order of the rows.
 
     Raises:
-        TableError: with every problem: missing columns, empty or doubled ids, ids that cannot be
-            names of folders, empty names, unknown languages, a variant fixed twice.
+        TableError: with every problem: no column of names, doubled ids, ids that cannot be names
+            of folders, empty names, unknown languages, a variant fixed twice.
     """
-    sheet = read_sheet(source)
+    vocabulary = roster_vocabulary()
+    whole = read_sheet(source, vocabulary.is_heading)
+    sheet = without_strange(whole, vocabulary)
     problems: list[Problem] = []
-    columns = find_columns(sheet, roster_vocabulary(), problems)
-    for id_ in ("student", "name"):
-        if id_ not in columns:
-            what = message("There is no column '{column}'.", column=id_)
-            problems.append(Problem(sheet.file, "", what, did_you_mean(id_, sheet.header)))
+    columns = find_columns(sheet, vocabulary, problems)
+    if not columns.keys() & {"name", *_PARTS_OF_NAME}:
+        what = message("There is no column '{column}'.", column="name")
+        problems.append(Problem(sheet.file, "", what, did_you_mean("name", whole.header)))
     students: tuple[Student, ...] = ()
+    made: tuple[Message, ...] = ()
     if not problems:
         reader = _Reader(sheet, columns, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
@@ -53,9 +78,15 @@ def read_roster(source: Readable) -> tuple[Student, ...]:
     if not sheet.rows:
         what = message("The roster has headings but no students.")
         problems.append(Problem(sheet.file, "", what, message("Write a row for each student.")))
+    if not problems:
+        students, made, doubles = with_ids(students, tuple(known))
+        problems += (
+            Problem(sheet.file, message("row {row}", row=sheet.rows[place].number), *said)
+            for place, said in doubles
+        )
     if problems:
         raise TableError(problems)
-    return students
+    return Roster(students, (*sheet.notes, *made))
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,18 +100,26 @@ class _Reader:
         student = Student(
             # One letter can be written as one sign or as two, and folders would differ.
             id=unicodedata.normalize("NFC", self._cell(row, "student")),
-            name=" ".join(self._cell(row, "name").split()),
+            name=self._name(row),
             group=self._cell(row, "group"),
             email=self._cell(row, "email"),
             language=self._language(row),
             variant=self._cell(row, "variant"),
         )
-        self._check_id(row, student.id)
+        if student.id:
+            self._check_id(row, student.id)
         if not student.name:
+            column = next(one for one in ("name", *_PARTS_OF_NAME) if one in self.columns)
             self._add(
-                row, "name", message("The student has no name."), message("Write it as printed.")
+                row, column, message("The student has no name."), message("Write it as printed.")
             )
         return student
+
+    def _name(self, row: SheetRow) -> str:
+        """Return the name from its one column, or from the columns of its parts."""
+        whole = self._cell(row, "name")
+        parts = [whole] if whole else [self._cell(row, one) for one in _PARTS_OF_NAME]
+        return " ".join(" ".join(parts).split())
 
     def refuse_doubles(self, students: tuple[Student, ...]) -> None:
         """Record ids and fixed variants that stand in two rows."""
@@ -107,10 +146,7 @@ class _Reader:
                 )  # fmt: skip
 
     def _check_id(self, row: SheetRow, id_: str) -> None:
-        if not id_:
-            what = message("The student has no id.")
-            self._add(row, "student", what, message("Write one: it names the student's folder."))
-        elif (
+        if (
             not _ID.fullmatch(id_)
             or id_.endswith(".")
             or _DEVICE.fullmatch(id_)

@@ -92,9 +92,10 @@ def issue_order(
         GripcourseError: the roster, the table, the register or the key cannot be used; nothing
             was written.
     """
-    students = read_roster(order.roster)
-    variants = read_table(order.table, course)
     before = read_register(course.root, course.id)
+    roster = read_roster(order.roster, (entry.student for entry in before.entries))
+    students = roster.students
+    variants = read_table(order.table, course)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
     terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
@@ -107,7 +108,8 @@ def issue_order(
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
-    notes = (*(_key_notes(course) if known is None else ()), *extended.notes)
+    made_key = _key_notes(course) if known is None else ()
+    notes = (*made_key, *roster.notes, *extended.notes)
     return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
 
 

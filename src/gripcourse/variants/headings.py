@@ -7,7 +7,7 @@ table has is in `headings.toml`.
 import re
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib.resources import files
 
@@ -19,7 +19,7 @@ from gripcourse.errors import Problem
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, read_unit
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
-from gripcourse.variants.sheet import Sheet, column_name
+from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
@@ -59,6 +59,10 @@ class Vocabulary:
     titles: Mapping[str, frozenset[str]]
     symbols: Mapping[str, frozenset[str]]
     quantities: Mapping[str, Quantity]
+
+    def is_heading(self, text: str) -> bool:
+        """Tell whether a text, with or without a unit, is the name of a column."""
+        return bool(text) and bool(self.find(_split(text, self)[0]))
 
     def find(self, name: str) -> frozenset[str]:
         """Return the ids that a name may mean: ids go before titles, titles before symbols."""
@@ -128,6 +132,31 @@ def _declarations(course: Course) -> dict[str, list[Quantity]]:
                 if quantity.kind is Kind.GIVEN:
                     found.setdefault(quantity.id, {}).setdefault(id(quantity), quantity)
     return {id_: list(declared.values()) for id_, declared in found.items()}
+
+
+def without_strange(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:
+    """Return a table without the columns that nobody here asked for, and with a note of them.
+
+    An office's list has more columns than are wanted. A column without a heading is left out too.
+    """
+    kept = [place for place, one in enumerate(sheet.header) if vocabulary.is_heading(one)]
+    left = [column_name(place, sheet.header) for place in range(len(sheet.header))]
+    left = [name for place, name in enumerate(left) if place not in kept]
+    if not left:
+        return sheet
+    note = message(
+        "{file}: these columns were not used: {columns}.",
+        file=sheet.file,
+        columns=", ".join(left),
+    )
+    return replace(
+        sheet,
+        header=tuple(sheet.header[place] for place in kept),
+        rows=tuple(
+            SheetRow(row.number, tuple(row.cells[place] for place in kept)) for row in sheet.rows
+        ),
+        notes=(*sheet.notes, note),
+    )
 
 
 def find_columns(

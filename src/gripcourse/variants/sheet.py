@@ -1,13 +1,16 @@
 """Reading a table that a person made: CSV of either kind, or a spreadsheet.
 
 Nothing is understood here: cells come out as text, rows keep the number that a spreadsheet shows.
+Only where the headings are is asked from whoever knows them: an office writes a title above them.
 """
 
+import codecs
 import csv
 import io
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 from datetime import date, time
+from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
@@ -17,6 +20,16 @@ from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
+
+_ENCODINGS = ("cp1251", "cp866", "koi8_u")
+"""In which offices of the course's languages still save text."""
+
+_LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
+_FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
+_WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
+
+IsHeading: TypeAlias = Callable[[str], bool]
+"""Tells whether a text is the heading of a column."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,39 +52,41 @@ class Sheet:
     Attributes:
         file: the path, as the user would type it.
         header: the headings; an empty one where a column has cells but no heading.
-        rows: without those that are blank from end to end.
+        rows: those below the headings, without those that are blank from end to end.
         decimal_comma: whether a comma in a number can only be a decimal one; in a file whose cells
             are separated by commas it could group thousands.
+        notes: how the file was read where it could have been read in another way.
     """
 
     file: str
     header: tuple[str, ...]
     rows: tuple[SheetRow, ...]
     decimal_comma: bool
+    notes: tuple[Message, ...] = ()
 
 
-def read_sheet(source: Readable) -> Sheet:
+def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
     """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
 
     Args:
         source: the file, or its bytes; its name tells what kind of table it is.
+        is_heading: knows what columns may be called, so that titles above the headings are passed
+            over; where no row has known headings, the first one that is not blank holds them.
 
     Returns:
         Its cells as text. A number of a spreadsheet is written with all its digits, a formula
         without a stored result as the formula.
 
     Raises:
-        TableError: the file is missing, not a table, empty, or not in UTF-8.
+        TableError: the file is missing, not a table, empty, or in no known encoding.
     """
     if not is_there(source):
         raise _failure(source, message("There is no such file."), message("Check the path."))
     suffix = pure_path(source).suffix.lower()
     if suffix == ".xlsx":
-        return _sheet(source, _spreadsheet_rows(source), decimal_comma=True)
+        return _sheet(source, _spreadsheet_rows(source), is_heading)
     if suffix in {".csv", ".txt", ".tsv"}:
-        text = _text(source)
-        delimiter = _delimiter(text)
-        return _sheet(source, _csv_rows(source, text, delimiter), decimal_comma=delimiter != ",")
+        return _csv_sheet(source, is_heading)
     raise _failure(
         source,
         message("A table of this kind cannot be read."),
@@ -101,41 +116,109 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
     return letters
 
 
-def _sheet(source: Readable, found: list[SheetRow], *, decimal_comma: bool) -> Sheet:
-    """Cut blank rows and columns off."""
+def _csv_sheet(source: Readable, is_heading: IsHeading) -> Sheet:
+    text, notes = _text(source)
+    found: list[tuple[int, Sheet]] = []
+    faults: list[TableError] = []
+    for delimiter in _delimiters(text):
+        try:
+            one = _sheet(source, _csv_rows(source, text, delimiter), is_heading)
+        except TableError as fault:
+            faults.append(fault)
+        else:
+            one = replace(one, decimal_comma=delimiter != ",", notes=notes)
+            # A title above may hold any sign; what separates the cells gives most headings.
+            found.append((sum(map(is_heading, one.header)), one))
+    if not found:
+        raise faults[0]
+    return max(found, key=lambda pair: pair[0])[1]
+
+
+def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sheet:
+    """Find the headings; cut blank rows and columns off."""
     rows = [row for row in found if any(row.cells)]
-    if not rows or rows[0].number != 1:
+    if not rows:
         raise _failure(
             source,
-            message("The first row is blank; it must hold the headings."),
+            message("The table is blank."),
             message("Put the headings into the first row of the first sheet."),
         )
+    rows = rows[_heading_row(rows, is_heading) :]
     width = max(_width(row.cells) for row in rows)
     padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
-    return Sheet(shown_name(source), padded[0].cells, tuple(padded[1:]), decimal_comma)
+    return Sheet(shown_name(source), padded[0].cells, tuple(padded[1:]), decimal_comma=True)
+
+
+def _heading_row(rows: Sequence[SheetRow], is_heading: IsHeading) -> int:
+    """Return which row holds the headings: the one with most that are known, else the first."""
+    known = [sum(map(is_heading, row.cells)) for row in rows if row.number <= _LAST_HEADING] or [0]
+    best = known.index(max(known))
+    cells = sum(map(bool, rows[best].cells))
+    is_one = known[best] >= min(_FEWEST_KNOWN, cells) and known[best] >= _WHOLE_SHARE * cells
+    return best if is_one or known[best] > _FEWEST_KNOWN else 0
 
 
 def _width(cells: tuple[str, ...]) -> int:
     return max((position for position, cell in enumerate(cells, start=1) if cell), default=0)
 
 
-def _text(source: Readable) -> str:
+def _text(source: Readable) -> tuple[str, tuple[Message, ...]]:
+    """Decode a file: as Unicode where it can be, else as what its letters make most likely."""
+    content = content_of(source)
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return _as_unicode(source, content, "utf-16"), ()
     try:
-        return content_of(source).decode("utf-8-sig")
+        return content.decode("utf-8-sig"), ()
     except UnicodeDecodeError as fault:
-        raise _failure(
-            source,
-            message("The file is not in UTF-8: line {line} cannot be read.",
-                    line=fault.object[: fault.start].count(b"\n") + 1),
-            message("Save it again as “CSV UTF-8”: Excel has it in its list of file types."),
-        ) from fault  # fmt: skip
+        guess = _guessed(content)
+        if guess is None:
+            line = fault.object[: fault.start].count(b"\n") + 1
+            raise _not_text(source, line) from fault
+    text, encoding = guess
+    note = message(
+        "{file} is no Unicode text and was read as {encoding}: look at the names. To be sure, save"
+        " it as “CSV UTF-8”.",
+        file=shown_name(source),
+        encoding=encoding,
+    )
+    return text, (note,)
 
 
-def _delimiter(text: str) -> str:
-    """Return what separates the cells, judged by the headings outside quotation marks."""
-    heading = text.partition("\n")[0]
-    plain = "".join(heading.split('"')[::2])
-    return next((sign for sign in _DELIMITERS if sign in plain), ",")
+def _as_unicode(source: Readable, content: bytes, encoding: str) -> str:
+    try:
+        return content.decode(encoding)
+    except UnicodeDecodeError as fault:
+        raise _not_text(source, 1) from fault
+
+
+def _guessed(content: bytes) -> tuple[str, str] | None:
+    """Return a text and the encoding that it most likely has; None for what is no text."""
+    import charset_normalizer  # noqa: PLC0415 (for old files alone)
+
+    if b"\0" in content:
+        return None
+    best = charset_normalizer.from_bytes(content, cp_isolation=list(_ENCODINGS)).best()
+    return None if best is None else (content.decode(best.encoding), best.encoding)
+
+
+def _not_text(source: Readable, line: int) -> TableError:
+    return _failure(
+        source,
+        message("The file is not in UTF-8: line {line} cannot be read.", line=line),
+        message("Save it again as “CSV UTF-8”: Excel has it in its list of file types."),
+    )
+
+
+def _delimiters(text: str) -> tuple[str, ...]:
+    """Return what may separate the cells, the likeliest first; the comma where nothing does.
+
+    Judged by the first lines that are not blank, outside quotation marks.
+    """
+    lines = [line for line in text.splitlines() if line.strip()][:_LAST_HEADING]
+    plain = ["".join(line.split('"')[::2]) for line in lines]
+    first = [sign for sign in _DELIMITERS if plain and sign in plain[0]]
+    later = [sign for sign in _DELIMITERS if any(sign in line for line in plain)]
+    return tuple(dict.fromkeys([*first, *later])) or (",",)
 
 
 def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:

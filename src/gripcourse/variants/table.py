@@ -48,9 +48,10 @@ def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
         TableError: with every problem of the table: headings, cells, and variants that cannot be
             solved, each with its row as a spreadsheet shows it.
     """
-    sheet = read_sheet(source)
+    vocabulary = table_vocabulary(course)
+    sheet = read_sheet(source, vocabulary.is_heading)
     problems: list[Problem] = []
-    columns = find_columns(sheet, table_vocabulary(course), problems)
+    columns = find_columns(sheet, vocabulary, problems)
     absent = _absent_columns(sheet, columns, course, problems)
     variants = RowReader(course, sheet, columns, absent, problems).read()
     if not sheet.rows:
