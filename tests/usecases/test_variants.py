@@ -6,7 +6,7 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.errors import TableError, UsageError
-from gripcourse.usecases.variants import draw_table, import_table
+from gripcourse.usecases.variants import draw_table, import_table, write_template
 from gripcourse.variants.table import read_table
 
 SCHEME = "rack_parallelogram"
@@ -46,7 +46,7 @@ def test_an_instructors_table_is_checked_and_written_in_our_form(
     text = main.read_text(encoding="utf-8-sig")
     own.write_text(text.replace(",", ";").replace(".", ","), encoding="utf-8-sig")
     out = tmp_path / "out.csv"
-    assert import_table(course, own, out) == len(read_table(main, course))
+    assert len(import_table(course, own, out).variants) == len(read_table(main, course))
     assert read_table(out, course) == read_table(main, course)
 
 
@@ -68,3 +68,15 @@ def test_a_bad_cell_is_named_by_row_and_column_and_nothing_is_written(
     assert "row 4" in said
     assert column.split(maxsplit=1)[0] in said
     assert not (tmp_path / "out.csv").exists()
+
+
+def test_a_template_is_a_table_that_can_be_imported_as_it_is(
+    course: Course, tmp_path: Path
+) -> None:
+    write_template(course, "plain_lever", 3, tmp_path / "template.xlsx")
+    own = import_table(course, tmp_path / "template.xlsx", tmp_path / "own.csv")
+    assert [one.id for one in own.variants] == ["001", "002", "003"]
+    assert own.notes == ()
+    example = course.schemes["plain_lever"].example
+    assert example is not None
+    assert own.variants[0].given.items() <= example.given.items()

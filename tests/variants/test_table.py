@@ -16,7 +16,7 @@ from gripcourse.variants.draw import draw
 from gripcourse.variants.headings import table_vocabulary
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
-from gripcourse.variants.table import read_table, write_table
+from gripcourse.variants.table import read_own_table, read_table, write_table
 
 HEADER = (
     "variant,scheme,fluid,mass [kg],acceleration [m/s**2],friction,pressure [MPa],teeth,"
@@ -270,3 +270,34 @@ def test_every_schemes_title_of_a_given_finds_its_column(small_course: Course) -
     course = replace(small_course, schemes={"press": press, "other": other})
     vocabulary = table_vocabulary(course)
     assert vocabulary.find("load") == vocabulary.find("mass of the object") == {"mass"}
+
+
+def test_a_workbook_of_variants_comes_back_as_it_was(tmp_path: Path, small_course: Course) -> None:
+    drawn = draw(small_course, load_spaces(small_course), 6, seed=2).variants
+    write_table(tmp_path / "table.xlsx", drawn, small_course)
+    assert read_table(tmp_path / "table.xlsx", small_course) == drawn
+    [first, *_] = openpyxl.load_workbook(tmp_path / "table.xlsx").worksheets
+    headings = [cell.value for cell in first[1]]
+    assert any("[" in heading and "," in heading for heading in headings), headings
+    offered = {one.formula1 for one in first.data_validations.dataValidation}
+    assert "lists!$C$1:$C$2" in offered
+
+
+def test_columns_left_out_are_filled_from_example_or_range_and_said(
+    tmp_path: Path, small_course: Course
+) -> None:
+    path = write(tmp_path, "Таблица вариантов", "scheme,mass,noise", "press,60,")
+    own = read_own_table(path, small_course)
+    [variant] = own.variants
+    assert variant.id == "001"
+    assert variant.given["mass"] == 60
+    assert variant.given.keys() == GIVEN.keys()
+    [note] = own.notes
+    assert "has no columns for these" in str(note)
+    with pytest.raises(TableError):
+        read_table(path, small_course)
+
+
+def test_a_table_is_csv_or_a_workbook(tmp_path: Path, small_course: Course) -> None:
+    with pytest.raises(TableError, match=r"ends in \.csv or \.xlsx"):
+        write_table(tmp_path / "table.ods", (), small_course)

@@ -91,10 +91,11 @@ def audit_variants(
 
 
 def import_variants(course: Course, table: FileLike, out: str | Path) -> int:
-    """Check an instructor's own table, write it as CSV and return the number of its variants."""
+    """Check an instructor's own table, write it and return the number of its variants."""
     from gripcourse.usecases.variants import import_table
 
-    return import_table(course.definition, course.table_source(table), Path(out))
+    read = import_table(course.definition, course.table_source(table), Path(out))
+    return len(read.variants)
 
 
 def draw_atlas(course: Course, atlas: str, out: str | Path) -> tuple[Path, ...]:

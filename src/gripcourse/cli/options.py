@@ -43,7 +43,7 @@ TableOption = Annotated[
 ]
 OutOption = Annotated[Path, typer.Option("--out", help="Where to write.")]
 OutFileOption = Annotated[Path | None, typer.Option("--out", help="File to write.")]
-OutTableOption = Annotated[Path, typer.Option("--out", help="CSV file to write.")]
+OutTableOption = Annotated[Path, typer.Option("--out", help="Table to write, .csv or .xlsx.")]
 SchemeOption = Annotated[str | None, typer.Option("--scheme", help="Only this scheme.")]
 SeedOption = Annotated[
     int, typer.Option("--seed", min=0, help="The same seed gives the same variants and students.")

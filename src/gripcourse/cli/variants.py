@@ -26,7 +26,7 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Message, Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -72,9 +72,32 @@ def import_(
     from gripcourse.usecases.variants import import_table
 
     words = words_for(language)
-    count = import_table(load_course(course_folder(course)), source, out)
-    said = message("{count} variants were written to {file}.", count=count, file=str(out))
-    confirm(words.say(said))
+    table = import_table(load_course(course_folder(course)), source, out)
+    for note in table.notes:
+        confirm(words.say(note))
+    confirm(words.say(_written(len(table.variants), out)))
+
+
+@app.command("template", cls=SpokenCommand)
+def template(
+    *,
+    scheme: SchemeOption = None,
+    rows: Annotated[int, typer.Option("--rows", min=1, max=1000, help="Of each scheme.")] = 30,
+    out: OutTableOption = Path("variants.xlsx"),
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Write a table for an instructor to fill in, with the worked example in every row."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases.variants import write_template
+
+    words = words_for(language)
+    variants = write_template(load_course(course_folder(course)), scheme, rows, out)
+    confirm(words.say(_written(len(variants), out)))
+
+
+def _written(count: int, file: Path) -> Message:
+    return message("{count} variants were written to {file}.", count=count, file=str(file))
 
 
 @app.command("audit", cls=SpokenCommand)

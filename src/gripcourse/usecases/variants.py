@@ -1,18 +1,23 @@
 """Making variant tables: drawn from the course's spaces, or an instructor's own."""
 
+from dataclasses import replace
 from pathlib import Path
 
+from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import Readable
 from gripcourse.policy.load import load_policy
+from gripcourse.solver.plan import plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.bodies import bodies_check
+from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.draw import Drawn, draw
+from gripcourse.variants.model import Variant
 from gripcourse.variants.screening import buildable, sifter
 from gripcourse.variants.space import load_spaces
-from gripcourse.variants.table import read_table, write_table
+from gripcourse.variants.table import OwnTable, read_own_table, write_table
 
 
 def draw_variants(
@@ -56,12 +61,45 @@ def draw_table(
     return drawn
 
 
-def import_table(course: Course, source: Readable, out: Path) -> int:
-    """Check an instructor's table and write it as CSV; return the number of its variants.
+def import_table(course: Course, source: Readable, out: Path) -> OwnTable:
+    """Check an instructor's table and write it as the other commands read it.
 
     Raises:
         TableError: with every bad row, named by row and column.
     """
-    variants = read_table(source, course)
+    table = read_own_table(source, course)
+    write_table(out, table.variants, course)
+    return table
+
+
+def write_template(course: Course, scheme: str | None, rows: int, out: Path) -> tuple[Variant, ...]:
+    """Write a table for an instructor to fill in: the worked example in every row.
+
+    Args:
+        course: whose schemes.
+        scheme: the one that the table is for; None for all of them, `rows` of each.
+        rows: how many variants of a scheme.
+        out: a `.xlsx` or `.csv` file.
+
+    Raises:
+        GripcourseError: there is no such scheme, or nothing says its defaults.
+    """
+    chosen = [one for one in course.schemes.values() if scheme in {None, one.id}]
+    if not chosen:
+        what = message("There is no scheme '{scheme}'.", scheme=scheme or "")
+        remedy = did_you_mean(scheme or "", course.schemes)
+        raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
+    defaults = Defaults.of(course)
+    variants: list[Variant] = []
+    for one in chosen:
+        plan = plan_of(course, Composition.of(one.id, defaults.options(one)))
+        made = defaults.variant(plan, "")
+        if made is None:
+            what = message("The scheme '{scheme}' has neither a worked example nor ranges for all"
+                           " of its numbers.", scheme=one.id)  # fmt: skip
+            remedy = message("Write one of them; then a table can be made of it.")
+            raise UsageError([Problem(one.file, "", what, remedy)])
+        first = len(variants) + 1
+        variants += (replace(made, id=f"{number:03d}") for number in range(first, first + rows))
     write_table(out, variants, course)
-    return len(variants)
+    return tuple(variants)

@@ -65,13 +65,17 @@ class Vocabulary:
         return bool(text) and bool(self.find(_split(text, self)[0]))
 
     def find(self, name: str) -> frozenset[str]:
-        """Return the ids that a name may mean: ids go before titles, titles before symbols."""
+        """Return the ids that a name may mean: ids go before titles, titles before symbols.
+
+        A title with its symbol behind a comma means what both mean.
+        """
         small = plain(name)
-        return (
-            self.ids.get(small)
-            or self.titles.get(small)
-            or self.symbols.get(name.strip(), frozenset())
-        )
+        title, _, symbol = name.rpartition(",")
+        both = self.titles.get(plain(title), frozenset()) & self._of_symbol(symbol)
+        return both or self.ids.get(small) or self.titles.get(small) or self._of_symbol(name)
+
+    def _of_symbol(self, text: str) -> frozenset[str]:
+        return self.symbols.get(text.strip(), frozenset())
 
 
 def plain(text: str) -> str:

@@ -14,6 +14,7 @@ from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
+from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import reasons_infeasible
 from gripcourse.variants.headings import TableColumn, plain
@@ -31,6 +32,8 @@ class RowReader:
         sheet: the table.
         columns: its columns by id.
         absent: ids of columns that are not there, which has been said once for all rows.
+        defaults: what stands for a column that is not there; None where nothing does.
+        filled: titles of what the defaults were taken for, by id.
         problems: where everything that is wrong is recorded.
     """
 
@@ -39,6 +42,8 @@ class RowReader:
     columns: Mapping[str, TableColumn]
     absent: frozenset[str]
     problems: list[Problem]
+    defaults: Defaults | None = None
+    filled: dict[str, Texts] = field(default_factory=dict)
     plans: dict[Composition, Plan] = field(default_factory=dict)
     faults: list[CellFault] = field(default_factory=list)
 
@@ -68,13 +73,15 @@ class RowReader:
             remedy = message("Change one of these choices.")
             self._add(row, f"option:{forbidden}", what, remedy)
         plan = self._plan(scheme, options)
-        given = {quantity.id: self._given(row, quantity, plan) for quantity in plan.givens}
+        given = self._givens(row, plan)
         self._refuse_unused(row, plan)
         if len(self.faults) > before:
             return None
-        return Variant(id_, scheme.id, options, {k: v for k, v in given.items() if v is not None})
+        return Variant(id_, scheme.id, options, given)
 
     def _id(self, row: SheetRow, seen: dict[str, SheetRow]) -> str:
+        if self.defaults is not None and "variant" not in self.columns:
+            return f"{self.sheet.rows.index(row) + 1:03d}"
         id_ = self._cell(row, "variant")
         if not id_:
             self._add(row, "variant", message("The variant has no name."), message("Write one."))
@@ -105,11 +112,14 @@ class RowReader:
         return None
 
     def _options(self, row: SheetRow, scheme: Scheme) -> dict[str, str]:
-        found = {option.id: self._option(row, option) for option in scheme.options}
+        found = {option.id: self._option(row, option, scheme) for option in scheme.options}
         return {id_: choice for id_, choice in found.items() if choice is not None}
 
-    def _option(self, row: SheetRow, option: Option) -> str | None:
+    def _option(self, row: SheetRow, option: Option, scheme: Scheme) -> str | None:
         key = f"option:{option.id}"
+        if self.defaults is not None and key not in self.columns:
+            self.filled[key] = option.title
+            return self.defaults.option(scheme, option.id)
         written = self._cell(row, key)
         for choice in option.choices:
             if _means(written, choice.id, choice.title):
@@ -127,6 +137,23 @@ class RowReader:
         if composition not in self.plans:
             self.plans[composition] = plan_of(self.course, composition)
         return self.plans[composition]
+
+    def _givens(self, row: SheetRow, plan: Plan) -> dict[str, float]:
+        """Return the numbers of a row; what defaults stand for comes after what decides it."""
+        filled = [one for one in plan.givens if self.defaults and one.id not in self.columns]
+        given: dict[str, float] = {}
+        for quantity in plan.givens:
+            if quantity not in filled:
+                value = self._given(row, quantity, plan)
+                given |= {} if value is None else {quantity.id: value}
+        for quantity in filled:
+            value = self.defaults.number(plan, quantity.id, given) if self.defaults else None
+            if value is None:
+                self._given(row, quantity, plan)  # says that it is missing
+            else:
+                given[quantity.id] = value
+                self.filled[quantity.id] = quantity.title
+        return given
 
     def _given(self, row: SheetRow, quantity: Quantity, plan: Plan) -> float | None:
         written = self._cell(row, quantity.id)

@@ -11,6 +11,7 @@ A cell is blank where the scheme of its row has no such quantity.
 import csv
 import io
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.compose import compose
@@ -20,8 +21,9 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_bytes
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 from gripcourse.variants.cells import converted, number_text
+from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.headings import (
     TableColumn,
     find_columns,
@@ -31,6 +33,20 @@ from gripcourse.variants.headings import (
 from gripcourse.variants.model import Variant
 from gripcourse.variants.rows import RowReader
 from gripcourse.variants.sheet import Sheet, read_sheet
+from gripcourse.variants.table_workbook import declared_units, write_table_workbook
+
+
+@dataclass(frozen=True, slots=True)
+class OwnTable:
+    """An instructor's own table as it was understood.
+
+    Attributes:
+        variants: in the order of the rows, values in declared units.
+        notes: what the table does not say and was taken from elsewhere.
+    """
+
+    variants: tuple[Variant, ...]
+    notes: tuple[Message, ...]
 
 
 def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
@@ -48,33 +64,75 @@ def read_table(source: Readable, course: Course) -> tuple[Variant, ...]:
         TableError: with every problem of the table: headings, cells, and variants that cannot be
             solved, each with its row as a spreadsheet shows it.
     """
+    return _read(source, course, None).variants
+
+
+def read_own_table(source: Readable, course: Course) -> OwnTable:
+    """Read an instructor's own table, which may leave out columns; else as `read_table`.
+
+    A choice or number without a column is that of the scheme's worked example, else the middle of
+    the range that variants are drawn from. Variants without names are numbered.
+    """
+    return _read(source, course, Defaults.of(course))
+
+
+def _read(source: Readable, course: Course, defaults: Defaults | None) -> OwnTable:
     vocabulary = table_vocabulary(course)
     sheet = read_sheet(source, vocabulary.is_heading)
     problems: list[Problem] = []
     columns = find_columns(sheet, vocabulary, problems)
-    absent = _absent_columns(sheet, columns, course, problems)
-    variants = RowReader(course, sheet, columns, absent, problems).read()
+    absent = _absent_columns(sheet, columns, course, problems, defaults)
+    reader = RowReader(course, sheet, columns, absent, problems, defaults)
+    variants = reader.read()
     if not sheet.rows:
         what = message("The table has headings but no variants.")
         problems.append(Problem(sheet.file, "", what, message("Write or draw some.")))
     if problems:
         raise TableError(problems)
-    return tuple(variants)
+    return OwnTable(tuple(variants), (*sheet.notes, *_filled_note(sheet, reader, course.language)))
+
+
+def _filled_note(sheet: Sheet, reader: RowReader, language: str) -> tuple[Message, ...]:
+    if not reader.filled:
+        return ()
+    note = message(
+        "{file} has no columns for these; the worked example or the middle of the range was taken:"
+        " {columns}.",
+        file=sheet.file,
+        columns=", ".join(title.of(language) for title in reader.filled.values()),
+    )
+    return (note,)
 
 
 def write_table(path: Path, variants: Iterable[Variant], course: Course) -> None:
-    """Write variants as CSV in UTF-8 with a byte order mark, so that Excel shows every letter.
+    """Write variants as a spreadsheet, or as CSV that Excel shows every letter of.
 
     Args:
-        path: of the file.
+        path: of the file: `.xlsx` for a spreadsheet with titles, units and lists of choices in the
+            course's language, `.csv` for ids.
         variants: with values in declared units.
         course: whose variants they are; it decides the columns.
+
+    Raises:
+        TableError: the name says neither.
     """
     listed = tuple(variants)
+    match path.suffix.lower():
+        case ".csv":
+            _write_csv(path, listed, course)
+        case ".xlsx":
+            write_table_workbook(path, listed, course)
+        case _:
+            what = message("A table of this kind cannot be written.")
+            remedy = message("Name a file that ends in .csv or .xlsx.")
+            raise TableError([Problem(str(path), "", what, remedy)])
+
+
+def _write_csv(path: Path, listed: tuple[Variant, ...], course: Course) -> None:
     options = list(dict.fromkeys(id_ for variant in listed for id_ in variant.options))
     used = {id_ for variant in listed for id_ in variant.given}
     givens = [one for one in given_quantities(course).values() if one.id in used]
-    units = _units(course)
+    units = declared_units(course)
     header = ["variant", "scheme", *options, *(_heading(quantity) for quantity in givens)]
     rows = [
         [
@@ -102,21 +160,14 @@ def _text(variant: Variant, quantity: Quantity, units: dict[tuple[str, str], str
     return number_text(converted(variant.given[quantity.id], unit, quantity.unit))
 
 
-def _units(course: Course) -> dict[tuple[str, str], str]:
-    """Return the declared unit of every given quantity by scheme and id."""
-    return {
-        (scheme.id, quantity.id): quantity.unit
-        for scheme in course.schemes.values()
-        for options in pair_option_sets(scheme)
-        for quantity in compose(course, scheme, options).values()
-        if quantity.kind is Kind.GIVEN
-    }
-
-
 def _absent_columns(
-    sheet: Sheet, columns: Mapping[str, TableColumn], course: Course, problems: list[Problem]
+    sheet: Sheet,
+    columns: Mapping[str, TableColumn],
+    course: Course,
+    problems: list[Problem],
+    defaults: Defaults | None,
 ) -> frozenset[str]:
-    """Name once each column that every variant of the course needs and the table lacks."""
+    """Name once each column that every variant of the course needs and nothing stands for."""
     needed = [
         {f"option:{id_}" for id_ in options}
         | {one.id for one in compose(course, scheme, options).values() if one.kind is Kind.GIVEN}
@@ -125,7 +176,8 @@ def _absent_columns(
     ]
     always = set.intersection(*needed) if needed else set()
     scheme_column = ("scheme",) if len(course.schemes) > 1 else ()
-    absent = [id_ for id_ in ("variant", *scheme_column, *sorted(always)) if id_ not in columns]
+    demanded = scheme_column if defaults else ("variant", *scheme_column, *sorted(always))
+    absent = [id_ for id_ in demanded if id_ not in columns]
     for id_ in absent:
         name = id_.removeprefix("option:")
         what = message("There is no column '{column}'.", column=name)
