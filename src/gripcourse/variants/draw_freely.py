@@ -1,0 +1,60 @@
+"""Drawing variants that are only solvable and buildable, scheme by scheme in several processes.
+
+No scheme has to know what was drawn of another one: unlike variants that are kept apart.
+"""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Final
+
+from gripcourse.course.model import Course
+from gripcourse.errors import GripcourseError
+from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.variants.bodies import bodies_check
+from gripcourse.variants.draw import Drawn, Found, Order, draw, draw_space, mixed, orders_of
+from gripcourse.variants.screening import buildable
+from gripcourse.variants.space import Space, load_spaces
+
+SECONDS: Final = 3600.0  # that a scheme may take: a limit for what hangs, not for large tables
+
+
+def draw_freely(
+    course: Course, spaces: Sequence[Space], count: int, seed: int, workers: int = 0
+) -> Drawn:
+    """Draw variants that can be solved and built; nothing keeps them apart.
+
+    Args:
+        course: whose schemes are drawn.
+        spaces: of the course: what is drawn from, each with its share.
+        count: how many variants.
+        seed: the same seed gives the same variants, however many processes draw them.
+        workers: how many processes; 0 for none but this one.
+
+    Raises:
+        TableError: too few candidates can be solved; the main reasons are named.
+    """
+    if workers == 0:
+        return draw(course, spaces, count, seed, buildable(bodies_check(course)))
+    orders = orders_of(spaces, count, seed)
+    jobs = run_each(_draw_scheme, orders, course, workers=workers, seconds=SECONDS)
+    found: list[Found] = []
+    for one in in_order(all_done(jobs)):
+        if isinstance(one, GripcourseError):
+            raise one
+        found.append(one)
+    return mixed(found, count, seed)
+
+
+def _draw_scheme(order: Order, course: Course) -> Found | GripcourseError:
+    """Draw the variants of one scheme in a process that knows the course."""
+    space = _spaces(course)[order.scheme]
+    try:
+        return draw_space(course, space, order, buildable(bodies_check(course)))
+    except GripcourseError as error:  # an error of the author's, not one of the worker's
+        return error
+
+
+@lru_cache(maxsize=1)
+def _spaces(course: Course) -> dict[str, Space]:
+    """Read the spaces of a course once in each process: they cannot be sent."""
+    return {one.scheme: one for one in load_spaces(course)}
