@@ -3,13 +3,14 @@
 No scheme has to know what was drawn of another one: unlike variants that are kept apart.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.jobs.workers import Lost, all_done, in_order, run_each
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.draw import Drawn, Found, Order, draw, draw_space, mixed, orders_of
 from gripcourse.variants.screening import buildable
@@ -36,22 +37,32 @@ def draw_freely(
     if workers == 0:
         return draw(course, spaces, count, seed, buildable(bodies_check(course)))
     orders = orders_of(spaces, count, seed)
-    jobs = run_each(_draw_scheme, orders, course, workers=workers, seconds=SECONDS)
-    found: list[Found] = []
-    for one in in_order(all_done(jobs)):
-        if isinstance(one, GripcourseError):
-            raise one
-        found.append(one)
+    jobs: Iterator[tuple[int, _Drawn | Lost]] = run_each(
+        _draw_scheme, orders, course, workers=workers, seconds=SECONDS
+    )
+    drawn = in_order(all_done(jobs))
+    for one in drawn:
+        if one.error is not None:
+            raise one.error
+    found = tuple(one.found for one in drawn if one.found is not None)
     return mixed(found, count, seed)
 
 
-def _draw_scheme(order: Order, course: Course) -> Found | GripcourseError:
+@dataclass(frozen=True, slots=True)
+class _Drawn:
+    """What became of one scheme: an error of the author's is none of the worker's."""
+
+    found: Found | None = None
+    error: GripcourseError | None = None
+
+
+def _draw_scheme(order: Order, course: Course) -> _Drawn:
     """Draw the variants of one scheme in a process that knows the course."""
     space = _spaces(course)[order.scheme]
     try:
-        return draw_space(course, space, order, buildable(bodies_check(course)))
-    except GripcourseError as error:  # an error of the author's, not one of the worker's
-        return error
+        return _Drawn(draw_space(course, space, order, buildable(bodies_check(course))))
+    except GripcourseError as error:
+        return _Drawn(error=error)
 
 
 @lru_cache(maxsize=1)
