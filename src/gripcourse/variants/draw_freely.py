@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Final
 
 from gripcourse.course.model import Course
-from gripcourse.errors import GripcourseError
+from gripcourse.errors import Problem, TableError
 from gripcourse.jobs.workers import Lost, all_done, in_order, run_each
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.draw import Drawn, Found, Order, draw, draw_space, mixed, orders_of
@@ -42,18 +42,18 @@ def draw_freely(
     )
     drawn = in_order(all_done(jobs))
     for one in drawn:
-        if one.error is not None:
-            raise one.error
+        if one.refused:
+            raise TableError(one.refused)
     found = tuple(one.found for one in drawn if one.found is not None)
     return mixed(found, count, seed)
 
 
 @dataclass(frozen=True, slots=True)
 class _Drawn:
-    """What became of one scheme: an error of the author's is none of the worker's."""
+    """What became of one scheme; `refused` says why there is nothing: no error of ours."""
 
     found: Found | None = None
-    error: GripcourseError | None = None
+    refused: tuple[Problem, ...] = ()
 
 
 def _draw_scheme(order: Order, course: Course) -> _Drawn:
@@ -61,8 +61,8 @@ def _draw_scheme(order: Order, course: Course) -> _Drawn:
     space = _spaces(course)[order.scheme]
     try:
         return _Drawn(draw_space(course, space, order, buildable(bodies_check(course))))
-    except GripcourseError as error:
-        return _Drawn(error=error)
+    except TableError as error:
+        return _Drawn(refused=tuple(error.problems))
 
 
 @lru_cache(maxsize=1)
