@@ -15,6 +15,7 @@ import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Self
 
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Words, message
@@ -121,6 +122,10 @@ class GripcourseError(Exception):
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = tuple(problems)
         super().__init__("\n".join(problem.say(Words("en")) for problem in self.problems))
+
+    def __reduce__(self) -> tuple[type[Self], tuple[tuple[Problem, ...]]]:
+        # A worker sends it with its problems; an exception would send nothing but their text.
+        return type(self), (self.problems,)
 
 
 class CourseError(GripcourseError):

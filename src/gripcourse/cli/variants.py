@@ -11,6 +11,7 @@ from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
+    PROCESSORS,
     CountOption,
     CourseOption,
     DateOption,
@@ -20,6 +21,7 @@ from gripcourse.cli.options import (
     SchemeOption,
     SeedOption,
     TableOption,
+    WorkersOption,
     course_folder,
     day_of,
     document_language,
@@ -112,6 +114,7 @@ def audit(  # noqa: PLR0913 (one parameter per option)
     scheme: SchemeOption = None,
     out: OutOption = Path("audit"),
     on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
@@ -124,9 +127,9 @@ def audit(  # noqa: PLR0913 (one parameter per option)
     loaded = load_course(course_folder(course))
     document = Words(document_language(language, loaded.language))
     audited = (
-        audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+        audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on), workers)
         if drawn is None
-        else audit_drawn(loaded, drawn, seed, scheme, out, document, day_of(on))
+        else audit_drawn(loaded, drawn, seed, scheme, out, document, day_of(on), workers)
     )
     confirm(cli_text.audit_text(audited, words_for(language)))
     raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)

@@ -14,8 +14,9 @@ from gripcourse.text.words import message
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.draw import Drawn, draw
+from gripcourse.variants.draw_freely import draw_freely
 from gripcourse.variants.model import Variant
-from gripcourse.variants.screening import buildable, sifter
+from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import OwnTable, read_own_table, write_table
 
@@ -27,6 +28,7 @@ def draw_variants(
     scheme: str | None,
     *,
     freely: bool = False,
+    workers: int = 0,
 ) -> Drawn:
     """Draw variants.
 
@@ -37,6 +39,8 @@ def draw_variants(
         scheme: only this one; None for all.
         freely: whether to leave the policy's rules for variants aside: what is drawn can be solved
             and built, but nothing keeps it apart.
+        workers: how many processes draw freely; 0 for none but this one. What is kept apart is
+            drawn one after the other.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -47,8 +51,9 @@ def draw_variants(
         known = [one.scheme for one in load_spaces(course)]
         remedy = did_you_mean(scheme or "", known)
         raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
-    check = bodies_check(course)
-    rules = buildable(check) if freely else sifter(load_policy(course), len(course.sections), check)
+    if freely:
+        return draw_freely(course, spaces, count, seed, workers)
+    rules = sifter(load_policy(course), len(course.sections), bodies_check(course))
     return draw(course, spaces, count, seed, rules)
 
 
