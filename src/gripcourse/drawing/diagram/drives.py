@@ -12,10 +12,10 @@ from gripcourse.drawing.diagram.marks import (
     angle_of,
     between,
     circle,
+    head_along,
     place,
     polar,
 )
-from gripcourse.drawing.diagram.measures import head
 from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
@@ -89,8 +89,8 @@ def _pressure(
     x = ends[0] + _ROOM if shape.element.words["rod"] == "pushes" else ends[1] - _ROOM
     port, tip, tail = place(((x, -_HALF), (x, -_HALF - _PORT), (x, -_HALF - _FLOW)), origin, turn)
     yield Path((tail, tip), LineKind.THIN)
-    yield head(tip, angle_of(tail, port))
-    yield Letter(shape.symbol, (tail, between(tail, tip)))
+    yield head_along(tip, angle_of(tail, port))
+    yield Letter(shape.symbol, (tail, between(tail, tip)), ((tail, tip),))
 
 
 def motor(shape: PlacedElement) -> Iterator[Mark]:
