@@ -152,7 +152,11 @@ def _element(table: Table) -> Element | None:
     quantities = [table.text(name, role.default) for name, role in of[Sort.QUANTITY].items()]
     return Element(
         kind=kind,
-        points={name: (table.text(name),) for name in of[Sort.POINT]}
+        points={
+            name: (table.text(name),)
+            for name, role in of[Sort.POINT].items()
+            if table.has(name) or role.default is None
+        }
         | {name: _names(table, name) for name in of[Sort.POINTS]},
         sizes={name: _size(table, name, role) for name, role in written.items()},
         words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},

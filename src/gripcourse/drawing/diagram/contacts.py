@@ -57,8 +57,7 @@ def _face(shape: PlacedElement, at: Point, turn: float, half: float) -> Iterator
         back += min(x for x, _ in front)
     corners = (*front, (back, reach), (back, -reach))
     yield Path(place(corners, at, turn), edge(shape), closed=True)
-    yield Mask(place(((max(x for x, _ in front), reach), (back, reach), (back, -reach),
-                      (max(x for x, _ in front), -reach)), at, turn))  # fmt: skip
+    yield Mask(place(corners, at, turn))
 
 
 def _front(shape: PlacedElement, surface: str, half: float) -> tuple[Point, ...]:

@@ -8,7 +8,7 @@ from typing import Final, TypeAlias
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.drawing.diagram import bodies, contacts, drives, gears, joints, measures
 from gripcourse.drawing.diagram.letters import Written, bounds, strokes_of, write_letters
-from gripcourse.drawing.diagram.marks import Letter, Mark, Path, cut_under, mirrored, shifted
+from gripcourse.drawing.diagram.marks import Letter, Mark, Mask, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.diagram.places import (
     MILLIMETRES,
     PlacedElement,
@@ -65,6 +65,7 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "radius": measures.radius,
     "diameter": measures.diameter,
     "letter": measures.letter,
+    "joint_name": measures.joint_name,
 }
 
 _SEEN_ALONG: Final = "end_view"  # the kind of element that stands apart from all others
@@ -186,7 +187,9 @@ def _marks(
         if element.kind != _SEEN_ALONG and element.is_drawn(plan.options):
             for shape in _shapes(element, plan, stops, scale, language):
                 drawn[shape.is_main] += _everywhere(shape)
-    marks = [mark for is_main in drawn for mark in cut_under(drawn[is_main])]
+    # What stands in the main position hides the lines of the other one, too.
+    before = [mark for mark in drawn[True] if isinstance(mark, Mask)]
+    marks = [*cut_under([*drawn[False], *before]), *cut_under(drawn[True])]
     if plan.scheme.kinematics is not None:
         size = bounds(marks)
         ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)

@@ -54,6 +54,7 @@ class Written:
         leader: from what it names to the symbol; empty where it stands beside it.
         has_arrow: whether the leader ends in an arrow.
         is_clear: whether it covers nothing and names the nearest thing.
+        is_quantity: whether it is the symbol of a quantity, and not the name of a joint.
     """
 
     symbol: str
@@ -66,6 +67,7 @@ class Written:
     leader: Chain
     has_arrow: bool
     is_clear: bool
+    is_quantity: bool = True
 
     def shifted(self, x: float, y: float) -> "Written":
         """Return the symbol moved."""
@@ -275,4 +277,5 @@ def _written(letter: Letter, place: Candidates, cost: float) -> Written:
         leader=leader,
         has_arrow=bool(letter.tips),
         is_clear=cost < _LINE,
+        is_quantity=letter.is_quantity,
     )

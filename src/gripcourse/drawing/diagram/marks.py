@@ -80,6 +80,7 @@ class Letter:
             goes from there; the first is the author's. Empty for a symbol that needs no leader
             unless it stands far away.
         long: of such a leader, at least.
+        is_quantity: whether it is the symbol of a quantity, and not the name of a joint.
     """
 
     symbol: str
@@ -87,6 +88,7 @@ class Letter:
     names: tuple[Chain, ...] = ()
     tips: tuple[tuple[Point, float], ...] = ()
     long: float = 0.0
+    is_quantity: bool = True
 
     @property
     def thing(self) -> tuple[Chain, ...]:

@@ -58,7 +58,10 @@ def moment(shape: PlacedElement) -> Iterator[Mark]:
 
 
 def length(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a dimension between two points, along their line or along one axis."""
+    """Draw a dimension between two points, along their line or along one axis.
+
+    It lies beyond both of them and beyond the point that it is to pass.
+    """
     start, end = shape.through[0], shape.through[-1]
     along = shape.element.words["along"]
     turn = {"x": 0.0, "y": math.pi / 2}.get(along, angle_of(start, end))
@@ -66,8 +69,9 @@ def length(shape: PlacedElement) -> Iterator[Mark]:
     # The dimension line lies beyond the end that reaches farther to its side.
     shift = shape.numbers["shift"]
     heights = [one[0] * normal[0] + one[1] * normal[1] for one in (start, end)]
-    level = (max(heights) if shift >= 0 else min(heights)) + shift
-    feet = [_moved(one, normal, level - height)
+    beyond = [x * normal[0] + y * normal[1] for x, y in shape.points.get("past", ())]
+    level = max(heights + beyond) if shift >= 0 else min(heights + beyond)
+    feet = [_moved(one, normal, level + shift - height)
             for one, height in zip((start, end), heights, strict=True)]  # fmt: skip
     for one, foot in zip((start, end), feet, strict=True):
         if math.dist(one, foot) > _OVER / 2:
@@ -141,6 +145,11 @@ def diameter(shape: PlacedElement) -> Iterator[Mark]:
     tips = tuple((polar(shape.at, reach, turn), turn) for turn in turns)
     rim = chain(circle(shape.at, reach, LineKind.OUTLINE))
     yield Letter(shape.symbol, (tips[0][0],), (rim,), tips, shape.numbers["long"])
+
+
+def joint_name(shape: PlacedElement) -> Iterator[Mark]:
+    """Write the name of a joint, by which texts speak of it."""
+    yield Letter(shape.element.words["name"], (shape.at,), is_quantity=False)
 
 
 def letter(shape: PlacedElement) -> Iterator[Mark]:

@@ -1,8 +1,8 @@
 """The type of a mechanism rather than a variant of it: a diagram that gives no answer away.
 
-A diagram to a variant's own sizes can be measured: every angle that a student is asked for stands in
-its lines. An assignment shows the proportions that the scheme's author declared, one and the same
-picture for every variant with the same options.
+A diagram to a variant's own sizes can be measured: every angle that a student is asked for stands
+in its lines. An assignment shows the proportions that the scheme's author declared, one and the
+same picture for every variant with the same options.
 """
 
 from collections.abc import Mapping
