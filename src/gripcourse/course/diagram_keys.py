@@ -61,8 +61,8 @@ DIAGRAM: Final = Shape(
             other("Two formulas: along the axis, across it.", _POINT),
         ),
         "nominal": by_name(
-            "The mechanism as assignments show it, the same for all variants: values of quantities, "
-            "where they are not those of the worked example.",
+            "The mechanism as assignments show it, the same for all variants: values of "
+            "quantities, where they are not those of the worked example.",
             number("In the declared unit."),
         ),
         **SHARED_DIAGRAM.keys,

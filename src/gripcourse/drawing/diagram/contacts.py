@@ -81,8 +81,9 @@ def _vee(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Ite
     deep, back = mouth / math.tan(half_angle), -shape.numbers["thick"]
     apex = polar(centre, -radius / math.sin(half_angle), turn)
     outer = ((deep, mouth), (back, mouth), (back, -mouth), (deep, -mouth))
-    yield Path(place(((0.0, 0.0), *outer), apex, turn), edge(shape), closed=True)
-    yield Mask(place(outer, apex, turn))
+    corners = place(((0.0, 0.0), *outer), apex, turn)
+    yield Path(corners, edge(shape), closed=True)
+    yield Mask(corners)
 
 
 def _two_faces(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:
