@@ -163,7 +163,7 @@ def test_a_scheme_without_a_diagram_has_a_sheet_without_one(
     issued: Issued, plan: Plan, policy: Policy, course: Course
 ) -> None:
     bare = replace(plan, scheme=replace(plan.scheme, diagram=None))
-    assert "The diagram is drawn" not in read(issued, bare, policy, course, ENGLISH)
+    assert "The diagram shows" not in read(issued, bare, policy, course, ENGLISH)
 
 
 def test_every_sheet_carries_the_code_of_its_student(

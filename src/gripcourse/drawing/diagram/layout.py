@@ -1,5 +1,6 @@
 """A diagram laid out: every mark in its place on a sheet, at the largest scale that fits."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
@@ -118,13 +119,18 @@ def lay_out(
     if not is_placed(stops.values()):
         return None
     found: DiagramLayout | None = None
-    crowded = 0
+    crowded, largest = 0, math.inf
     views = any(one.kind == _SEEN_ALONG for one in diagram.elements)
     for scale, beside in product(_thinkable(stops, widest), (True, False) if views else (True,)):
+        if scale > largest:
+            continue
         marks = _marks(plan, diagram, stops, scale, language)
         marks += _seen_along(plan, diagram, stops, scale, language, bounds(marks), beside=beside)
         size = bounds(marks)
         if size.width > widest or size.height > HIGHEST:
+            # What is too large shrinks no faster than the scale: symbols keep their size.
+            if not views:
+                largest = scale * min(widest / size.width, HIGHEST / size.height)
             continue
         laid = _with_letters(marks, scale, widest)
         if laid.width > widest or laid.height > HIGHEST:

@@ -1,6 +1,6 @@
 """Symbols in their places: which letters, where, and the leaders that tell what they name."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final, Literal
@@ -21,7 +21,7 @@ GAP: Final = 0.4  # between a letter and what is near it
 NEARER: Final = 0.1  # mm that a letter is nearer to what it names than to any other thing
 
 _DESCENT: Final = 0.9  # of letters with a tail
-_ROUNDS: Final = 4  # in which letters make room for one another
+_ROUNDS: Final = 6  # in which letters make room for one another
 _PART: Final = 96  # places that are weighed at a time
 _GOOD: Final = 14.0  # what a good place costs at most
 _ENOUGH: Final = 10  # good places that a letter has to choose from
@@ -137,23 +137,40 @@ def write_letters(
         _Field.of(letter, size, strokes, things[:k] + things[k + 1 :], sheet)
         for k, (letter, size) in enumerate(zip(letters, sizes, strict=True))
     ]
-    # Who has the least choice comes first.
-    order = sorted(range(len(letters)), key=lambda k: -fields[k].dearness)
-    chosen: dict[int, int] = {}
-    costs: dict[int, float] = {}
-    for _ in range(_ROUNDS):
-        before = dict(chosen)
-        for k in order:
-            others = [fields[one].choices.one(where) for one, where in chosen.items() if one != k]
-            weighed = fields[k].beside(others)
-            chosen[k] = int(np.argmin(weighed))
-            costs[k] = float(weighed[chosen[k]])
-        if chosen == before:
-            break
+    places = _arranged(fields)
     return tuple(
-        _written(letter, fields[k].choices.one(chosen[k]), costs[k])
-        for k, letter in enumerate(letters)
+        _written(letter, field.choices.one(where), cost)
+        for letter, field, (where, cost) in zip(letters, fields, places, strict=True)
     )
+
+
+def _arranged(fields: Sequence["_Field"]) -> list[tuple[int, float]]:
+    """Return the place of each letter and what it costs there, in the best arrangement found.
+
+    A letter that finds no room takes its best place all the same; the others then make room.
+    """
+    # Who has the least choice comes first.
+    order = sorted(range(len(fields)), key=lambda k: -fields[k].dearness)
+    chosen: dict[int, int] = {}
+    best: list[tuple[int, float]] = []
+    for _ in range(_ROUNDS):
+        for k in order:
+            weighed = fields[k].beside(_placed(fields, chosen, k))
+            is_free = weighed.min() < _LINE
+            chosen[k] = int(np.argmin(weighed if is_free else fields[k].costs))
+        costs = [
+            float(one.beside(_placed(fields, chosen, k))[chosen[k]]) for k, one in enumerate(fields)
+        ]
+        if not best or sum(costs) < sum(cost for _, cost in best):
+            best = [(chosen[k], cost) for k, cost in enumerate(costs)]
+        if max(costs, default=0.0) < _LINE:
+            break
+    return best
+
+
+def _placed(fields: Sequence["_Field"], chosen: Mapping[int, int], but: int) -> list[Candidates]:
+    """Return where all letters but one stand."""
+    return [fields[one].choices.one(where) for one, where in chosen.items() if one != but]
 
 
 @dataclass(frozen=True, slots=True)
