@@ -69,8 +69,8 @@ def length(shape: PlacedElement) -> Iterator[Mark]:
     # The dimension line lies beyond the end that reaches farther to its side.
     shift = shape.numbers["shift"]
     heights = [one[0] * normal[0] + one[1] * normal[1] for one in (start, end)]
-    beyond = [x * normal[0] + y * normal[1] for x, y in shape.points.get("past", ())]
-    level = max(heights + beyond) if shift >= 0 else min(heights + beyond)
+    passed = [x * normal[0] + y * normal[1] for x, y in shape.points.get("past", ())]
+    level = max(heights + passed) if shift >= 0 else min(heights + passed)
     feet = [_moved(one, normal, level + shift - height)
             for one, height in zip((start, end), heights, strict=True)]  # fmt: skip
     for one, foot in zip((start, end), feet, strict=True):
