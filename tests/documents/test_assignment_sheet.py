@@ -156,14 +156,14 @@ def test_it_shows_the_diagram_with_a_text_for_who_does_not_see_it(
     values = sheet_values(issued, plan, policy, course, ENGLISH)
     page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
     assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Kinematic')[2]
-    assert "Compute sizes, do not measure them" in page
+    assert "The diagram shows the type of the mechanism" in page
 
 
 def test_a_scheme_without_a_diagram_has_a_sheet_without_one(
     issued: Issued, plan: Plan, policy: Policy, course: Course
 ) -> None:
     bare = replace(plan, scheme=replace(plan.scheme, diagram=None))
-    assert "The diagram is drawn" not in read(issued, bare, policy, course, ENGLISH)
+    assert "The diagram shows" not in read(issued, bare, policy, course, ENGLISH)
 
 
 def test_every_sheet_carries_the_code_of_its_student(

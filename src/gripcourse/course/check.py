@@ -98,7 +98,7 @@ def _check_scheme(
         yield from check_series(new, tables.columns, tables.dimensions)
         yield from check_symbols(scheme, quantities, seen)
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
-    yield from check_diagram_use(scheme)
+    yield from check_diagram_use(scheme, every)
     if _units_known(every.values()):
         yield from check_view(scheme, every, tables.dimensions, _view_parts(course))
     yield from check_example(course, scheme)

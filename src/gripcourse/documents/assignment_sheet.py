@@ -9,6 +9,7 @@ from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
 from gripcourse.documents.pdf import Document, picture, render_fitting
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
+from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
@@ -114,7 +115,7 @@ def sheet_values(
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
     listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
     widest = _NARROW if listed > _MANY else WIDEST
-    diagram = drawn_diagram(plan, issued.variant.given, words, widest)
+    diagram = drawn_diagram(plan, nominal_values(plan), words, widest)
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
@@ -166,7 +167,7 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
 def drawn_diagram(
     plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
 ) -> SheetDiagram | None:
-    """Return the diagram of a variant for a page; None where there is none.
+    """Return the diagram of a scheme for a page; None where there is none.
 
     Args:
         plan: of the variant's scheme and options.
