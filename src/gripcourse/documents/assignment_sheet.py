@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from gripcourse.course.model import Course, Section
 from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
+from gripcourse.documents.appendix import appendix_of, cited_tables
 from gripcourse.documents.pdf import Document, picture, render_fitting
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
@@ -17,6 +19,8 @@ from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
 
+_Cited: TypeAlias = Mapping[str, Message]
+
 TEMPLATE = "assignment.html.j2"
 STYLES = ("page.css", "formula.css", "assignment.css")
 
@@ -24,10 +28,12 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
-_PAGES = 2  # one sheet of paper
+_PAGES = 2  # before the appendix: one sheet of paper
+_APPENDIX = "appendix"
 # Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
-# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
-_DENSITIES = ("", "dense", "dense long", "dense long torn")
+# not fit in the first, so there is no need to try it. What fits in none of them goes on, in a print
+# that can be read with ease, and its appendix follows at once: no page stays half empty.
+_DENSITIES = ("", "dense", "dense long", "dense running")
 _CROWDED, _HIGH = 105, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
@@ -93,7 +99,10 @@ class SheetTask:
 def assignment_sheet(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> bytes:
-    """Make the assignment sheet of a student as a PDF file of one or two pages.
+    """Make the assignment sheet of a student as a PDF file.
+
+    The assignment takes one or two pages, the longest ones a part of a third; the appendix with the
+    series and tables begins a page of its own, after the longest ones what is left of the third.
 
     Args:
         issued: the student, the frozen values and the dates.
@@ -105,7 +114,7 @@ def assignment_sheet(
     values = sheet_values(issued, plan, policy, course, words)
     tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
     prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
-    return render_fitting(prints, _PAGES, course.root / "templates", words)
+    return render_fitting(prints, _PAGES, _APPENDIX, course.root / "templates", words)
 
 
 def sheet_values(
@@ -129,6 +138,7 @@ def sheet_values(
         "density": _density(listed, diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
+        "appendix": appendix_of(plan, words),
         "rules": [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))],
     }
 
@@ -210,24 +220,27 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
 
 
 def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[SheetTask]:
+    cited = cited_tables(plan)
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
-            yield _task(section, asked, policy, words)
+            yield _task(section, asked, cited, policy, words)
 
 
-def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> SheetTask:
+def _task(
+    section: Section, asked: list[Quantity], cited: _Cited, policy: Policy, words: Words
+) -> SheetTask:
     points = policy.section_points.get(section.id)
     said = message("{points} points", points=points_text(points or 0.0, words))
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
         points="" if points is None else words.say(said),
-        items=tuple(_asked(quantity, policy, words) for quantity in asked),
+        items=tuple(_asked(quantity, cited.get(quantity.id), policy, words) for quantity in asked),
     )
 
 
-def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
+def _asked(quantity: Quantity, cited: Message | None, policy: Policy, words: Words) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
@@ -239,6 +252,8 @@ def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
+    if cited is not None:
+        text += f" [{words.say(cited)}]".replace(", ", f",{NO_BREAK_SPACE}")
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)

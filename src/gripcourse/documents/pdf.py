@@ -100,13 +100,14 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
 
 
 def render_fitting(
-    documents: Sequence[Document], pages: int, templates: Path, words: Words
+    documents: Sequence[Document], pages: int, before: str, templates: Path, words: Words
 ) -> bytes:
     """Render the first document that has at most so many pages; the last where none has.
 
     Args:
-        documents: the same in ever smaller print, at least one.
+        documents: the same in ever smaller print, then what is to be done where none fits.
         pages: that it may have.
+        before: id of the element with which a page begins that does not count any more.
         templates: the folder of the course; see `render_pdf`, also for the errors.
         words: the reader's language.
     """
@@ -115,7 +116,7 @@ def render_fitting(
         html = render_html(document, templates, words)
         with few_collections():
             laid_out = _laid_out(html, document.styles, templates)
-            if len(laid_out.pages) <= pages:
+            if len(laid_out.pages) <= pages or before in laid_out.pages[pages].anchors:
                 return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
     return render_pdf(tightest, templates, words)
 
