@@ -14,7 +14,7 @@ from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
+from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
@@ -231,11 +231,10 @@ def _task(
     section: Section, asked: list[Quantity], cited: _Cited, policy: Policy, words: Words
 ) -> SheetTask:
     points = policy.section_points.get(section.id)
-    said = message("{points} points", points=points_text(points or 0.0, words))
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
-        points="" if points is None else words.say(said),
+        points="" if points is None else counted_points(points, words),
         items=tuple(_asked(quantity, cited.get(quantity.id), policy, words) for quantity in asked),
     )
 
@@ -245,7 +244,7 @@ def _asked(quantity: Quantity, cited: Message | None, policy: Policy, words: Wor
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
     elif quantity.kind is Kind.MANUAL:
-        text += f" ({words.say(message('marked by a person'))})"
+        text += f" ({words.say(message('marked by the instructor'))})"
     elif quantity.unit:
         text += f",{NO_BREAK_SPACE}{unit_text(quantity.unit, words.language)}"
     band = policy.tolerances.get(quantity.id) or quantity.tolerance
@@ -270,7 +269,7 @@ def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
     )
     if plan.manual:
         titles = "; ".join(quantity.title.of(words.language) for quantity in plan.manual)
-        yield message("To be marked by a person from a rubric: {titles}.", titles=titles)
+        yield message("The instructor marks from a rubric: {titles}.", titles=titles)
 
 
 def _notes(plan: Plan, words: Words) -> Iterator[str]:
@@ -284,7 +283,7 @@ def _notes(plan: Plan, words: Words) -> Iterator[str]:
 def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
     yield message(
         "An answer is right when it differs from the expected value by no more than {band}, unless "
-        "another band is printed beside the quantity.",
+        "another tolerance is printed beside the quantity.",
         band=percent_text(policy.tolerance.relative, words),
     )
     yield from _carried(policy, words)

@@ -59,7 +59,7 @@ def write_section(
         book.define_name(name, f"={line.place.reference}")
     for line in section.manual:
         write_line(sheet, line, styles)
-        said = words.say(message("marked by a person"))
+        said = words.say(message("marked by the instructor"))
         sheet.write_string(line.place.row, line.place.column, said, styles.manual)
     sheet.freeze_panes(SECTION_HEADER + 1, 0)
     sheet.repeat_rows(SECTION_HEADER)

@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
-from gripcourse.formula.typeset import symbol_box
+from gripcourse.formula.typeset import declared_symbol
 from gripcourse.text.shown import shown
 
 if TYPE_CHECKING:
@@ -139,19 +139,18 @@ def write_symbol(sheet: "Worksheet", row: int, column: int, symbol: str, styles:
 
 def symbol_runs(symbol: str) -> list[tuple[RunKind, str]]:
     """Split a declared symbol, or several joined by signs, into runs of one look."""
-    runs: list[tuple[RunKind, str]] = []
-    for index, word in enumerate(symbol.split()):
-        if index:
-            runs.append(("upright", " "))
-        runs += _runs(symbol_box(word))
+    if not symbol:
+        return []
     return [
         (kind, "".join(text for _, text in group))
-        for kind, group in groupby(runs, lambda run: run[0])
+        for kind, group in groupby(_runs(declared_symbol(symbol)), lambda run: run[0])
     ]
 
 
 def _runs(box: Box) -> Iterator[tuple[RunKind, str]]:
     match box:
+        case Text("relation", text):
+            yield "upright", f" {text} "
         case Text(kind, text):
             yield ("italic" if kind == "variable" else "upright"), text
         case Script(base, sub, None) if sub is not None:
@@ -203,7 +202,8 @@ def set_page(
 
     Args:
         sheet: to set up.
-        left, right: the line above.
+        left: what stands above the page at the left.
+        right: and at the right.
         landscape: how the paper lies.
         tall: pages that it is fitted to; 0 for as many as it takes.
     """

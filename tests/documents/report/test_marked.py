@@ -129,7 +129,7 @@ class TestTheStudentsReport:
         self, marked: Report, plan: Plan, policy: Policy, course: Course
     ) -> None:
         losses = student_values(marked, plan, policy, course, ENGLISH)["losses"]
-        assert [(one.points, one.verdict) for one in losses] == [("−0.9", "by a person")]
+        assert [(one.points, one.verdict) for one in losses] == [("−0.9", "by the instructor")]
 
     def test_an_overruled_verdict_is_a_persons_decision(
         self, overruled: Report, plan: Plan, policy: Policy
@@ -220,7 +220,7 @@ class TestTheCohort:
     ) -> None:
         text = text_of(cohort_report([overruled, marked], policy, course, ENGLISH, graded_on))
         assert "Marked by a person: General view drawing" in text
-        assert "Decided by a person" in text
+        assert "Decided by the instructor" in text
         assert "Описка в условии." in text
 
     def test_without_marks_nothing_is_said_of_them(
@@ -232,8 +232,8 @@ class TestTheCohort:
         text_of: Callable[[bytes], str],
     ) -> None:
         text = text_of(cohort_report([perfect], policy, course, ENGLISH, graded_on))
-        assert "Marked by a person" not in text
-        assert "Decided by a person" not in text
+        assert "Marked by the instructor" not in text
+        assert "Decided by the instructor" not in text
 
     def test_the_grades_have_the_points(self, marked: Report, perfect: Report) -> None:
         def row(report: Report) -> Mapping[str, str]:

@@ -200,7 +200,7 @@ def test_roots_and_next_steps_come_before_the_answers(
         written.index(said)
         for said in (
             "What cost most points",
-            "What is behind it",
+            "Causes of lost points",
             "What to do next",
             "Go over first: F",
             "Your answer",
