@@ -33,7 +33,7 @@ _APPENDIX = "appendix"
 # Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
 # not fit in the first, so there is no need to try it. What fits in none of them goes on, in a print
 # that can be read with ease, and its appendix follows at once: no page stays half empty.
-_DENSITIES = ("", "dense", "dense long", "dense running")
+_DENSITIES = ("", "dense", "dense long", "dense long running")
 _CROWDED, _HIGH = 105, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 

@@ -17,26 +17,45 @@ def points_text(value: float, words: Words) -> str:
 
 
 def counted_points(value: float, words: Words) -> str:
-    """Write points with their word, never broken: `1 point`, `25 points`, `9.05 points`."""
-    form = words.counted("{points} point", "{points} points", round(value, 2))
-    return form.format(points=points_text(value, words)).replace(" ", NO_BREAK_SPACE)
+    """Write points with their word: `1 point`, `25 points`, `9.05 points`."""
+    count = _whole(value)
+    form = (
+        words.translate("{points} points")  # of a part of a point
+        if count is None
+        else words.counted("{points} point", "{points} points", count)
+    )
+    return _unbroken(form, value, words)
 
 
 def points_up_to(value: float, words: Words) -> str:
     """Write points as a limit: `up to 25 points`; languages decline them after it."""
-    fraction = 2 if is_english(words.language) else 1
-    form = words.counted(
-        "up to {points} point", "up to {points} points", round(value, 2), fraction=fraction
+    count = _whole(value)
+    form = (
+        words.translate("up to {points} points")
+        if count is None
+        else words.counted("up to {points} point", "up to {points} points", count)
     )
-    return form.format(points=points_text(value, words)).replace(" ", NO_BREAK_SPACE)
+    return _unbroken(form, value, words)
 
 
 def points_out_of(value: float, words: Words) -> str:
     """Write the points that could be had: `of 25 points`; likewise."""
-    fraction = 2 if is_english(words.language) else 1
-    form = words.counted(
-        "of {points} point", "of {points} points", round(value, 2), fraction=fraction
+    count = _whole(value)
+    form = (
+        words.translate("of {points} points")
+        if count is None
+        else words.counted("of {points} point", "of {points} points", count)
     )
+    return _unbroken(form, value, words)
+
+
+def _whole(value: float) -> int | None:
+    """Return points as they are printed as a whole number, None where they are none."""
+    printed = round(value, 2)
+    return int(printed) if printed == int(printed) else None
+
+
+def _unbroken(form: str, value: float, words: Words) -> str:
     return form.format(points=points_text(value, words)).replace(" ", NO_BREAK_SPACE)
 
 

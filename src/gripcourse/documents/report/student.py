@@ -23,6 +23,7 @@ from gripcourse.documents.report.totals import (
     peer_quartiles,
     section_totals,
 )
+from gripcourse.documents.report.worked import notation_notes
 from gripcourse.grading.model import Finding, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
@@ -124,10 +125,13 @@ def student_values(
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
         "notes": [
-            text.of(words.language)
-            for text in notes_of(
-                course.notes, NotedDocument.REPORT, plan.scheme.id, plan.quantities
-            )
+            *notation_notes(plan, words),
+            *(
+                text.of(words.language)
+                for text in notes_of(
+                    course.notes, NotedDocument.REPORT, plan.scheme.id, plan.quantities
+                )
+            ),
         ],
         "legend": [
             (outcome.traits.sign, words.say(outcome.traits.word), words.say(outcome.traits.meaning))
