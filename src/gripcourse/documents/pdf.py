@@ -58,8 +58,8 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
-# In a sentence: a letter or two, perhaps in brackets, and its subscript.
-_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|[^\W\d_]{1,2})_[^\W_]{1,8}(?!\w)")
+# In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript.
+_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_]{1,8}(?!\w)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -202,7 +202,7 @@ def test_roots_and_next_steps_come_before_the_answers(
             "What cost most points",
             "Causes of lost points",
             "What to do next",
-            "Go over first: F",
+            "Review first: F",
             "Your answer",
         )
     ]
