@@ -513,7 +513,7 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     table.write_text(f'student,quantity,credit\ns01,{other},"0,5"\n', encoding="utf-8")
     assert gripcourse("mark", "--table", table, "--course", course).code == cli.DONE
     nothing = gripcourse("mark", "--list", "--course", course)
-    assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for a person.")
+    assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for the instructor.")
 
 
 def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:

@@ -84,3 +84,18 @@ def test_allowed_stresses_of_steels_follow_from_their_yield(course: Course) -> N
     # the guide's ranges: 0.4 to 0.5 in bending, 0.2 to 0.3 in shear, 0.4 to 0.6 in bearing
     for name, share in (("bending", 0.4), ("shear", 0.2), ("bearing", 0.4)):
         assert steel[f"{name}_allowed"] == pytest.approx(share * steel["yield"], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "key"),
+    [
+        (PIN, "# title: ", "title"),
+        ("variants/catalogues/bore_pneumatic.csv", "# column.rod: ", "column.rod"),
+    ],
+)
+def test_a_series_that_students_could_not_be_shown_is_named(
+    draft: "Draft", file: str, old: str, key: str
+) -> None:
+    problem = draft.edit(file, old, "# nothing: ").problem()
+    assert (problem.file, str(problem.key)) == (file, key)
+    assert f"'# {key}: …'" in str(problem.remedy)

@@ -12,6 +12,7 @@ from pypdf import PdfReader
 
 from gripcourse.course.model import Course, WorkedExample
 from gripcourse.course.quantity import Convention, Tolerance
+from gripcourse.documents.appendix import appendix_of
 from gripcourse.documents.assignment_sheet import TEMPLATE, assignment_sheet, sheet_values
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.policy.model import Policy
@@ -23,8 +24,8 @@ from gripcourse.variants.table import read_table
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
 UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
 ENGLISH = Words("en")
-# What more than a hundred and forty quantities take in a print that can still be read.
-LONGEST_PAGES = 3
+# What a hundred and forty quantities take, with the appendix, in a print that can still be read.
+LONGEST_PAGES = 4
 
 
 @pytest.fixture(scope="module")
@@ -92,14 +93,15 @@ def test_every_section_and_every_asked_quantity_is_named(
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])
-def test_it_is_one_sheet_of_paper_and_the_same_bytes_each_time(
+def test_it_is_one_sheet_of_paper_with_an_appendix_and_the_same_bytes_each_time(
     issued: Issued, plan: Plan, policy: Policy, course: Course, language: str
 ) -> None:
     words = Words(language)
     named = replace(issued, student=replace(issued.student, name=LONG_NAME))
     first = assignment_sheet(named, plan, policy, course, words)
     assert first == assignment_sheet(named, plan, policy, course, words)
-    assert len(pages(first)) <= 2
+    assert len(pages(first)) <= 3
+    assert words.translate("Series and tables") in pages(first)[-1]
     assert LONG_NAME in pages(first)[0].replace("- ", "-")  # a line may end at the hyphen
     assert all("3fa912bc77aa" in page for page in pages(first))
     assert not any("3fa912bc77aa0" in page for page in pages(first))
@@ -240,3 +242,19 @@ def test_a_unit_stands_in_its_column_and_degrees_with_their_number(
     units = {datum.unit for datum in values["data"]}
     assert "mm" in units
     assert not any(unit.startswith("°") for unit in units)
+
+
+def test_a_choice_cites_its_series_in_the_appendix(text: Callable[..., str], plan: Plan) -> None:
+    written = text()
+    appendix = appendix_of(plan, ENGLISH)
+    for one in (*appendix.series, *appendix.tables):
+        assert f"{one.number}. {one.title.partition('_')[0]}" in written
+    stroke = next(one for one in appendix.series if "strokes of cylinders" in one.title)
+    assert f"[app.\u00a0{stroke.number}]".replace("\u00a0", " ") in written
+
+
+def test_formulas_of_works_that_students_do_not_have_are_printed(plan: Plan) -> None:
+    at_hand = {work.title.of("en") for work in plan.course.works.values() if work.at_hand}
+    works = appendix_of(plan, ENGLISH).works
+    assert works
+    assert not at_hand.intersection(work.title for work in works)

@@ -14,6 +14,7 @@ RUN = (
     "libpangoft2-1.0-0",
     "libharfbuzz-subset0",
     "fonts-paratype",
+    "fonts-liberation",
     "fonts-dejavu-core",
 )
 ROOT, SOMEBODY = 0, 1000

@@ -116,7 +116,7 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
 def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
     """Return what waits for a person as a table."""
     if not waits:
-        return words.say(message("Nothing waits for a person."))
+        return words.say(message("Nothing waits for the instructor."))
     again = words.say(message("marked; look again"))
     rows = [
         (one.student, one.quantity, Path(one.file).name, again if one.again else "")
@@ -170,7 +170,7 @@ def demo_text(demo: "Demo", words: Words) -> str:
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
     for item in demo.marking.items if demo.marking is not None else ():
         said = message(
-            "A person marked {item} of {student} from its rubric.",
+            "The instructor marked {item} of {student} from its rubric.",
             item=item.mark.quantity,
             student=item.mark.student,
         )

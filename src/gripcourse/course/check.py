@@ -18,6 +18,7 @@ from gripcourse.course.check_options import check_option_names, check_option_rul
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_symbols import check_symbols
 from gripcourse.course.check_view import check_view
+from gripcourse.course.columns_read import check_titles
 from gripcourse.course.compose import all_part_ids, compose, declaring_files, part_ids, used_names
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.option_sets import option_sets, pair_option_sets
@@ -54,6 +55,7 @@ def check_course(
             found += _check_scheme(course, scheme, tables, seen, thorough=thorough)
     found += _check_used_parts(course)
     found += _check_columns(course)
+    found += check_titles(course)
     found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 

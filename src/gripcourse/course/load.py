@@ -109,6 +109,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
             positions=read_positions(table),
             notes=read_notes(table),
             root=root,
+            address=table.text("address", ""),
         )
     )
     is_whole = errata is not None and _is_whole(course, folder)
@@ -231,7 +232,12 @@ def _section(table: Table) -> Section:
 
 def _works(table: Table) -> dict[str, Work]:
     return {
-        name: Work(name, inner.texts("title"), read_equations(inner.table("equations")))
+        name: Work(
+            name,
+            inner.texts("title"),
+            read_equations(inner.table("equations")),
+            at_hand=inner.flag("at_hand", default=True),
+        )
         for name, inner in table.named_tables("work").items()
     }
 

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from gripcourse.course.model import Course, Section
 from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
+from gripcourse.documents.appendix import appendix_of, cited_tables
 from gripcourse.documents.pdf import Document, picture, render_fitting
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
@@ -13,10 +15,12 @@ from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
+from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
+
+_Cited: TypeAlias = Mapping[str, Message]
 
 TEMPLATE = "assignment.html.j2"
 STYLES = ("page.css", "formula.css", "assignment.css")
@@ -25,10 +29,12 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
-_PAGES = 2  # one sheet of paper
+_PAGES = 2  # before the appendix: one sheet of paper
+_APPENDIX = "appendix"
 # Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
-# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
-_DENSITIES = ("", "dense", "dense long", "dense long torn")
+# not fit in the first, so there is no need to try it. What fits in none of them goes on, in a print
+# that can be read with ease, and its appendix follows at once: no page stays half empty.
+_DENSITIES = ("", "dense", "dense long", "dense long running")
 _CROWDED, _HIGH = 105, 58.0
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
@@ -94,7 +100,10 @@ class SheetTask:
 def assignment_sheet(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> bytes:
-    """Make the assignment sheet of a student as a PDF file of one or two pages.
+    """Make the assignment sheet of a student as a PDF file.
+
+    The assignment takes one or two pages, the longest ones a part of a third; the appendix with the
+    series and tables begins a page of its own, after the longest ones what is left of the third.
 
     Args:
         issued: the student, the frozen values and the dates.
@@ -106,7 +115,7 @@ def assignment_sheet(
     values = sheet_values(issued, plan, policy, course, words)
     tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
     prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
-    return render_fitting(prints, _PAGES, course.root / "templates", words)
+    return render_fitting(prints, _PAGES, _APPENDIX, course.root / "templates", words)
 
 
 def sheet_values(
@@ -121,7 +130,8 @@ def sheet_values(
         "student": issued.student.name,
         "variant": issued.variant.id,
         "control": issued.signature[:_CONTROL_LETTERS],
-        "seal": picture(seal_svg(seal_of(issued, course.id))),
+        "seal": picture(seal_svg(seal_of(issued, course.id), course.address)),
+        "address": course.address,
         "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
@@ -130,6 +140,7 @@ def sheet_values(
         "density": _density(listed, diagram),
         "sections": list(_tasks(plan, policy, course, words)),
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
+        "appendix": appendix_of(plan, words),
         "rules": [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))],
     }
 
@@ -211,35 +222,39 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
 
 
 def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[SheetTask]:
+    cited = cited_tables(plan)
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
-            yield _task(section, asked, policy, words)
+            yield _task(section, asked, cited, policy, words)
 
 
-def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> SheetTask:
+def _task(
+    section: Section, asked: list[Quantity], cited: _Cited, policy: Policy, words: Words
+) -> SheetTask:
     points = policy.section_points.get(section.id)
-    said = message("{points} points", points=points_text(points or 0.0, words))
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
-        points="" if points is None else words.say(said),
-        items=tuple(_asked(quantity, policy, words) for quantity in asked),
+        points="" if points is None else counted_points(points, words),
+        items=tuple(_asked(quantity, cited.get(quantity.id), policy, words) for quantity in asked),
     )
 
 
-def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
+def _asked(quantity: Quantity, cited: Message | None, policy: Policy, words: Words) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
     elif quantity.kind is Kind.MANUAL:
-        text += f" ({words.say(message('marked by a person'))})"
+        text += f" ({words.say(message('marked by the instructor'))})"
     elif quantity.unit:
         text += f",{NO_BREAK_SPACE}{unit_text(quantity.unit, words.language)}"
     band = policy.tolerances.get(quantity.id) or quantity.tolerance
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
+    if cited is not None:
+        text += f" [{words.say(cited)}]".replace(", ", f",{NO_BREAK_SPACE}")
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)
@@ -256,7 +271,7 @@ def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
     )
     if plan.manual:
         titles = "; ".join(quantity.title.of(words.language) for quantity in plan.manual)
-        yield message("To be marked by a person from a rubric: {titles}.", titles=titles)
+        yield message("The instructor marks from a rubric: {titles}.", titles=titles)
 
 
 def _notes(plan: Plan, words: Words) -> Iterator[str]:
@@ -270,7 +285,7 @@ def _notes(plan: Plan, words: Words) -> Iterator[str]:
 def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
     yield message(
         "An answer is right when it differs from the expected value by no more than {band}, unless "
-        "another band is printed beside the quantity.",
+        "another tolerance is printed beside the quantity.",
         band=percent_text(policy.tolerance.relative, words),
     )
     yield from _carried(policy, words)

@@ -7,6 +7,8 @@ sheets. It offers to every template
     say(message)             a message that was made in Python
     language                 the reader's language
     value | points           points with at most two decimals
+    value | up_to            points as a limit: up to 25 points
+    value | out_of           points that could be had: of 25 points
     value | percent          a share of one as a percentage
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
@@ -37,7 +39,13 @@ from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.resources import template_file, template_folders
-from gripcourse.text.amounts import day_text, percent_text, points_text
+from gripcourse.text.amounts import (
+    day_text,
+    percent_text,
+    points_out_of,
+    points_text,
+    points_up_to,
+)
 from gripcourse.text.shown import shown
 from gripcourse.text.words import LANGUAGES, Words, message
 
@@ -50,8 +58,8 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
-# In a sentence: one letter and its subscript.
-_SYMBOL = re.compile(r"(?<!\w)[^\W\d_]_[^\W_]{1,6}(?!\w)")
+# In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript.
+_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_]{1,8}(?!\w)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,13 +108,14 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
 
 
 def render_fitting(
-    documents: Sequence[Document], pages: int, templates: Path, words: Words
+    documents: Sequence[Document], pages: int, before: str, templates: Path, words: Words
 ) -> bytes:
     """Render the first document that has at most so many pages; the last where none has.
 
     Args:
-        documents: the same in ever smaller print, at least one.
+        documents: the same in ever smaller print, then what is to be done where none fits.
         pages: that it may have.
+        before: id of the element with which a page begins that does not count any more.
         templates: the folder of the course; see `render_pdf`, also for the errors.
         words: the reader's language.
     """
@@ -115,7 +124,7 @@ def render_fitting(
         html = render_html(document, templates, words)
         with few_collections():
             laid_out = _laid_out(html, document.styles, templates)
-            if len(laid_out.pages) <= pages:
+            if len(laid_out.pages) <= pages or before in laid_out.pages[pages].anchors:
                 return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
     return render_pdf(tightest, templates, words)
 
@@ -230,6 +239,8 @@ def template_environment(templates: Path, language: str) -> "Environment":
     environment.globals.update({"_": words.translate, "say": words.say, "language": language})
     filters: Mapping[str, Callable[..., str]] = {
         "points": lambda value: points_text(value, words),
+        "up_to": lambda value: points_up_to(value, words),
+        "out_of": lambda value: points_out_of(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
         "prose": _prose,

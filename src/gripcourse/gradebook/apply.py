@@ -79,7 +79,7 @@ def _decided(finding: Finding, entry: GradebookEntry | None, outdated: Container
         outcome=Outcome.MANUAL,
         against=Against.NOTHING,
         points=credit * finding.max_points,
-        message=message("A person decided about this item."),
+        message=message("The instructor decided about this item."),
         decision=decision,
     )
 
@@ -92,8 +92,8 @@ def _flags(
         yield Flag(
             FlagCode.MARK_OUTDATED,
             message(
-                "Look again at {names}: the file or its other results have changed since a person "
-                "marked. The marks count.",
+                "Look again at {names}: the file or its other results have changed since the "
+                "instructor marked. The marks count.",
                 names=", ".join(again),
             ),
         )

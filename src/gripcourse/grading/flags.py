@@ -104,7 +104,7 @@ def not_judged_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
     if not_judged:
         yield Flag(
             FlagCode.NOT_JUDGED,
-            message("A person must judge: {names}.", names=", ".join(not_judged)),
+            message("The instructor must judge: {names}.", names=", ".join(not_judged)),
         )
 
 

@@ -162,7 +162,7 @@ def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float)
         follow_through=case.follow_through,
     )
     if not comparison.has_reference:
-        said = message("There is no reference value for this variant; a person decides.")
+        said = message("There is no reference value for this variant; the instructor decides.")
         return JudgedAnswer(quantity, answer, comparison, _without_value(Outcome.NOT_JUDGED, said))
     judgement = (
         judge_choice_answer(comparison) if quantity.kind is Kind.CHOICE else judge_value(comparison)

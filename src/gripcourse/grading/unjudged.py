@@ -65,7 +65,7 @@ def disputed_report(file: str, doubt: Message, digest: str) -> Report:
 def incident_report(file: str, number: str, issued: Issued | None) -> Report:
     """Report a file whose grading failed on our side."""
     said = message(
-        "Grading failed on our side (incident {number}); the file waits for a person.",
+        "Grading failed on our side (incident {number}); the file waits for the instructor.",
         number=number,
     )
     return unjudged(file, Flag(FlagCode.INCIDENT, said), issued, "")

@@ -160,7 +160,7 @@ def _number(written: object) -> float:
     return float(written)
 
 
-_RESTORE = message("Restore the register from a backup; do not mend it by hand.")
+_RESTORE = message("Restore the register from a backup; do not edit it by hand.")
 
 
 def _failure(path: Path, key: str, what: Message, remedy: Message) -> RegisterError:

@@ -37,7 +37,7 @@ def read_rows(connection: Connection, course_id: str, place: str) -> Register:
         except (KeyError, TypeError, ValueError) as fault:
             key = message("student {student}", student=student)
             what = message("The entry is damaged: {fault}.", fault=repr(fault))
-            remedy = message("Restore the register from a backup; do not mend it by hand.")
+            remedy = message("Restore the register from a backup; do not edit it by hand.")
             raise RegisterError([Problem(place, key, what, remedy)]) from fault
     return Register(course_id, tuple(entries))
 

@@ -164,7 +164,7 @@ def _joined(before: Register, old: Register, path: Path) -> Register:
             "The gradebook says of {students} that other numbers were issued than this file.",
             students=", ".join(differing),
         )
-        remedy = message("Move the one that is wrong away; do not mend either by hand.")
+        remedy = message("Move the wrong one away; do not edit either by hand.")
         raise RegisterError([Problem(str(path), "", what, remedy)])
     fresh = (entry for entry in old.entries if entry.student.id not in known)
     return Register(before.course_id, (*before.entries, *fresh))

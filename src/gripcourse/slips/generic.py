@@ -113,10 +113,17 @@ def _power_of_ten(around: Surroundings) -> Iterator[Rewritten]:
 def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
     for name in around.formula.names:
         quantity = around.quantities[name]
-        ratios = {ratio for _, ratio in _other_units(around, quantity.unit)}
-        for ratio in sorted(ratios | {1 / one for one in ratios}):
+        # By how many times the number is too large: the unit that it is in, and the one taken.
+        taken: dict[float, tuple[str, str]] = {}
+        others = list(_other_units(around, quantity.unit))
+        for other, ratio in others:
+            taken.setdefault(ratio, (quantity.unit, other))
+        for other, ratio in others:
+            taken.setdefault(1 / ratio, (other, quantity.unit))
+        for ratio, (unit, asked) in sorted(taken.items()):
             tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
-            yield Rewritten(f"{name},{ratio:g}", tree, {"quantity": quantity, "number": ratio})
+            places: dict[str, Place] = {"quantity": quantity, "unit": unit, "asked": asked}
+            yield Rewritten(f"{name},{ratio:g}", tree, places | {"number": ratio})
 
 
 def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
+from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
 from gripcourse.exports.grades import grades_csv
 from gripcourse.exports.report_result import GradesResult, grades_result
@@ -80,8 +81,9 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     A report that cannot be laid out is an incident of that student; the others are written. So it
     is with the cohort report: grades are never lost for it.
     """
-    printing = Printing(context.course, context.policy, graded_on)
     plain = [one.report for one in graded]
+    peers = tuple(shares(plain))
+    printing = Printing(context.course, context.policy, graded_on, peers=peers)
     outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
     written = {

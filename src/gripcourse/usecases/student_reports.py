@@ -28,12 +28,14 @@ class Printing:
         course, policy: printed in the reports.
         graded_on: the day that is printed.
         seconds: that one report may take.
+        peers: shares of the points that the judged works of the batch earned.
     """
 
     course: Course
     policy: Policy
     graded_on: date
     seconds: float = SECONDS_PER_REPORT
+    peers: tuple[float, ...] = ()
 
 
 LayOut: TypeAlias = Callable[[Report, Printing], bytes]
@@ -47,7 +49,8 @@ def student_pdf(report: Report, printing: Printing) -> bytes:
     course = printing.course
     words = Words(report.language or course.language)
     plan = plan_of(course, report.composition)
-    return student_report(report, plan, printing.policy, course, words, printing.graded_on)
+    policy, day, peers = printing.policy, printing.graded_on, printing.peers
+    return student_report(report, plan, policy, course, words, day, peers=peers)
 
 
 def cohort_pdf(reports: Sequence[Report], printing: Printing) -> bytes:

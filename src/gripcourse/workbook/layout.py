@@ -130,11 +130,13 @@ class WorkbookLayout:
     Attributes:
         cover: the first sheet.
         sheets: of the sections, in the order of the course.
+        series: name of the sheet with the series and tables.
         meta: cells of the hidden sheet by field.
     """
 
     cover: Cover
     sheets: tuple[SectionSheet, ...]
+    series: str
     meta: Mapping[str, CellPlace]
 
     @property
@@ -158,9 +160,11 @@ def layout(plan: Plan, words: Words) -> WorkbookLayout:
     """
     name = _sheet_name(words.say(message("Assignment")), ())
     sheets = tuple(_section_sheets(plan, words, name))
+    taken = [name, HIDDEN_SHEET, *(sheet.name for sheet in sheets)]
     return WorkbookLayout(
         cover=_cover(plan, words, name, len(sheets)),
         sheets=sheets,
+        series=_sheet_name(words.say(message("Series")), taken),
         meta={field: CellPlace(HIDDEN_SHEET, row, 1) for row, field in enumerate(FIELDS)},
     )
 
