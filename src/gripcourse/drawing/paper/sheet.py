@@ -94,6 +94,7 @@ def draw_sheet(
     layout: "Modelspace", sheet: Format, block: TitleBlock, scale: str, words: Words
 ) -> None:
     """Draw the frame and fill in the title block."""
+    _set_extents(layout, sheet)
     pen = Pen(layout)
     outer, frame = Box(0.0, 0.0, sheet.width, sheet.height), sheet.frame
     pen.box(outer, LineKind.THIN)
@@ -144,6 +145,15 @@ def draw_characteristics(
     for number, line in enumerate(lines, 1):
         place = (_INDENT, -_LINE * (number + 1))
         cell.words(f"{number}. {line}", place, (box.width - _INDENT, _LINE), NORMAL)
+
+
+def _set_extents(layout: "Modelspace", sheet: Format) -> None:
+    """Tell how large the drawing is: some programs place all of it by that."""
+    low, high = (0.0, 0.0, 0.0), (sheet.width, sheet.height, 0.0)
+    layout.reset_extents(low, high)
+    layout.reset_limits(low[:2], high[:2])
+    # The library takes a corner at the origin for none, and leaves these as they are.
+    layout.doc.header["$EXTMIN"], layout.doc.header["$EXTMAX"] = low, high
 
 
 def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:

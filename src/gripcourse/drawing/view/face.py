@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 POSITION_HEIGHT = 5.0  # mm, one or two sizes above dimensions (GOST 2.316)
 _AXIS_BEYOND = 5.0  # mm of paper that an axis reaches beyond the outline
 _HATCH_SPACING = 2.0  # mm of paper
-_HATCH_ANGLE = 45.0
+_PITCH = 3.175  # of the standard pattern, mm
+_ANSI31 = [45.0, (0.0, 0.0), (-_PITCH / 2**0.5, _PITCH / 2**0.5), []]
+_LEANING = {"right": 0.0, "left": 90.0}
 _ORIGIN = (0.0, 0.0)
 _FIGURES = 7  # tenths of a millimetre of any machine, thousandths of a small size
 _SERIES_DECIMALS = 3  # no series is finer
@@ -110,7 +112,6 @@ def draw_stroke(layout: "Modelspace", stroke: Stroke, kind: LineKind) -> None:
 def _wanted(one: Measured, scale: float, words: Words) -> Wanted:
     return Wanted(
         text=one.declared.sign + length_text(one.value, words),
-        sign=one.declared.sign,
         start=at_place(one.start, scale, _ORIGIN),
         end=at_place(one.end, scale, _ORIGIN),
         side=one.declared.side,
@@ -139,8 +140,8 @@ def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
 
 def _draw_hatch(layout: "Modelspace", ring: Sequence[Point], hatch: str) -> None:
     hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
-    step = _HATCH_SPACING / 2**0.5
-    lean = 1.0 if hatch == "right" else -1.0
-    lines = [[lean * _HATCH_ANGLE, (0.0, 0.0), (-lean * step, step), []]]
-    hatch_entity.set_pattern_fill("GOST", definition=lines, color=256)
+    # The standard pattern, so that programs with patterns of their own find it.
+    hatch_entity.set_pattern_fill(
+        "ANSI31", definition=[_ANSI31], angle=_LEANING[hatch], scale=_HATCH_SPACING / _PITCH, color=256
+    )
     hatch_entity.paths.add_polyline_path(ring, is_closed=True)
