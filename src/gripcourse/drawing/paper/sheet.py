@@ -151,7 +151,8 @@ def _set_extents(layout: "Modelspace", sheet: Format) -> None:
     """Tell how large the drawing is: some programs place all of it by that."""
     low, high = (0.0, 0.0, 0.0), (sheet.width, sheet.height, 0.0)
     layout.reset_extents(low, high)
-    layout.reset_limits(low[:2], high[:2])
+    for one in (layout, layout.doc.active_layout()):  # what paper shows is printed by the second
+        one.reset_limits(low[:2], high[:2])
     # The library takes a corner at the origin for none, and leaves these as they are.
     layout.doc.header["$EXTMIN"], layout.doc.header["$EXTMAX"] = low, high
 

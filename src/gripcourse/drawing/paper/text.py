@@ -15,7 +15,7 @@ Point = tuple[float, float]
 
 FONT_FILE = "PTS55F.ttf"
 FONT_FAMILY = "PT Sans"
-# LibreCAD looks for its own font under the name of the style: this one of them, after GOST 2.304, has
+# LibreCAD looks for a font of its own under the name of the style: this one, after GOST 2.304, has
 # Cyrillic and Greek letters. Other programs take the file.
 TEXT_STYLE = "lc_opengost-br"
 CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured

@@ -123,8 +123,12 @@ def draw_dimensions(
 
 def _write_plainly(dimension: "Dimension", one: Placed, middle: Point) -> None:
     """Write the number of a dimension as one line: some programs do not show what may be more."""
+    from ezdxf.entities.mtext import MText  # noqa: PLC0415 (0.3 s: only who draws pays for it)
+
     block = dimension.get_geometry_block()
-    for number in block.query("MTEXT") if block is not None else ():
+    if block is None:
+        return
+    for number in [one for one in block if isinstance(one, MText)]:
         block.delete_entity(number)
         add_text(
             block,

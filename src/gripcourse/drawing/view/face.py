@@ -141,7 +141,7 @@ def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
 def _draw_hatch(layout: "Modelspace", ring: Sequence[Point], hatch: str) -> None:
     hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
     # The standard pattern, so that programs with patterns of their own find it.
-    hatch_entity.set_pattern_fill(
-        "ANSI31", definition=[_ANSI31], angle=_LEANING[hatch], scale=_HATCH_SPACING / _PITCH, color=256
-    )
+    size, angle = _HATCH_SPACING / _PITCH, _LEANING[hatch]
+    pattern = [_ANSI31]
+    hatch_entity.set_pattern_fill("ANSI31", 256, angle, size, definition=pattern)
     hatch_entity.paths.add_polyline_path(ring, is_closed=True)
