@@ -199,6 +199,7 @@ class View:
         measures: by name.
         parts, dimensions, labels: in order.
         characteristics: quantities that stand beside the drawing.
+        requirements: sentences that stand there.
         file: of the scheme's own declarations.
     """
 
@@ -211,4 +212,5 @@ class View:
     dimensions: tuple[ViewDimension, ...]
     labels: tuple[ViewLabel, ...]
     characteristics: tuple[str, ...]
+    requirements: tuple[Texts, ...]
     file: str

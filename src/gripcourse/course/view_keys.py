@@ -99,6 +99,7 @@ _LABEL: Final = Shape(
         "face": _FACE,
     }
 )
+_REQUIREMENT: Final = Shape({"text": texts("A sentence.", required=True)})
 SHARED_VIEW: Final = Shape(
     {
         "length": by_name("Lengths of the drawing, by name.", _MEASURE),
@@ -107,6 +108,7 @@ SHARED_VIEW: Final = Shape(
         "part": tables("Parts, the later over the earlier.", _PART),
         "dimension": tables("Dimensions.", _DIMENSION),
         "label": tables("Words on leader lines.", _LABEL),
+        "requirement": tables("Technical requirements, beside the drawing.", _REQUIREMENT),
     }
 )
 VIEW: Final = Shape(

@@ -25,7 +25,7 @@ from gripcourse.course.view import (
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, Texts, message
 
 
 def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
@@ -46,6 +46,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         dimensions=tuple(one for view in views for one in view.dimensions),
         labels=tuple(one for view in views for one in view.labels),
         characteristics=table.strings("characteristics"),
+        requirements=tuple(one for view in views for one in view.requirements),
         file=table.file,
     )
     return view if len(views) == len(named) else None
@@ -78,6 +79,7 @@ def _read(table: Table) -> View:
         dimensions=tuple(_dimension(one) for one in table.tables("dimension")),
         labels=tuple(_label(one) for one in table.tables("label")),
         characteristics=(),
+        requirements=tuple(_requirement(one) for one in table.tables("requirement")),
         file=table.file,
     )
 
@@ -199,6 +201,11 @@ def _label(table: Table) -> ViewLabel:
         file=table.file,
         key=table.key,
     )
+
+
+def _requirement(table: Table) -> Texts:
+    table.known_keys()
+    return table.texts("text")
 
 
 def _expressions(table: Table, name: str, need: Need) -> tuple[Expression, ...]:

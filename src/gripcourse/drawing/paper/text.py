@@ -104,6 +104,11 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     return line.rstrip() + _CUT, NARROWEST
 
 
+def fitting_height(text: str, height: float, width: float) -> float:
+    """Return the height at which a line fits into a width, as far as it can still be read."""
+    return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
+
+
 def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
     """Choose lines and height: as few lines as need no squeezing, else as can be read well.
 

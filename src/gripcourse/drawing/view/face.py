@@ -9,7 +9,7 @@ from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, Stroke, at_place, placed
 from gripcourse.drawing.paper.text import Point
-from gripcourse.drawing.view.contents import Figure, Measured
+from gripcourse.drawing.view.contents import Figure, Measured, Overall
 from gripcourse.drawing.view.dimensions import Placed, Wanted, draw_dimensions, place
 from gripcourse.drawing.view.leaders import Leader, Note, draw_leaders, place_leaders
 from gripcourse.text.words import Words
@@ -27,6 +27,7 @@ _ORIGIN = (0.0, 0.0)
 _FIGURES = 7  # tenths of a millimetre of any machine, thousandths of a small size
 _SERIES_DECIMALS = 3  # no series is finer
 _SAME = 1e-9
+FOR_REFERENCE = "*"
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +76,7 @@ def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLa
     for axis in axes:
         outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
+    wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
     dimensions = place(wanted, bare)
     numbers = [one.text_box for one in dimensions]
     below = outline
@@ -116,6 +118,11 @@ def _wanted(one: Measured, scale: float, words: Words) -> Wanted:
         end=at_place(one.end, scale, _ORIGIN),
         side=one.declared.side,
     )
+
+
+def _for_reference(one: Overall, scale: float, words: Words) -> Wanted:
+    start, end = at_place(one.start, scale, _ORIGIN), at_place(one.end, scale, _ORIGIN)
+    return Wanted(length_text(round(one.value, 1), words) + FOR_REFERENCE, start, end, one.side)
 
 
 def _notes(shown: Figure, face: Face, scale: float, words: Words) -> Iterator[Note]:

@@ -74,7 +74,7 @@ class Arranged:
 
 def arrange(
     boxes: Callable[[float], Mapping[Face, Box]], pictured: Pictured, rows: int, lines: int
-) -> Arranged:
+) -> Arranged | None:
     """Find the smallest sheet on which a thing is well shown, at the largest scale there.
 
     Where no sheet shows its details, its size alone decides; else the largest scale of all.
@@ -84,7 +84,10 @@ def arrange(
             millimetres of paper, at a scale.
         pictured: what has to be recognised.
         rows: of the parts list.
-        lines: of the characteristics.
+        lines: of the notes.
+
+    Returns:
+        None where no sheet has room for it at any scale.
     """
     at_scale = cache(boxes)
     found: list[Arranged] = []
@@ -93,12 +96,8 @@ def arrange(
             if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
                 return one
             found.append(one)
-    if found:
-        large = (one for one in found if _is_large(one, pictured))
-        return next(large, max(found, key=lambda one: one.factor))
-    sheet, (over, under) = FORMATS[-1], SCALES[-1]
-    origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
-    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+    large = (one for one in found if _is_large(one, pictured))
+    return next(large, max(found, key=lambda one: one.factor, default=None))
 
 
 def _is_large(one: Arranged, pictured: Pictured) -> bool:
