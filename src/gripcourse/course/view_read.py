@@ -47,6 +47,8 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         labels=tuple(one for view in views for one in view.labels),
         characteristics=table.strings("characteristics"),
         requirements=tuple(one for view in views for one in view.requirements),
+        density=table.number("density", 0.0),
+        around=_formula(table, "around", table.text("around")) if table.has("around") else None,
         file=table.file,
     )
     return view if len(views) == len(named) else None
@@ -80,6 +82,8 @@ def _read(table: Table) -> View:
         labels=tuple(_label(one) for one in table.tables("label")),
         characteristics=(),
         requirements=tuple(_requirement(one) for one in table.tables("requirement")),
+        density=0.0,
+        around=None,
         file=table.file,
     )
 
@@ -119,6 +123,7 @@ def _part(table: Table) -> ViewPart:
         positions=table.strings("positions"),
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),
+        density=table.number("density", 0.0),
         shapes=shapes,
         file=table.file,
         key=table.key,

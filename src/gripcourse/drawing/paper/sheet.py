@@ -153,7 +153,7 @@ def draw_notes(layout: "Modelspace", box: Box, notes: Sequence[Notes], words: Wo
         cell.words(heading, (0.0, level), (box.width, _LINE), NORMAL, middle=True)
         for number, line in enumerate(one.lines, 1):
             level -= _LINE
-            text = line if line.startswith("*") else f"{number}. {line}"
+            text = line if is_explanation(line) else f"{number}. {line}"
             cell.words(text, (_INDENT, level), (box.width - _INDENT, _LINE), NORMAL)
 
 
@@ -165,6 +165,11 @@ def _set_extents(layout: "Modelspace", sheet: Format) -> None:
         one.reset_limits(low[:2], high[:2])
     # The library takes a corner at the origin for none, and leaves these as they are.
     layout.doc.header["$EXTMIN"], layout.doc.header["$EXTMAX"] = low, high
+
+
+def is_explanation(line: str) -> bool:
+    """Tell whether a line says what an asterisk means: it stands last and has no number."""
+    return line.startswith("*")
 
 
 def _draw_corner(pen: Pen, box: Box, designation: str) -> None:

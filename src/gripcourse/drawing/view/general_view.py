@@ -16,6 +16,7 @@ from gripcourse.drawing.paper.sheet import (
     draw_list,
     draw_notes,
     draw_sheet,
+    is_explanation,
 )
 from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.svg import svg_text
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
 _FIGURES = 4  # of a characteristic
 _MOST_LINES = 6
+_MASS_FIGURES = 2  # outlines leave out ribs, rounds and bores
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +81,7 @@ def general_view(
     shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
     faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
     rows = tuple(_rows(shown, plan, values, words))
+    block = replace(block, mass=_mass(plan, view, values, words))
     document = new_document(words.language)
     layout = document.modelspace()
     scale = f"{words.number(over)}:{words.number(under)}"
@@ -139,10 +142,19 @@ def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> s
     return f"{symbol} = {written}{joint}{unit}"
 
 
+def _mass(plan: Plan, view: View, values: Mapping[str, float], words: Words) -> str:
+    from gripcourse.drawing.view.mass import mass_of  # noqa: PLC0415 (shapely: only who draws)
+
+    mass = mass_of(plan, view, values)
+    return "" if mass is None else words.number(mass, _MASS_FIGURES)
+
+
 def _notes(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Notes]:
     """Yield what is written beside the drawing, without empty parts."""
     lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
-    required = tuple(one.of(words.language) for one in view.requirements)
+    required = tuple(
+        sorted((one.of(words.language) for one in view.requirements), key=is_explanation)
+    )
     for heading, found in (
         (message("Technical characteristics"), lines),
         (message("Technical requirements"), required),
