@@ -1,7 +1,7 @@
 import pytest
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.paper.sheet import A2, A3, A4
+from gripcourse.drawing.paper.sheet import A2, A3, A3_UPRIGHT, A4
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
 from gripcourse.drawing.view.face import length_text
 from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
@@ -30,6 +30,16 @@ def test_what_is_well_shown_on_a_small_sheet_gets_no_larger_one() -> None:
 def test_what_would_be_much_reduced_gets_a_larger_sheet() -> None:
     assert square(180).sheet == A3
     assert square(180).scale == (1, 2)
+
+
+def test_what_is_high_stands_on_an_upright_sheet() -> None:
+    def high(scale: float) -> dict[Face, Box]:
+        return {Face.MAIN: Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)}
+
+    found = arrange(high, Pictured(length=480, detail=10), rows=7, lines=4)
+    assert found is not None
+    assert found.sheet == A3_UPRIGHT
+    assert found.scale == (1, 2)
 
 
 def test_what_needs_an_even_larger_sheet_gets_one() -> None:

@@ -41,7 +41,10 @@ class Format:
 A4 = Format("A4", 210.0, 297.0)
 A3 = Format("A3", 420.0, 297.0)
 A2 = Format("A2", 594.0, 420.0)
-FORMATS = (A4, A3, A2)
+A3_UPRIGHT = Format("A3", A3.height, A3.width)
+A2_UPRIGHT = Format("A2", A2.height, A2.width)
+# From the smallest to the largest, each in the directions that the title block allows (GOST 2.301).
+FORMATS = ((A4,), (A3, A3_UPRIGHT), (A2, A2_UPRIGHT))
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +97,14 @@ def corner_box(sheet: Format) -> Box:
     """Return what the designation in the upper left corner takes."""
     frame = sheet.frame
     long, short = _CORNER
+    if _is_turned(sheet):
+        return Box(frame.left, frame.top - long, frame.left + short, frame.top)
     return Box(frame.left, frame.top - short, frame.left + long, frame.top)
+
+
+def _is_turned(sheet: Format) -> bool:
+    """Tell whether field 26 runs down the sheet: where the title block stands at a short side."""
+    return sheet.height > sheet.width and sheet is not A4
 
 
 def draw_sheet(
@@ -106,7 +116,7 @@ def draw_sheet(
     outer, frame = Box(0.0, 0.0, sheet.width, sheet.height), sheet.frame
     pen.box(outer, LineKind.THIN)
     pen.box(frame, LineKind.OUTLINE)
-    _draw_corner(pen, corner_box(sheet), block.designation)
+    _draw_corner(pen, corner_box(sheet), block.designation, turned=_is_turned(sheet))
     draw_margin(pen, frame, words)
     cell = Cells(pen, frame.right - BLOCK_WIDTH, frame.bottom)
     draw_title_block(cell, block, scale, words)
@@ -172,7 +182,7 @@ def is_explanation(line: str) -> bool:
     return line.startswith("*")
 
 
-def _draw_corner(pen: Pen, box: Box, designation: str) -> None:
+def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:
     pen.line((box.left, box.bottom), (box.right, box.bottom))
     pen.line((box.right, box.bottom), (box.right, box.top))
     add_text(
@@ -181,6 +191,6 @@ def _draw_corner(pen: Pen, box: Box, designation: str) -> None:
         ((box.left + box.right) / 2, (box.bottom + box.top) / 2),
         LARGE,
         align="MIDDLE_CENTER",
-        rotation=180.0,
+        rotation=270.0 if turned else 180.0,
         widest=_CORNER[0] - 2 * PAD,
     )

@@ -5,13 +5,13 @@ Lengths are millimetres of the thing itself.
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 from gripcourse.course.view import Side
-from gripcourse.drawing.paper.strokes import Stroke, points_of
+from gripcourse.drawing.paper.strokes import Arc, Line, Stroke, points_of
 from gripcourse.drawing.paper.text import Point
 
 _ON = 0.05  # how near to a line a point lies on it
+_FULL_TURN, _TURN = 360.0, 0.5  # degrees; how far beyond the end of an arc still counts
 _UPRIGHT = {Side.LEFT, Side.RIGHT}
 
 
@@ -36,15 +36,32 @@ def begun(point: Point, side: Side, strokes: Sequence[Stroke]) -> Point:
 
 def _met(stroke: Stroke, level: float, across: int) -> Iterator[float]:
     """Yield where a stroke meets the straight line at a level of one coordinate."""
-    for start, end in pairwise(points_of(stroke)):
-        low, high = sorted((start[across], end[across]))
-        if not low - _ON <= level <= high + _ON:
-            continue
+    if isinstance(stroke, Line):
+        yield from _line_met(stroke, level, across)
+    else:
+        yield from _arc_met(stroke, level, across)
+
+
+def _line_met(line: Line, level: float, across: int) -> Iterator[float]:
+    start, end = line.start, line.end
+    low, high = sorted((start[across], end[across]))
+    if low - _ON <= level <= high + _ON:
         if high - low <= _ON:
             yield from (start[1 - across], end[1 - across])
-            continue
-        share = min(1.0, max(0.0, (level - start[across]) / (end[across] - start[across])))
-        yield start[1 - across] + (end[1 - across] - start[1 - across]) * share
+        else:
+            share = min(1.0, max(0.0, (level - start[across]) / (end[across] - start[across])))
+            yield start[1 - across] + (end[1 - across] - start[1 - across]) * share
+
+
+def _arc_met(arc: Arc, level: float, across: int) -> Iterator[float]:
+    away = level - arc.centre[across]
+    if abs(away) <= arc.radius + _ON:
+        reach_along = math.sqrt(max(0.0, arc.radius**2 - away**2))
+        for along in (reach_along, -reach_along):
+            x, y = (along, away) if across else (away, along)
+            turn = (math.degrees(math.atan2(y, x)) - arc.low) % _FULL_TURN
+            if turn <= arc.high - arc.low + _TURN or turn >= _FULL_TURN - _TURN:
+                yield arc.centre[1 - across] + along
 
 
 def reach(strokes: Sequence[Stroke], side: Side) -> tuple[Point, Point]:

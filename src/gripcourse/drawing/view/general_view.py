@@ -98,7 +98,7 @@ def _too_large(plain: Figure) -> Problem:
     what = message(
         "The views do not fit a sheet of {sheet} at any scale: the main one is {width} by"
         " {height} mm.",
-        sheet=FORMATS[-1].name,
+        sheet=FORMATS[-1][0].name,
         width=round(extent.width),
         height=round(extent.height),
     )

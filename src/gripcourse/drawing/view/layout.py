@@ -91,11 +91,14 @@ def arrange(
     """
     at_scale = cache(boxes)
     found: list[Arranged] = []
-    for sheet in FORMATS:
-        for one in _largest(at_scale, sheet, rows, lines):
-            if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
-                return one
-            found.append(one)
+    for size in FORMATS:
+        there = [one for sheet in size for one in _largest(at_scale, sheet, rows, lines)]
+        best = max(there, key=lambda one: one.factor, default=None)
+        if best is None:
+            continue
+        if _is_large(best, pictured) and pictured.detail * best.factor >= _LEAST_DETAIL:
+            return best
+        found.append(best)
     large = (one for one in found if _is_large(one, pictured))
     return next(large, max(found, key=lambda one: one.factor, default=None))
 
@@ -104,7 +107,7 @@ def _is_large(one: Arranged, pictured: Pictured) -> bool:
     length = pictured.length * one.factor
     if one.factor >= _REDUCED:
         return length >= _LEAST_LENGTH
-    return length >= _LEAST_REDUCED and one.sheet is not FORMATS[0]
+    return length >= _LEAST_REDUCED and one.sheet not in FORMATS[0]
 
 
 def _largest(
