@@ -25,6 +25,7 @@ from gripcourse.drawing.view.face import FOR_REFERENCE, FaceLayout, length_text
 from gripcourse.drawing.view.general_view import general_view
 from gripcourse.drawing.view.layout import SCALES
 from gripcourse.drawing.view.leaders import cross
+from gripcourse.errors import CourseError
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
@@ -296,3 +297,17 @@ def test_a_flange_is_drawn_in_the_form_and_with_the_holes_of_its_execution(
         for one in drawn
     }
     assert outline in edges
+
+
+def test_views_that_no_sheet_has_room_for_are_named_with_file_and_key(draw: "Draw") -> None:
+    drawn = draw("008")
+    view = drawn.plan.scheme.view
+    assert view is not None
+    huge = {**drawn.values, "flange_diameter": 1e7}
+    block = TitleBlock("008", "gripper", "General arrangement", "Somebody")
+    with pytest.raises(CourseError) as caught:
+        general_view(drawn.plan, view, huge, block, Words("en"))
+    (problem,) = caught.value.problems
+    assert problem.file.endswith("flange.toml")
+    assert problem.key == "part[1]"
+    assert "A2" in str(problem.what)
