@@ -104,7 +104,7 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     return line.rstrip() + _CUT, NARROWEST
 
 
-def fitting_height(text: str, height: float, width: float) -> float:
+def height_within(text: str, height: float, width: float) -> float:
     """Return the height at which a line fits into a width, as far as it can still be read."""
     return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
 

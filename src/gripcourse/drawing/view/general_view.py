@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 _FIGURES = 4  # of a characteristic
 _MOST_LINES = 6
-_MASS_FIGURES = 2  # outlines leave out ribs, rounds and bores
+_MASS_FIGURES = 2  # outlines leave out ribs, rounds and holes
 
 
 @dataclass(frozen=True, slots=True)
