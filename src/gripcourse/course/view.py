@@ -127,6 +127,7 @@ class ViewPart:
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
+        density: kg/m³ of what its outline holds; 0 for that of the view.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -144,6 +145,7 @@ class ViewPart:
     positions: tuple[str, ...]
     placed_at: str
     depth: tuple[Expression, ...]
+    density: float
     shapes: tuple[ViewShape, ...]
     file: str
     key: str
@@ -199,6 +201,9 @@ class View:
         measures: by name.
         parts, dimensions, labels: in order.
         characteristics: quantities that stand beside the drawing.
+        requirements: sentences that stand there.
+        density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
+        around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
 
@@ -211,4 +216,7 @@ class View:
     dimensions: tuple[ViewDimension, ...]
     labels: tuple[ViewLabel, ...]
     characteristics: tuple[str, ...]
+    requirements: tuple[Texts, ...]
+    density: float
+    around: Formula | None
     file: str

@@ -1,7 +1,7 @@
 import pytest
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.paper.sheet import A2, A3, A4
+from gripcourse.drawing.paper.sheet import A2, A3, A3_UPRIGHT, A4
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
 from gripcourse.drawing.view.face import length_text
 from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
@@ -17,7 +17,9 @@ def around(half: float, scale: float) -> Box:
 def square(half: float, detail: float = 10.0) -> Arranged:
     """Arrange one square face."""
     pictured = Pictured(length=2 * half, detail=detail)
-    return arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+    found = arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+    assert found is not None
+    return found
 
 
 def test_what_is_well_shown_on_a_small_sheet_gets_no_larger_one() -> None:
@@ -28,6 +30,16 @@ def test_what_is_well_shown_on_a_small_sheet_gets_no_larger_one() -> None:
 def test_what_would_be_much_reduced_gets_a_larger_sheet() -> None:
     assert square(180).sheet == A3
     assert square(180).scale == (1, 2)
+
+
+def test_what_is_high_stands_on_an_upright_sheet() -> None:
+    def high(scale: float) -> dict[Face, Box]:
+        return {Face.MAIN: Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)}
+
+    found = arrange(high, Pictured(length=480, detail=10), rows=7, lines=4)
+    assert found is not None
+    assert found.sheet == A3_UPRIGHT
+    assert found.scale == (1, 2)
 
 
 def test_what_needs_an_even_larger_sheet_gets_one() -> None:
@@ -47,15 +59,18 @@ def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> 
     def boxes(scale: float) -> dict[Face, Box]:
         return {face: around(40, scale) for face in Face}
 
-    origins = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0).origins
+    found = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0)
+    assert found is not None
+    origins = found.origins
     assert origins[Face.END][1] == origins[Face.MAIN][1]
     assert origins[Face.END][0] > origins[Face.MAIN][0]
     assert origins[Face.PLAN][0] == origins[Face.MAIN][0]
     assert origins[Face.PLAN][1] < origins[Face.MAIN][1]
 
 
-def test_what_is_larger_than_any_sheet_is_drawn_at_the_smallest_scale() -> None:
-    assert square(1e6).scale == (1, 100)
+def test_what_is_larger_than_any_sheet_is_not_drawn() -> None:
+    pictured = Pictured(length=2e6, detail=5)
+    assert arrange(lambda scale: {Face.MAIN: around(1e6, scale)}, pictured, rows=0, lines=0) is None
 
 
 def test_a_covered_piece_of_a_line_is_not_seen() -> None:

@@ -74,7 +74,7 @@ class Arranged:
 
 def arrange(
     boxes: Callable[[float], Mapping[Face, Box]], pictured: Pictured, rows: int, lines: int
-) -> Arranged:
+) -> Arranged | None:
     """Find the smallest sheet on which a thing is well shown, at the largest scale there.
 
     Where no sheet shows its details, its size alone decides; else the largest scale of all.
@@ -84,28 +84,30 @@ def arrange(
             millimetres of paper, at a scale.
         pictured: what has to be recognised.
         rows: of the parts list.
-        lines: of the characteristics.
+        lines: of the notes.
+
+    Returns:
+        None where no sheet has room for it at any scale.
     """
     at_scale = cache(boxes)
     found: list[Arranged] = []
-    for sheet in FORMATS:
-        for one in _largest(at_scale, sheet, rows, lines):
-            if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
-                return one
-            found.append(one)
-    if found:
-        large = (one for one in found if _is_large(one, pictured))
-        return next(large, max(found, key=lambda one: one.factor))
-    sheet, (over, under) = FORMATS[-1], SCALES[-1]
-    origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
-    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+    for size in FORMATS:
+        there = [one for sheet in size for one in _largest(at_scale, sheet, rows, lines)]
+        best = max(there, key=lambda one: one.factor, default=None)
+        if best is None:
+            continue
+        if _is_large(best, pictured) and pictured.detail * best.factor >= _LEAST_DETAIL:
+            return best
+        found.append(best)
+    large = (one for one in found if _is_large(one, pictured))
+    return next(large, max(found, key=lambda one: one.factor, default=None))
 
 
 def _is_large(one: Arranged, pictured: Pictured) -> bool:
     length = pictured.length * one.factor
     if one.factor >= _REDUCED:
         return length >= _LEAST_LENGTH
-    return length >= _LEAST_REDUCED and one.sheet is not FORMATS[0]
+    return length >= _LEAST_REDUCED and one.sheet not in FORMATS[0]
 
 
 def _largest(
