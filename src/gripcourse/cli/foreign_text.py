@@ -18,6 +18,7 @@ _RATES = {
     "coarse_refused": message("refused of those who round far or take g = 10"),
     "charged_once": message("one mistake charged once"),
     "charged_once_of_spoiling": message("the same, where a number spoils several answers"),
+    "coarse_charged_once": message("the same of those who round far or take g = 10"),
     "unseen": message("mistakes that cost nothing"),
     "misnamed": message("works with a mistake given another name"),
     "blamed": message("works in which another quantity is blamed"),

@@ -8,7 +8,7 @@ from gripcourse.grading.model import Finding, FlagCode, Report
 from gripcourse.grading.outcome import Outcome
 from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, Mistake
 from gripcourse.simulation.foreign.model import JudgedForeign
-from gripcourse.simulation.model import Mix, Required
+from gripcourse.simulation.model import Mix
 from gripcourse.simulation.rates import Rate, added
 from gripcourse.slips.model import USED
 
@@ -84,8 +84,7 @@ def evaluate_foreign(judged: Sequence[JudgedForeign], mix: Mix) -> ForeignEvalua
         judged: every student's work and report.
         mix: what the grader is held to, and which flags mean copying.
     """
-    works = [one for one in judged if one.work.done is not None]
-    kinds = {kind: [one for one in works if _kind(one) is kind] for kind in Mistake}
+    kinds = {kind: [one for one in _mistaken(judged) if _kind(one) is kind] for kind in Mistake}
     tests: tuple[tuple[str, Callable[[JudgedForeign], bool]], ...] = (
         ("honest_refused", lambda one: _is_honest(one) and any(_refused(one))),
         ("charged_more", lambda one: one.work.done is not None and _charged(one) > 1),
@@ -95,17 +94,20 @@ def evaluate_foreign(judged: Sequence[JudgedForeign], mix: Mix) -> ForeignEvalua
     )
     return ForeignEvaluation(
         students=len(judged),
-        rates=dict(_rates(judged, works, mix)),
+        rates=dict(_rates(judged, mix)),
         by_kind={kind: _by_kind(found) for kind, found in kinds.items() if found},
         misses=tuple((name, one) for name, test in tests for one in judged if test(one)),
         incidents=tuple(one.incident for one in judged if one.incident),
     )
 
 
-def _rates(
-    judged: Sequence[JudgedForeign], works: Sequence[JudgedForeign], mix: Mix
-) -> Iterator[tuple[str, Rate]]:
-    required: Required = mix.required
+def _mistaken(judged: Sequence[JudgedForeign], *, coarse: bool = False) -> list[JudgedForeign]:
+    """Return the works with a mistake, of those who write enough figures or of the others."""
+    return [one for one in judged if one.work.done is not None and one.work.habits.coarse is coarse]
+
+
+def _rates(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rate]]:
+    works, required = _mistaken(judged), mix.required
     yield "incidents", Rate(sum(bool(one.incident) for one in judged), len(judged), at_most=0.0)
     fine = [one for one in judged if _is_honest(one) and not one.work.habits.coarse]
     coarse = [one for one in judged if _is_honest(one) and one.work.habits.coarse]
@@ -118,6 +120,8 @@ def _rates(
     spoiling = [one for one in works if len(one.work.reaches) >= _SPOILED]
     once = [one for one in spoiling if _charged(one) <= 1]
     yield "charged_once_of_spoiling", Rate(len(once), len(spoiling), at_least=required.charged_once)
+    coarse_works = _mistaken(judged, coarse=True)
+    yield "coarse_charged_once", _share(coarse_works, lambda one: _charged(one) <= 1)
     yield "unseen", _share(works, lambda one: not _charged(one))
     yield "misnamed", _share(works, _is_misnamed, at_most=required.misnamed)
     yield "blamed", _share(works, _is_blamed, at_most=required.blamed)

@@ -221,10 +221,15 @@ def _instead(one: Quantity, typed: float, kind: Mistake, rng: np.random.Generato
 def _misread(
     plan: Plan, given: Mapping[str, float], kind: Mistake, rng: np.random.Generator
 ) -> Iterator[Done]:
-    names = [one.id for one in plan.givens]
-    for name, other in zip(names, [*names[1:], *names[:1]], strict=True):
-        number = given[other] if kind is Mistake.MISREAD_ROW else wrong_digits(given[name], rng)
-        yield Done(kind, name, number=number)
+    if kind is Mistake.MISREAD_DIGITS:
+        for one in plan.givens:
+            yield Done(kind, one.id, number=wrong_digits(given[one.id], rng))
+        return
+    for one, other in pairwise(plan.givens):
+        # Nobody goes on with a friction of 36 mm: the next row is taken where it looks alike.
+        if one.unit and one.unit == other.unit:
+            yield Done(kind, one.id, number=given[other.id])
+            yield Done(kind, other.id, number=given[one.id])
 
 
 def _trees(plan: Plan, one: Quantity, formula: Formula, kind: Mistake) -> list[ast.expr]:
