@@ -35,7 +35,7 @@ def main() -> None:
         print(
             f"{tells.value:9s} {done.questions:6d} questions: {done.known} computed answers grew to"
             f" {done.found} of {done.answers}; {done.replies} different replies,"
-            f" at most {math.log2(done.replies) * done.questions:.0f} bits"
+            f" at most {math.log2(done.replies):.1f} bits a question"
         )
 
 

@@ -23,11 +23,11 @@ class Asked:
     """What asking comes to.
 
     Attributes:
-        known: computed answers that were right before.
+        known: computed answers that were right before, by chance too.
         found: that are right in the end.
         answers: how many there are.
         questions: that were asked.
-        replies: different replies among them; the bits are at most their logarithm.
+        replies: different replies among them; a question tells at most their logarithm in bits.
     """
 
     known: int
@@ -64,6 +64,13 @@ def ask_for_answers(
         for one in plan.answered
     }
     typed |= {one.id: right[one.id] for one in computed[:known]}
+
+    def found() -> int:
+        near = (abs(typed[one.id] - right[one.id]) - band(one, right[one.id], policy)
+                for one in computed)  # fmt: skip
+        return sum(away <= 0 for away in near)
+
+    before = found()
     questions, replies = 0, set[tuple[object, ...]]()
     for quantity in computed[known:]:
         for guess in _guesses(quantity):
@@ -80,10 +87,7 @@ def ask_for_answers(
             if fits or sections.get(quantity.section) is SectionState.FITS:
                 typed[quantity.id] = guess
                 break
-    found = sum(
-        abs(typed[one.id] - right[one.id]) <= band(one, right[one.id], policy) for one in computed
-    )
-    return Asked(min(known, len(computed)), found, len(computed), questions, len(replies))
+    return Asked(before, found(), len(computed), questions, len(replies))
 
 
 def _middle(quantity: Quantity) -> float:
