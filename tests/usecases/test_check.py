@@ -80,7 +80,7 @@ def test_what_is_told_of_sections_is_printed(
     checked = check_file(slipped, issued.course, issued.policy, ledger=ledger)
     shown = check_text(checked, Words("en"))
     assert "At least one number does not follow" in shown
-    assert "told 2 times more" in shown
+    assert "left: 2." in shown
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -243,7 +243,7 @@ def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
     ]
     heads = (message("section"), message("check"))
     yield table_text([words.say(one) for one in heads], rows, right=set())
-    yield words.say(message("This will be told {count} times more.", count=checked.left or 0))
+    yield words.say(message("Checks of this kind that are left: {count}.", count=checked.left or 0))
 
 
 def json_text(plain: object) -> str:

@@ -14,6 +14,7 @@ from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.confusion import GraderEvaluation, evaluate
 from gripcourse.simulation.foreign.judge import judge_foreign
 from gripcourse.simulation.foreign.measures import evaluate_foreign
+from gripcourse.simulation.foreign.misses import foreign_misses_csv
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
@@ -125,7 +126,14 @@ def evaluate_in_memory(
         tables.append(_misses(found, room.context.register))
     if misses is not None:
         write_text(misses, "".join(_below_one_heading(tables)))
+        foreign = () if total is None or total.foreign is None else total.foreign.misses
+        write_text(foreign_misses_path(misses), foreign_misses_csv(foreign))
     return total if total is not None else evaluate((), mix)
+
+
+def foreign_misses_path(misses: Path) -> Path:
+    """Return where the misses of the second generator stand, beside those of the first."""
+    return misses.with_name(f"{misses.stem}_foreign{misses.suffix}")
 
 
 def works_in_memory(cohort: Cohort) -> int:
