@@ -25,7 +25,7 @@ def made(text: str, kind: Mistake, known: frozenset[str] = frozenset()) -> set[s
         ("a*cos(b)", Mistake.DEGREES, "a * cos(b * 57.29577951308232)"),
         ("a + b", Mistake.SIGN, "a - b"),
         ("2*a", Mistake.FACTOR, "a"),
-        ("pi*bore**2", Mistake.RADIUS, "pi * (bore * 0.5) ** 2"),
+        ("pi*diameter**2", Mistake.RADIUS, "pi * (diameter * 0.5) ** 2"),
         ("max(a, b)", Mistake.MEAN, "mean(a, b)"),
         ("lookup('t.c', d)", Mistake.TABLE_ROW, "lookup_row_after('t.c', d)"),
     ],

@@ -15,7 +15,7 @@ Change = Callable[[ast.expr], Iterator[ast.expr]]
 
 _DEGREES: Final = 57.29577951308232
 _THOUSAND: Final = 1000.0
-_CIRCLES: Final = re.compile(r"diameter|bore|(^|_)rod($|_)")
+_CIRCLES: Final = re.compile(r"diameter")
 _RADII: Final = re.compile(r"radius")
 _ENDS: Final = (("_min", "_max"), ("_open", "_closed"), ("_open", "_at_max"), ("_upper", "_lower"))
 _OTHER_FUNCTION: Final = {"sin": "cos", "cos": "sin", "tan": "sin"}
