@@ -126,8 +126,8 @@ def evaluate_in_memory(
         tables.append(_misses(found, room.context.register))
     if misses is not None:
         write_text(misses, "".join(_below_one_heading(tables)))
-        foreign = () if total is None or total.foreign is None else total.foreign.misses
-        write_text(foreign_misses_path(misses), foreign_misses_csv(foreign))
+        others = () if total is None or total.foreign is None else total.foreign.misses
+        write_text(foreign_misses_path(misses), foreign_misses_csv(others))
     return total if total is not None else evaluate((), mix)
 
 
