@@ -238,21 +238,34 @@ class Course:
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
-    def check(self, workbook: FileLike) -> CheckResult:
-        """Say how a workbook is read and whether its numbers fit each other; never the answers.
+    def check(
+        self, workbook: FileLike, *, ledger: str | Path | None = None, who: str = ""
+    ) -> CheckResult:
+        """Say how a workbook is read, and by policy whether its numbers fit; never the answers.
 
         A file that is no answer workbook is no exception: the result says why in `refusal`.
 
+        Args:
+            workbook: path of a file, or bytes with their name.
+            ledger: file in which a server counts who was told how often whether numbers fit each
+                other; without it only the reading is told.
+            who: id of who is signed in, as the server knows it; the workbook could name anybody.
+
         Raises:
-            OSError: a file that is named cannot be read.
+            OSError: a file that is named cannot be read, or the ledger cannot be written.
+            ValueError: there is a ledger and nobody is named.
         """
+        from gripcourse.gradebook.checks import CheckLedger
         from gripcourse.usecases.check import check_file
 
+        if ledger is not None and not who:
+            raise ValueError(who)
+        counted = None if ledger is None else CheckLedger(Path(ledger), who)
         source = readable(workbook, "workbook")
         if not isinstance(source, NamedBytes):
             source = NamedBytes(str(source), source.read_bytes())
         try:
-            checked = check_file(source, self.definition, self.policy)
+            checked = check_file(source, self.definition, self.policy, ledger=counted)
         except UsageError as refused:
             return refused_check(refused.problems, self.words)
         return check_result(checked, self.words)

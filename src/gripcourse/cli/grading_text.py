@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from gripcourse.usecases.mark import Marking
 
 FLAGS = {
+    FlagCode.COPIED_FROM: message("copied by others"),
     FlagCode.GIVENS_CHANGED: message("given values changed"),
     FlagCode.GIVENS_MISSING: message("given values missing"),
     FlagCode.IDENTITY_CHANGED: message("variant changed"),

@@ -237,17 +237,25 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 def check(
     file: Annotated[Path, typer.Argument(metavar="file", help="Your answer workbook.")],
     *,
+    ledger: Annotated[
+        Path | None, typer.Option("--ledger", help="Server: file that counts who asked how often.")
+    ] = None,
+    who: Annotated[str, typer.Option("--who", help="Server: id of who is signed in.")] = "",
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Show how a workbook is read and whether its numbers fit each other; never the answers."""
+    """Show how a workbook is read, and by policy whether its numbers fit; never the answers."""
     from gripcourse.course.load import load_course
+    from gripcourse.gradebook.checks import CheckLedger
     from gripcourse.policy.load import load_policy
     from gripcourse.submission.apart import read_apart
     from gripcourse.usecases.check import check_file
 
+    if (ledger is None) != (not who):
+        raise cli_text.misuse(message("Name both --ledger and --who, or neither."))
+    counted = None if ledger is None else CheckLedger(ledger, who)
     loaded = load_course(course_folder(course))
-    checked = check_file(file, loaded, load_policy(loaded), read_apart)
+    checked = check_file(file, loaded, load_policy(loaded), read_apart, counted)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 

@@ -222,7 +222,28 @@ def check_text(checked: "CheckedWorkbook", words: Words) -> str:
     heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return "\n".join([*lines, table_text(named, rows, right={2})])
+    return "\n".join([*lines, table_text(named, rows, right={2}), *_sections_text(checked, words)])
+
+
+def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
+    """Yield what is said of sections, or why nothing is."""
+    if not checked.sections:
+        yield words.say(
+            message(
+                "Whether numbers follow from each other is told by your department's server, a few "
+                "times to each student."
+            )
+            if checked.left is None
+            else message("Whether numbers follow from each other will not be told again.")
+        )
+        return
+    titles = {one.id: one.title for one in checked.plan.course.sections}
+    rows = [
+        (_title(titles[one.section], words), words.say(one.message)) for one in checked.sections
+    ]
+    heads = (message("section"), message("check"))
+    yield table_text([words.say(one) for one in heads], rows, right=set())
+    yield words.say(message("Checks of this kind that are left: {count}.", count=checked.left or 0))
 
 
 def json_text(plain: object) -> str:

@@ -17,7 +17,7 @@ from gripcourse.course.shape import (
     text,
     texts,
 )
-from gripcourse.policy.model import Reveal
+from gripcourse.policy.model import Reveal, Tells
 from gripcourse.policy.slips import SlipKind
 
 _SHARE: Final = {"type": "number", "minimum": 0, "maximum": 1}
@@ -117,6 +117,13 @@ POLICY: Final = Shape(
                 "odds": number("Of copying against chance; 0 looks for nothing.", required=True),
                 "answers": number("Telling numbers that it rests on, at least."),
                 "same_creator": number("Students who share an author's name, at most."),
+            },
+        ),
+        "check": table(
+            "What a student's self-check tells before the deadline.",
+            {
+                "tells": text("The most that is told.", *Tells, required=True),
+                "times": number("How often each student is told more than the reading."),
             },
         ),
         "report": table(

@@ -15,7 +15,7 @@ from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.policy.points import main_points_by_section
 from gripcourse.policy.rubric_load import read_rubrics
-from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
+from gripcourse.policy.rules import read_check_rule, read_figure_rule, read_likeness_rule
 from gripcourse.policy.slips_load import read_slip_policy
 from gripcourse.policy.variant_rules import read_variant_rules
 from gripcourse.text.suggestion import did_you_mean
@@ -76,6 +76,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         variants=read_variant_rules(table.required_table("variants")),
         figure_rule=read_figure_rule(table.table("figures")),
         likeness=read_likeness_rule(table.table("likeness")),
+        check=read_check_rule(table.table("check")),
         rubrics=rubrics,
     )
     credit.known_keys()
