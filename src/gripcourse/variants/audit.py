@@ -37,6 +37,7 @@ from gripcourse.variants.fair import (
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
 from gripcourse.variants.monotony import EndShare, SizeSpread, ends_of, sizes_of
+from gripcourse.variants.other_readings import ReadingCount, count_readings
 from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlaps_of
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.slip_distance import SlipCount, count_slips, too_near
@@ -102,6 +103,7 @@ class VariantAudit:
         rules: what was demanded.
         variants: one by one, in the order of the table.
         slips: of all kinds, the most frequent first, counted in `slips_counted` variants.
+        readings: other readings of quantities, and how often they differ beyond the tolerance.
         steps: what each scheme with its options asks for.
         ratio: answers of the longest assignment over those of the shortest.
         margins: decisions, and how often a size lies at the edge of its step.
@@ -119,6 +121,7 @@ class VariantAudit:
     variants: tuple[CheckedScheme, ...]
     slips: tuple[SlipCount, ...]
     slips_counted: int
+    readings: tuple[ReadingCount, ...]
     steps: tuple[Steps, ...]
     ratio: float
     margins: tuple[Margin, ...]
@@ -236,6 +239,7 @@ def audit(
                           dict(zip(nearest, pairs, strict=False))),
         slips=count_slips(solve_groups(course, counted), policy),
         slips_counted=len(counted),
+        readings=count_readings(groups, policy),
         steps=steps,
         ratio=steps_ratio(steps),
         margins=_margins(groups, edges),
