@@ -148,6 +148,7 @@ class Quantity:
         explain: a sentence on how to think about it, None where there is nothing to add.
         decides: what decides the answer where title and symbol leave it open, for the sheet and
             the workbook: position, convention, sign, rule; None where nothing is left open.
+        note_decides: whether the note of the source says it, or a part of it.
         source: where it comes from.
         formula: computes a FORMULA or PICK; the condition of a VERDICT; for a CHOICE the value
             that the chosen entry must not be below; None for the others.
@@ -178,6 +179,7 @@ class Quantity:
     title: Texts
     explain: Texts | None
     decides: Texts | None
+    note_decides: bool
     source: Source
     formula: Formula | None
     choice: Choice | None

@@ -102,6 +102,7 @@ _COMMON: Final = {
         "What decides the answer where its name leaves it open: position, convention, sign, rule. "
         "Printed beside it on the sheet and in the workbook."
     ),
+    "note_decides": flag("Whether the note of the source is printed there too."),
     "source": table("Where it comes from.", SOURCE, required=True),
 }
 _BOUNDED: Final = {

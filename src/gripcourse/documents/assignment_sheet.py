@@ -11,10 +11,11 @@ from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
+from gripcourse.solver.asked import cited_works, deciding
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 from gripcourse.variants.model import Issued
 
 TEMPLATE = "assignment.html.j2"
@@ -213,21 +214,23 @@ def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
-            yield _task(section, asked, policy, words)
+            yield _task(section, asked, plan, policy, words)
 
 
-def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> SheetTask:
+def _task(
+    section: Section, asked: list[Quantity], plan: Plan, policy: Policy, words: Words
+) -> SheetTask:
     points = policy.section_points.get(section.id)
     said = message("{points} points", points=points_text(points or 0.0, words))
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
         points="" if points is None else words.say(said),
-        items=tuple(_asked(quantity, policy, words) for quantity in asked),
+        items=tuple(_asked(quantity, plan, policy, words) for quantity in asked),
     )
 
 
-def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
+def _asked(quantity: Quantity, plan: Plan, policy: Policy, words: Words) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
@@ -239,6 +242,8 @@ def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
+    said = deciding(quantity, plan, words)
+    text += f"; {said}" if said else ""
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)
@@ -272,6 +277,7 @@ def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
         "another band is printed beside the quantity.",
         band=percent_text(policy.tolerance.relative, words),
     )
+    yield from _works(plan)
     yield from _carried(policy, words)
     yield message(
         "Sizes that you accept from a series are design decisions. They are judged by their rule: "
@@ -284,6 +290,21 @@ def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
         "keep at least four significant figures. An empty cell is no answer; it is not read as "
         "zero."
     )
+
+
+def _works(plan: Plan) -> Iterator[Message]:
+    works = cited_works(plan)
+    if works:
+        yield message(
+            "In square brackets: the number of the work and its equation. {works}",
+            works=Texts({
+                language: "; ".join(
+                    f"[{number}] {work.title.of(language)}"
+                    for number, work in enumerate(works, start=1)
+                )
+                for language in LANGUAGES
+            }),
+        )  # fmt: skip
 
 
 def _carried(policy: Policy, words: Words) -> Iterator[Message]:
