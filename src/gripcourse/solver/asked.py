@@ -1,0 +1,103 @@
+"""What decides an asked answer, in words: what is declared, the rule of a choice, the equation.
+
+It stands beside the quantity on the sheet and in the workbook, so that a sheet has one reading.
+"""
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+from gripcourse.course.model import Work
+from gripcourse.course.quantity import Kind, Quantity, Rounding
+from gripcourse.formula.plain import text
+from gripcourse.formula.tree import Call, Formula, walk
+from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.solver.plan import Plan
+from gripcourse.text.words import Message, Words, message
+
+# Whoever reads a table by its first column needs to be told which, not how a program writes it.
+_READINGS: Final = frozenset({"lookup", "at_least", "nearest", "interpolate"})
+_TABLE: Final = re.compile(r"T(\d+)")
+_NUMBER: Final = re.compile(r"\d+(?:–\d+)?")
+
+
+def deciding(quantity: Quantity, plan: Plan, words: Words) -> str:
+    """Return what decides an answer where title, unit and symbol leave it open; empty for nothing.
+
+    Args:
+        quantity: of the plan, asked of the student.
+        plan: symbols of what a rule compares with, and the works that are cited by number.
+        words: the reader's language.
+    """
+    return "; ".join(_parts(quantity, plan, words))
+
+
+def cited_works(plan: Plan) -> tuple[Work, ...]:
+    """Return the works whose equations asked quantities cite; their place is their number."""
+    cited = {one.source.work for one in plan.answered if _equations(one)}
+    return tuple(work for name, work in plan.course.works.items() if name in cited)
+
+
+def _parts(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
+    if quantity.decides is not None:
+        yield quantity.decides.of(words.language)
+    note = quantity.source.note
+    of_series = quantity.kind in {Kind.CHOICE, Kind.PICK}
+    if note is not None and (of_series or quantity.note_decides):
+        yield note.of(words.language)
+    if quantity.choice is not None:
+        yield from map(words.say, _rule(quantity, plan, words.language))
+    yield from _citation(quantity, plan, words)
+
+
+def _rule(quantity: Quantity, plan: Plan, language: str) -> Iterator[Message]:
+    """Say which sizes of the series are sound."""
+    choice, formula = quantity.choice, quantity.formula
+    if choice is None or formula is None:
+        return
+    if choice.rounding is Rounding.NEAREST:
+        yield message("the size nearest to {needed}", needed=_written(formula, plan, language))
+    elif _reads_table(formula):
+        yield message("the smallest size that will do")
+    else:
+        yield message("the smallest size not below {needed}",
+                      needed=_written(formula, plan, language))  # fmt: skip
+    if choice.condition is not None and not _reads_table(choice.condition):
+        yield message("with {condition}", condition=_written(choice.condition, plan, language))
+    if choice.steps is None:
+        yield message("any larger one is sound too")
+    elif choice.steps:
+        yield message("up to {steps} sizes above it are sound too", steps=choice.steps)
+
+
+def _reads_table(formula: Formula) -> bool:
+    return any(isinstance(one, Call) and one.function in _READINGS for one in walk(formula.tree))
+
+
+def _written(formula: Formula, plan: Plan, language: str) -> str:
+    symbols = {name: symbol_box(plan.quantities[name].symbol.of(language))
+               for name in formula.names}  # fmt: skip
+    return text(typeset(formula.tree, symbols, language))
+
+
+def _citation(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
+    """Yield the work by its number with the equation: `[1, (45)]`."""
+    works = [one.id for one in cited_works(plan)]
+    equations = _equations(quantity)
+    if equations and quantity.source.work in works:
+        number = works.index(quantity.source.work) + 1
+        yield f"[{number}, {', '.join(words.say(one) for one in equations)}]"
+
+
+def _equations(quantity: Quantity) -> tuple[Message, ...]:
+    """Return what of a work is cited, in words: equations in brackets, tables, paragraphs."""
+    found = []
+    for one in filter(None, re.split(r",\s*", quantity.source.equation)):
+        table = _TABLE.fullmatch(one)
+        if table is not None:
+            found.append(message("table {number}", number=table[1]))
+        elif _NUMBER.fullmatch(one):
+            found.append(message("({number})", number=one))
+        elif one.startswith("§"):
+            found.append(message("{paragraph}", paragraph=one))
+    return tuple(found)
