@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.course.model import Work
-from gripcourse.course.quantity import Kind, Quantity, Rounding
+from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Call, Formula, walk
 from gripcourse.formula.typeset import symbol_box, typeset
@@ -55,19 +55,26 @@ def _rule(quantity: Quantity, plan: Plan, language: str) -> Iterator[Message]:
     choice, formula = quantity.choice, quantity.formula
     if choice is None or formula is None:
         return
-    if choice.rounding is Rounding.NEAREST:
-        yield message("the size nearest to {needed}", needed=_written(formula, plan, language))
-    elif _reads_table(formula):
-        yield message("the smallest size that will do")
+    sizes = _sizes(choice)
+    if _reads_table(formula):
+        yield message("{sizes} that will do", sizes=sizes)
+    elif choice.rounding is Rounding.NEAREST:
+        yield message("{sizes} nearest to {needed}", sizes=sizes,
+                      needed=_written(formula, plan, language))  # fmt: skip
     else:
-        yield message("the smallest size not below {needed}",
+        yield message("{sizes} not below {needed}", sizes=sizes,
                       needed=_written(formula, plan, language))  # fmt: skip
     if choice.condition is not None and not _reads_table(choice.condition):
-        yield message("with {condition}", condition=_written(choice.condition, plan, language))
+        yield message("{condition}", condition=_written(choice.condition, plan, language))
+
+
+def _sizes(choice: Choice) -> Message:
+    """Name the sizes of the series that are sound: the first that will do, and some above it."""
     if choice.steps is None:
-        yield message("any larger one is sound too")
-    elif choice.steps:
-        yield message("up to {steps} sizes above it are sound too", steps=choice.steps)
+        return message("any size")
+    if not choice.steps:
+        return message("the first size")
+    return message("one of the first {count} sizes", count=choice.steps + 1)
 
 
 def _reads_table(formula: Formula) -> bool:
