@@ -149,6 +149,8 @@ class Quantity:
         decides: what decides the answer where title and symbol leave it open, for the sheet and
             the workbook: position, convention, sign, rule; None where nothing is left open.
         note_decides: whether the note of the source says it, or a part of it.
+        formula_decides: whether its formula is no task but a convention, as of an overall size,
+            and stands beside it.
         source: where it comes from.
         formula: computes a FORMULA or PICK; the condition of a VERDICT; for a CHOICE the value
             that the chosen entry must not be below; None for the others.
@@ -180,6 +182,7 @@ class Quantity:
     explain: Texts | None
     decides: Texts | None
     note_decides: bool
+    formula_decides: bool
     source: Source
     formula: Formula | None
     choice: Choice | None

@@ -103,6 +103,10 @@ _COMMON: Final = {
         "Printed beside it on the sheet and in the workbook."
     ),
     "note_decides": flag("Whether the note of the source is printed there too."),
+    "formula_decides": flag(
+        "Whether the formula itself is printed there: it is a convention and no task, as that of "
+        "an overall size."
+    ),
     "source": table("Where it comes from.", SOURCE, required=True),
 }
 _BOUNDED: Final = {

@@ -226,8 +226,15 @@ def _task(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
         points="" if points is None else words.say(said),
-        items=tuple(_asked(quantity, plan, policy, words) for quantity in asked),
+        items=asked_items(asked, plan, policy, words),
     )
+
+
+def asked_items(
+    quantities: Iterable[Quantity], plan: Plan, policy: Policy, words: Words
+) -> tuple[SheetItem, ...]:
+    """Return what is asked, as the sheet prints it: name, unit, and what decides the answer."""
+    return tuple(_asked(quantity, plan, policy, words) for quantity in quantities)
 
 
 def _asked(quantity: Quantity, plan: Plan, policy: Policy, words: Words) -> SheetItem:

@@ -45,6 +45,10 @@ def _parts(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     of_series = quantity.kind in {Kind.CHOICE, Kind.PICK}
     if note is not None and (of_series or quantity.note_decides):
         yield note.of(words.language)
+    formula = plan.reference_formula(quantity.id)
+    if quantity.formula_decides and formula is not None:
+        symbol = quantity.symbol.of(words.language)
+        yield f"{symbol} = {_written(formula, plan, words.language)}"
     if quantity.choice is not None:
         yield from map(words.say, _rule(quantity, plan, words.language))
     yield from _citation(quantity, plan, words)
