@@ -42,7 +42,7 @@ def test_every_answer_follows_from_the_paper_alone(scheme: str, course: Course) 
     for quantity, item in zip(plan.answered, items, strict=True):
         asked = read_item(item)
         answer, right = found[asked.symbol] / UNITS[asked.unit], reference[quantity.id]
-        reach = 0.0 if quantity.kind is Kind.VERDICT else band(quantity, right, policy) / 10
+        reach = 0.0 if quantity.kind is Kind.VERDICT else band(quantity, right, policy)
         if not abs(answer - right) <= max(reach, 1e-9 * abs(right)):
             wrong[asked.symbol] = (answer, right)
     assert not wrong

@@ -41,10 +41,20 @@ SERIES: Final = {
     "GOST 2144-76": "worm_module",
 }  # fmt: skip
 _NUMBER: Final = re.compile(r"([−-]?\d[\d\s]*(?:\.\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?(.*)")
+# Where a symbol ends: `D_0²` is a square, `l_Fe,act` another symbol than `l_Fe`.
+_END: Final = r"(?![0-9A-Za-zΑ-ωА-я_′']|,[A-Za-z]{2})"
 _RAISED: Final = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _RULE: Final = re.compile(r"(?:any size|one of the first \d+ sizes|the first size) not below (.+)")
 _SIGNS: Final = str.maketrans({";": ",", "·": "*", "−": "-", "√": "sqrt", "∛": "cbrt", "≤": "<=",
-                               "≥": ">=", "²": "**2"})  # fmt: skip
+                               "≥": ">=", "²": "**2", "π": "pi"})  # fmt: skip
+
+
+_FUNCTIONS: Final = {
+    "max": max, "min": min, "abs": abs,
+    **{name: getattr(math, name) for name in (
+        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "cbrt", "hypot", "log", "pi"
+    )},
+}  # fmt: skip
 
 
 class NotOnPaperError(Exception):
@@ -79,7 +89,9 @@ class Paper:
     """What the student knows so far: numbers in SI by printed symbol."""
 
     known: dict[str, float]
+    pattern: re.Pattern[str]
     tables: dict[str, Table] = field(default_factory=dict)
+    codes: dict[str, tuple[str, dict[str, str]]] = field(default_factory=dict)
 
     def table(self, name: str) -> Table:
         if name not in self.tables:
@@ -109,23 +121,17 @@ class Paper:
 
     def value(self, expression: str) -> float:
         """Evaluate an expression in printed symbols; KeyError for one that is not known yet."""
-        symbols = sorted(self.known, key=len, reverse=True)
-        pattern = "|".join(rf"(?<![\w\]]){re.escape(one)}(?![\w′,]*\w)" for one in symbols)
-        places = {f"_{number}": self.known[one] for number, one in enumerate(symbols)}
-        numbers = {one: f"_{number}" for number, one in enumerate(symbols)}
-        code = re.sub(pattern, lambda found: numbers[found[0]], expression) if symbols else ""
-        functions = {
-            name: getattr(math, name)
-            for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "cbrt",
-                         "hypot", "log", "pi")
-        }  # fmt: skip
+        if expression not in self.codes:
+            used: dict[str, str] = {}
+            code = self.pattern.sub(
+                lambda found: used.setdefault(found[0], f"_{len(used)}"), expression
+            )
+            self.codes[expression] = code.translate(_SIGNS), used
+        code, used = self.codes[expression]
+        names = {place: self.known[symbol] for symbol, place in used.items()}
         tables = {"first": self.first, "read": self.read, "between": self.between}
-        names = {"max": max, "min": min, "abs": abs, **functions, **tables, **places}
-        try:
-            # The expressions are ours, or the sheet's.
-            return float(eval(code.translate(_SIGNS), {"__builtins__": {}}, names))  # noqa: S307
-        except (NameError, SyntaxError, TypeError) as fault:
-            raise KeyError(expression) from fault
+        # The expressions are ours, or the sheet's.
+        return float(eval(code, {"__builtins__": {}}, {**_FUNCTIONS, **tables, **names}))  # noqa: S307
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,14 +193,21 @@ def walk(
     Raises:
         NotOnPaperError: with the symbols that nothing tells, or a citation that is not printed.
     """
-    paper = Paper({one.symbol: read_given(one) for one in given})
     left = [read_item(one) for one in asked if one.symbol]
+    known = {one.symbol: read_given(one) for one in given}
+    paper = Paper(known, _pattern([*known, *(one.symbol for one in left if not one.is_verdict)]))
     while left:
         waiting = [one for one in left if not _answer(one, paper, equations)]
         if len(waiting) == len(left):
             raise NotOnPaperError([one.symbol for one in waiting])
         left = waiting
     return paper.known
+
+
+def _pattern(symbols: Sequence[str]) -> re.Pattern[str]:
+    """Find any symbol of a sheet, of two the longer one."""
+    longest = sorted((re.escape(one) for one in symbols), key=len, reverse=True)
+    return re.compile(rf"(?<![\w\]'])(?:{'|'.join(longest)}){_END}")
 
 
 def _answer(one: Asked, paper: Paper, equations: Mapping[str, tuple[str, str]]) -> bool:
@@ -239,8 +252,9 @@ def _parts(beside: str) -> Iterator[str]:
 
 def _accepted(one: Asked, rule: str, paper: Paper) -> float:
     """Return the first size of the printed series that is not below what the rule says."""
-    name = next((table for words, table in SERIES.items() if words in one.beside), None)
-    if name is None:
+    named = [words for words in SERIES if words in one.beside]
+    if not named:
         raise NotOnPaperError(one.symbol, "series", one.beside)
+    name = SERIES[min(named, key=one.beside.index)]  # others are accepted besides
     needed = paper.value(rule)
     return next((size for size in paper.table(name).sizes if size >= needed * (1 - 1e-9)), math.nan)
