@@ -34,7 +34,7 @@ def deciding(quantity: Quantity, plan: Plan, words: Words) -> str:
 
 def cited_works(plan: Plan) -> tuple[Work, ...]:
     """Return the works whose equations asked quantities cite; their place is their number."""
-    cited = {one.source.work for one in plan.answered if _equations(one)}
+    cited = {one.source.work for one in plan.answered if any(map(_is_number, _cited(one)))}
     return tuple(work for name, work in plan.course.works.items() if name in cited)
 
 
@@ -50,26 +50,24 @@ def _parts(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
         symbol = quantity.symbol.of(words.language)
         yield f"{symbol} = {_written(formula, plan, words.language)}"
     if quantity.choice is not None:
-        yield from map(words.say, _rule(quantity, plan, words.language))
+        yield from _rule(quantity, plan, words)
     yield from _citation(quantity, plan, words)
 
 
-def _rule(quantity: Quantity, plan: Plan, language: str) -> Iterator[Message]:
+def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     """Say which sizes of the series are sound."""
     choice, formula = quantity.choice, quantity.formula
     if choice is None or formula is None:
         return
-    sizes = _sizes(choice)
+    sizes, needed = _sizes(choice), _written(formula, plan, words.language)
     if _reads_table(formula):
-        yield message("{sizes} that will do", sizes=sizes)
+        yield words.say(message("{sizes} that will do", sizes=sizes))
     elif choice.rounding is Rounding.NEAREST:
-        yield message("{sizes} nearest to {needed}", sizes=sizes,
-                      needed=_written(formula, plan, language))  # fmt: skip
+        yield words.say(message("{sizes} nearest to {needed}", sizes=sizes, needed=needed))
     else:
-        yield message("{sizes} not below {needed}", sizes=sizes,
-                      needed=_written(formula, plan, language))  # fmt: skip
+        yield words.say(message("{sizes} not below {needed}", sizes=sizes, needed=needed))
     if choice.condition is not None and not _reads_table(choice.condition):
-        yield message("{condition}", condition=_written(choice.condition, plan, language))
+        yield _written(choice.condition, plan, words.language)
 
 
 def _sizes(choice: Choice) -> Message:
@@ -94,21 +92,24 @@ def _written(formula: Formula, plan: Plan, language: str) -> str:
 def _citation(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     """Yield the work by its number with the equation: `[1, (45)]`."""
     works = [one.id for one in cited_works(plan)]
-    equations = _equations(quantity)
+    equations = [_equation(one, words) for one in _cited(quantity) if _is_number(one)]
     if equations and quantity.source.work in works:
         number = works.index(quantity.source.work) + 1
-        yield f"[{number}, {', '.join(words.say(one) for one in equations)}]"
+        yield f"[{number}, {', '.join(equations)}]"
 
 
-def _equations(quantity: Quantity) -> tuple[Message, ...]:
-    """Return what of a work is cited, in words: equations in brackets, tables, paragraphs."""
-    found = []
-    for one in filter(None, re.split(r",\s*", quantity.source.equation)):
-        table = _TABLE.fullmatch(one)
-        if table is not None:
-            found.append(message("table {number}", number=table[1]))
-        elif _NUMBER.fullmatch(one):
-            found.append(message("({number})", number=one))
-        elif one.startswith("§"):
-            found.append(message("{paragraph}", paragraph=one))
-    return tuple(found)
+def _cited(quantity: Quantity) -> tuple[str, ...]:
+    """Return what of a work a quantity cites, as declared: `T5`, `30–36`, `§5`."""
+    return tuple(one.strip() for one in quantity.source.equation.split(","))
+
+
+def _is_number(cited: str) -> bool:
+    """Tell whether something is cited by a number that says the same in every language."""
+    return bool(_TABLE.fullmatch(cited) or _NUMBER.fullmatch(cited) or cited.startswith("§"))
+
+
+def _equation(cited: str, words: Words) -> str:
+    table = _TABLE.fullmatch(cited)
+    if table is not None:
+        return words.say(message("table {number}", number=table[1]))
+    return f"({cited})" if _NUMBER.fullmatch(cited) else cited
