@@ -170,14 +170,20 @@ def read_given(datum: SheetDatum) -> float:
     return float(digits) * 10.0**power * UNITS[unit]
 
 
-def equations_of(groups: Sequence[str]) -> dict[str, tuple[str, str]]:
-    """Return by symbol the citation and the expression of some groups; later ones go before."""
-    found: dict[str, tuple[str, str]] = {}
+def equations_of(names: Sequence[str]) -> dict[str, tuple[str, str]]:
+    """Return by symbol the citation and the expression of what a gripper is composed of.
+
+    Args:
+        names: of its parts and of its scheme; a group `a+b` counts where both are there. What comes
+            later goes before, and what needs two before what needs one.
+    """
     written: dict[str, dict[str, str | list[str]]] = {}
     for path in sorted(EQUATIONS.glob("*.toml")):
         written |= tomllib.loads(path.read_text(encoding="utf-8"))
-    for group in groups:
-        for symbol, said in written[group].items():
+    both = [one for one in written if "+" in one and {*one.split("+")} <= {*names}]
+    found: dict[str, tuple[str, str]] = {}
+    for group in (*names, *both):
+        for symbol, said in written.get(group, {}).items():
             cited, expression = said if isinstance(said, list) else ("", said)
             found[symbol] = (cited, expression)
     return found
