@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
 
 from gripcourse.course.model import Course, Section
 from gripcourse.course.note import NotedDocument, notes_of
@@ -14,13 +13,12 @@ from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
+from gripcourse.solver.asked import cited_works, deciding
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
 from gripcourse.variants.model import Issued
-
-_Cited: TypeAlias = Mapping[str, Message]
 
 TEMPLATE = "assignment.html.j2"
 STYLES = ("page.css", "formula.css", "assignment.css")
@@ -222,26 +220,35 @@ def _datum(quantity: Quantity, value: float | None, words: Words) -> SheetDatum:
 
 
 def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator[SheetTask]:
-    cited = cited_tables(plan)
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
-            yield _task(section, asked, cited, policy, words)
+            yield _task(section, asked, plan, policy, words)
 
 
 def _task(
-    section: Section, asked: list[Quantity], cited: _Cited, policy: Policy, words: Words
+    section: Section, asked: list[Quantity], plan: Plan, policy: Policy, words: Words
 ) -> SheetTask:
     points = policy.section_points.get(section.id)
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
         points="" if points is None else counted_points(points, words),
-        items=tuple(_asked(quantity, cited.get(quantity.id), policy, words) for quantity in asked),
+        items=asked_items(asked, plan, policy, words),
     )
 
 
-def _asked(quantity: Quantity, cited: Message | None, policy: Policy, words: Words) -> SheetItem:
+def asked_items(
+    quantities: Iterable[Quantity], plan: Plan, policy: Policy, words: Words
+) -> tuple[SheetItem, ...]:
+    """Return what is asked, as the sheet prints it: name, unit, and what decides the answer."""
+    cited = cited_tables(plan)
+    return tuple(_asked(one, cited.get(one.id), plan, policy, words) for one in quantities)
+
+
+def _asked(
+    quantity: Quantity, cited: Message | None, plan: Plan, policy: Policy, words: Words
+) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
@@ -253,6 +260,8 @@ def _asked(quantity: Quantity, cited: Message | None, policy: Policy, words: Wor
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
+    said = deciding(quantity, plan, words)
+    text += f"; {said}" if said else ""
     if cited is not None:
         text += f" [{words.say(cited)}]".replace(", ", f",{NO_BREAK_SPACE}")
     symbol = quantity.symbol.of(words.language)
@@ -288,6 +297,7 @@ def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
         "another tolerance is printed beside the quantity.",
         band=percent_text(policy.tolerance.relative, words),
     )
+    yield from _works(plan)
     yield from _carried(policy, words)
     yield message(
         "Sizes that you accept from a series are design decisions. They are judged by their rule: "
@@ -300,6 +310,21 @@ def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
         "keep at least four significant figures. An empty cell is no answer; it is not read as "
         "zero."
     )
+
+
+def _works(plan: Plan) -> Iterator[Message]:
+    works = cited_works(plan)
+    if works:
+        yield message(
+            "In square brackets: the number of the work and its equation. {works}",
+            works=Texts({
+                language: "; ".join(
+                    f"[{number}] {work.title.of(language)}"
+                    for number, work in enumerate(works, start=1)
+                )
+                for language in LANGUAGES
+            }),
+        )  # fmt: skip
 
 
 def _carried(policy: Policy, words: Words) -> Iterator[Message]:

@@ -24,6 +24,7 @@ class Against(StrEnum):
     REFERENCE = "reference"
     OWN_INPUTS = "own_inputs"
     PRINTED = "printed"  # an erratum of a source, accepted by policy
+    ALTERNATIVE = "alternative"  # another honest reading that the quantity declares
     NOTHING = "nothing"
 
 

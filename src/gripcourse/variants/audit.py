@@ -31,6 +31,7 @@ from gripcourse.variants.feasible import Mask
 from gripcourse.variants.model import Variant
 from gripcourse.variants.monotony import ends_of, sizes_of
 from gripcourse.variants.one_by_one import OneByOne, look_at_each
+from gripcourse.variants.other_readings import count_readings
 from gripcourse.variants.overlaps import OverlapCheck
 from gripcourse.variants.pairs import Answered, Pair, describe
 from gripcourse.variants.space import Space
@@ -80,6 +81,7 @@ def audit(
                           dict(zip(nearest, pairs, strict=False))),
         slips=each.counts,
         slips_counted=each.counted,
+        readings=count_readings(groups, policy),
         steps=steps,
         ratio=steps_ratio(steps),
         margins=_margins(groups, edges),

@@ -9,6 +9,7 @@ from gripcourse.variants.apart import Apartness
 from gripcourse.variants.fair import DifficultySpread, Margin, Steps, VerdictShare
 from gripcourse.variants.model import Variant
 from gripcourse.variants.monotony import EndShare, SizeSpread
+from gripcourse.variants.other_readings import ReadingCount
 from gripcourse.variants.overlaps import Overlap
 from gripcourse.variants.pairs import Pair
 from gripcourse.variants.slip_distance import SlipCount
@@ -71,6 +72,7 @@ class VariantAudit:
         rules: what was demanded.
         variants: one by one, in the order of the table.
         slips: of all kinds, the most frequent first, counted in `slips_counted` variants.
+        readings: other readings of quantities, and how often they differ beyond the tolerance.
         steps: what each scheme with its options asks for.
         ratio: answers of the longest assignment over those of the shortest.
         margins: decisions, and how often a size lies at the edge of its step.
@@ -88,6 +90,7 @@ class VariantAudit:
     variants: tuple[CheckedScheme, ...]
     slips: tuple[SlipCount, ...]
     slips_counted: int
+    readings: tuple[ReadingCount, ...]
     steps: tuple[Steps, ...]
     ratio: float
     margins: tuple[Margin, ...]

@@ -145,8 +145,16 @@ def _prompt(line: SheetLine, text: str) -> dict[str, object]:
     """Return the note that a spreadsheet program shows beside the chosen cell."""
     return {
         "input_title": _cut(f"{line.number}  {line.symbol}".strip(), _LONGEST_PROMPT_TITLE),
-        "input_message": _cut(f"{line.title}. {text}", _LONGEST_PROMPT),
+        "input_message": _cut(_said(line, text), _LONGEST_PROMPT),
     }
+
+
+def _said(line: SheetLine, text: str) -> str:
+    """Join what there is to say; the title, which stands in the row too, goes first if it must."""
+    whole = ". ".join(filter(None, (line.title, line.decides, text)))
+    if len(whole) <= _LONGEST_PROMPT:
+        return whole
+    return ". ".join(filter(None, (line.decides, text)))
 
 
 def _answers(words: Words) -> tuple[str, str]:
