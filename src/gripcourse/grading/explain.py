@@ -7,7 +7,7 @@ wrong number that nothing explains, which may be anywhere.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -38,6 +38,7 @@ _CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
 # Few shorten a constant so much that the result shows it.
 _FROM_HABIT = 0.2
+_SLACK: Final = 1e-9  # relative: what floating point leaves of equal numbers
 _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
 
@@ -64,11 +65,23 @@ class Explanation:
     tied: tuple[Weighed, ...]
 
 
-def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
-    """Weigh a wrong method of the answer's own formula against what was typed."""
-    follow_through = comparison.near_own(candidate.formula)
+def weigh(comparison: Comparison, candidates: Sequence[Candidate]) -> list[Weighed]:
+    """Weigh wrong methods of the answer's own formula against what was typed.
+
+    Returns:
+        Those that meet it, in the order of the candidates.
+    """
+    furthest, own = _furthest(comparison), comparison.own_inputs
+    weighed = (_weigh(comparison, one, furthest, own) for one in candidates)
+    return [one for one in weighed if one.weight > 0]
+
+
+def _weigh(
+    comparison: Comparison, candidate: Candidate, furthest: float, own: Collection[str]
+) -> Weighed:
+    follow_through = comparison.near_own(candidate.formula, furthest)
     met = _FROM_OWN * _met(comparison, follow_through)
-    if comparison.has_own_inputs(candidate.formula):
+    if any(name in own for name in candidate.formula.names):
         reference = comparison.at_reference(candidate.formula)
         met += _FROM_REFERENCE * _met(comparison, ExpectedRange(reference, reference, reference))
     else:
@@ -78,12 +91,25 @@ def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
     ):
         met = _FROM_HABIT * max(
             (
-                _met(comparison, comparison.near_own(one))
+                _met(comparison, comparison.near_own(one, furthest))
                 for one in _with_habits(comparison, candidate.formula)
             ),
             default=0.0,
         )
     return Weighed(comparison.quantity.id, candidate, follow_through.value, candidate.prior * met)
+
+
+def _furthest(comparison: Comparison) -> float:
+    """Return how far from a result a typed number can be that it still speaks for."""
+    half_units = (
+        comparison.answer.half_unit,
+        typed_half_unit(comparison.answer, comparison.policy),
+        without_zeros(comparison.answer, comparison.policy),
+        _FINEST * abs(comparison.value),
+    )
+    return max(half_units) * max(1.0, 2 * comparison.policy.last_digit) + _SLACK * abs(
+        comparison.value
+    )
 
 
 def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
@@ -175,7 +201,7 @@ def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) ->
     distance = abs(comparison.value - result.nearest(comparison.value))
     width = result.high - result.low
     cut = 2 * half_unit * comparison.policy.last_digit
-    slack = 1e-9 * abs(comparison.value)
+    slack = _SLACK * abs(comparison.value)
     if distance <= half_unit + slack:
         return _ROUNDED / (width + 2 * half_unit)
     if distance <= cut + slack:
