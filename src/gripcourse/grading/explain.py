@@ -7,16 +7,15 @@ wrong number that nothing explains, which may be anywhere.
 """
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from gripcourse.formula.tree import Formula, Name, walk
 from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
+from gripcourse.grading.shortened import with_shortened
 from gripcourse.policy.slips import SlipPolicy
 from gripcourse.slips.model import Candidate
-from gripcourse.slips.rewrite import number, renamed
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
@@ -91,8 +90,8 @@ def _weigh(
     ):
         met = _FROM_HABIT * max(
             (
-                _met(comparison, comparison.near_own(one, furthest))
-                for one in _with_habits(comparison, candidate.formula)
+                _met(comparison, comparison.near_own(one.formula, furthest))
+                for one in with_shortened(candidate.formula, comparison.policy.habits)
             ),
             default=0.0,
         )
@@ -131,15 +130,6 @@ def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
 
 def _met(comparison: Comparison, result: ExpectedRange) -> float:
     return density(comparison, result) if math.isfinite(result.value) else 0.0
-
-
-def _with_habits(comparison: Comparison, formula: Formula) -> Iterator[Formula]:
-    """Yield a formula with the constants that it uses as people shorten them, one at a time."""
-    for name, values in comparison.policy.habits.items():
-        if name in formula.names or any(part == Name(name) for part in walk(formula.tree)):
-            for value in values:
-                tree = renamed(formula.tree, {name: number(value)})
-                yield Formula("", tree, formula.units)
 
 
 def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation | None:

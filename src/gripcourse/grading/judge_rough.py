@@ -5,10 +5,13 @@ import math
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
 ROUGHEST = 0.05
+# A whole number with fewer digits before its zeros is no rounding that one can tell.
+FEWEST = 2
 
 
 def judge_rough(comparison: Comparison) -> Judgement | None:
@@ -22,7 +25,7 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         answer is one that is taken as it stands.
     """
     quantity, value = comparison.quantity, comparison.value
-    half_unit = comparison.answer.half_unit
+    half_unit = max(comparison.answer.half_unit, _of_zeros(comparison.answer))
     if quantity.exact or quantity.integer or value == 0 or half_unit == 0:
         return None
     own = comparison.follows.nearest(value)
@@ -38,6 +41,13 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
             )
             return conclude(comparison, Outcome.ROUGH, against, credit, said)
     return None
+
+
+def _of_zeros(answer: Answer) -> float:
+    """Return half a unit of the last digit before the zeros of a whole number, as 190 for 194."""
+    if answer.value is None or answer.figures is None:
+        return 0.0
+    return figure_half_unit(answer.value, max(answer.figures, FEWEST))
 
 
 def _figures(comparison: Comparison, target: float) -> int:
