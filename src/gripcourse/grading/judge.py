@@ -13,6 +13,7 @@ from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoile
 from gripcourse.grading.charged_once import shortened_once
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
 from gripcourse.grading.model import Against, Cause, Finding, Outcome, Report, sums_of
@@ -68,7 +69,8 @@ def judge(
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
     explained = explain(case, compared)
     intended = shortened_once(case, as_intended(case, explained))
-    substituted = substitutions(_still_wrong(case, intended))
+    found = substitutions(_still_wrong(case, intended))
+    substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
     supported = withhold_unsupported(case, settled)
     findings = _findings(case, supported)
@@ -143,6 +145,8 @@ def _substituted(
         outcome=Outcome.CARRIED,
         against=Against.OWN_INPUTS,
         credit=case.policy.carried_credit,
+        slip=None,
+        tied=(),
         roots=(first,),
         message=spoiled_later(case.plan, one),
     )

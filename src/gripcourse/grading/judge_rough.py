@@ -25,14 +25,15 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         answer is one that is taken as it stands.
     """
     quantity, value = comparison.quantity, comparison.value
-    half_unit = max(comparison.answer.half_unit, _of_zeros(comparison.answer))
-    if quantity.exact or quantity.integer or value == 0 or half_unit == 0:
+    half_unit = comparison.answer.half_unit
+    nearest = max(half_unit, _of_zeros(comparison.answer))
+    if quantity.exact or quantity.integer or value == 0 or nearest == 0:
         return None
     own = comparison.follows.nearest(value)
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
         off = abs(value - target)
         cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
-        if math.isfinite(target) and off <= max(half_unit, cut):
+        if math.isfinite(target) and off <= max(nearest, cut):
             earns = off <= ROUGHEST * abs(target)
             credit = comparison.policy.rough_credit if earns else 0.0
             said = message(
