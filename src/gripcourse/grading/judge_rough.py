@@ -10,8 +10,6 @@ from gripcourse.text.words import message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
 ROUGHEST = 0.05
-# A whole number with fewer digits before its zeros is no rounding that one can tell.
-FEWEST = 2
 
 
 def judge_rough(comparison: Comparison) -> Judgement | None:
@@ -45,10 +43,10 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
 
 
 def _of_zeros(answer: Answer) -> float:
-    """Return half a unit of the last digit before the zeros of a whole number, as 190 for 194."""
+    """Return half a unit of the last digit before the zeros of a whole number, as 190 for 194, or 40 for 38."""
     if answer.value is None or answer.figures is None:
         return 0.0
-    return figure_half_unit(answer.value, max(answer.figures, FEWEST))
+    return figure_half_unit(answer.value, answer.figures)
 
 
 def _figures(comparison: Comparison, target: float) -> int:
