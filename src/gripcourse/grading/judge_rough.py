@@ -43,7 +43,7 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
 
 
 def _of_zeros(answer: Answer) -> float:
-    """Return half a unit of the last digit before the zeros of a whole number, as 190 for 194, or 40 for 38."""
+    """Return half a unit of the last digit before the zeros: 190 for 194, 40 for 38."""
     if answer.value is None or answer.figures is None:
         return 0.0
     return figure_half_unit(answer.value, answer.figures)
