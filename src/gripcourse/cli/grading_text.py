@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from gripcourse.usecases.mark import Marking
 
 FLAGS = {
+    FlagCode.CELLS_MOVED: message("rows moved"),
     FlagCode.GIVENS_CHANGED: message("given values changed"),
     FlagCode.GIVENS_MISSING: message("given values missing"),
     FlagCode.IDENTITY_CHANGED: message("variant changed"),
