@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 FLAGS = {
     FlagCode.COPIED_FROM: message("copied by others"),
+    FlagCode.CELLS_MOVED: message("rows moved"),
     FlagCode.GIVENS_CHANGED: message("given values changed"),
     FlagCode.GIVENS_MISSING: message("given values missing"),
     FlagCode.IDENTITY_CHANGED: message("variant changed"),

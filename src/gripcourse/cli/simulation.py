@@ -8,6 +8,7 @@ import typer
 
 from gripcourse.cli import simulation_text
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.costs_text import paying_text
 from gripcourse.cli.foreign_text import markdown_table
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.loudness import confirm
@@ -141,9 +142,11 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     if out is not None:
         command.write_audit(found, out)
     typer.echo(simulation_text.audit_text(found, policy, words))
+    paying = command.paying(loaded, policy, sample)
+    typer.echo(f"\n{paying_text(paying, words)}")
     if apply:
         changed = command.apply(found, loaded, policy)
         said = message("{count} tolerances were written into the policy.", count=changed)
         confirm(words.say(said))
-    elif found.refuses:
+    elif found.refuses or paying.problems:
         raise typer.Exit(NEEDS_PERSON)

@@ -13,6 +13,7 @@ class FlagCode(StrEnum):
     IDENTITY_MISSING = "identity_missing"
     INCIDENT = "incident"  # grading failed on our side
     ISSUED_TO_OTHER = "issued_to_other"
+    CELLS_MOVED = "cells_moved"  # rows were sorted or inserted; answers were found by their titles
     MARK_OUTDATED = "mark_outdated"
     NOT_JUDGED = "not_judged"
     OTHER_VARIANT = "other_variant"

@@ -10,6 +10,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.shortened import judge_shortened
 from gripcourse.policy.bands import band
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
@@ -32,6 +33,7 @@ def judge_value(comparison: Comparison) -> Judgement:
     return (
         best
         or judge_rough(comparison)
+        or judge_shortened(comparison)
         or _conclude(comparison, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(comparison))
     )
 

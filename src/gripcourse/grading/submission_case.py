@@ -98,6 +98,13 @@ def with_answers(
     return replace(case, answers=followed, follow_through=follow_through)
 
 
+def with_given(case: GradingCase, given: Mapping[str, float]) -> GradingCase:
+    """Return the case where these values, in declared units, stand in the place of issued ones."""
+    taken = {**case.given, **given}
+    follow_through = follow(case.plan, taken, case.answers, case.reference, case.policy)
+    return replace(case, given=taken, follow_through=follow_through)
+
+
 def judge_answer(case: GradingCase, quantity: Quantity, answer: Answer | None) -> JudgedAnswer:
     """Judge one answer by its value; a wrong one is not explained yet."""
     if quantity.kind is Kind.MANUAL:
