@@ -221,17 +221,29 @@ def test_the_longest_assignments_fit_their_pages_too(
     assert not beyond_the_edge(sheet)
 
 
-def test_a_long_assignment_is_printed_smaller_and_a_short_one_is_not(
-    issued: Issued, plan: Plan, policy: Policy, course: Course
+@pytest.mark.parametrize(
+    ("scheme", "changed", "density"),
+    [
+        ("vacuum_cups", {}, ""),
+        ("plain_lever", {}, "dense running"),
+        ("wedge_slide", LONGEST, "dense long running"),
+    ],
+)
+def test_the_more_there_is_to_read_the_smaller_the_print(
+    issued: Issued,
+    policy: Policy,
+    course: Course,
+    scheme: str,
+    changed: dict[str, str],
+    density: str,
 ) -> None:
-    assert sheet_values(issued, plan, policy, course, ENGLISH)["density"] == ""
-    example = course.schemes["wedge_slide"].example
+    example = course.schemes[scheme].example
     assert example is not None
-    long = make_plan(course, "wedge_slide", {**example.options, **LONGEST})
-    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
-    variant = Variant("17", "wedge_slide", dict(long.options), given)
-    values = sheet_values(replace(issued, variant=variant), long, policy, course, ENGLISH)
-    assert values["density"] == "dense"
+    plan = make_plan(course, scheme, {**example.options, **changed})
+    given = {one.id: sum(one.bounds) / 2 for one in plan.givens}
+    variant = Variant("17", scheme, dict(plan.options), given)
+    values = sheet_values(replace(issued, variant=variant), plan, policy, course, ENGLISH)
+    assert values["density"] == density
 
 
 def test_a_unit_stands_in_its_column_and_degrees_with_their_number(

@@ -7,7 +7,7 @@ from gripcourse.course.model import Course, Section
 from gripcourse.course.note import NotedDocument, notes_of
 from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
 from gripcourse.documents.appendix import appendix_of, cited_tables
-from gripcourse.documents.pdf import Document, picture, render_fitting
+from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.drawing.diagram.nominal import nominal_values
@@ -27,13 +27,11 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
-_PAGES = 2  # before the appendix: one sheet of paper
-_APPENDIX = "appendix"
-# Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
-# not fit in the first, so there is no need to try it. What fits in none of them goes on, in a print
-# that can be read with ease, and its appendix follows at once: no page stays half empty.
-_DENSITIES = ("", "dense", "dense long", "dense long running")
-_CROWDED, _HIGH = 105, 58.0
+# Prints by how much there is to read, in letters. The first leaves the appendix a page of its own;
+# in the others, of more than two pages, it follows at once: no page stays half empty.
+_SOME, _MUCH = 6_000, 10_500
+_PRINTS = ("", "dense running", "dense long running")
+_LETTERS_OF_ROW = 8  # that a symbol and the gap beside it take
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -100,8 +98,8 @@ def assignment_sheet(
 ) -> bytes:
     """Make the assignment sheet of a student as a PDF file.
 
-    The assignment takes one or two pages, the longest ones a part of a third; the appendix with the
-    series and tables begins a page of its own, after the longest ones what is left of the third.
+    The shortest assignments take two pages and an appendix with the series and tables; the others
+    three or four pages with it.
 
     Args:
         issued: the student, the frozen values and the dates.
@@ -111,9 +109,7 @@ def assignment_sheet(
         words: the language of the sheet.
     """
     values = sheet_values(issued, plan, policy, course, words)
-    tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
-    prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
-    return render_fitting(prints, _PAGES, _APPENDIX, course.root / "templates", words)
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
 
 
 def sheet_values(
@@ -123,6 +119,10 @@ def sheet_values(
     listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
     widest = _NARROW if listed > _MANY else WIDEST
     diagram = drawn_diagram(plan, nominal_values(plan), words, widest)
+    data = given_data(plan.givens, issued.variant.given, words)
+    constants = given_data(plan.constants, issued.variant.given, words)
+    sections = list(_tasks(plan, policy, course, words))
+    rules = [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))]
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
@@ -133,20 +133,29 @@ def sheet_values(
         "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
-        "data": given_data(plan.givens, issued.variant.given, words),
-        "constants": given_data(plan.constants, issued.variant.given, words),
-        "density": _density(listed, diagram),
-        "sections": list(_tasks(plan, policy, course, words)),
+        "data": data,
+        "constants": constants,
+        "density": _density(_letters((*data, *constants), sections, rules)),
+        "sections": sections,
         "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
         "appendix": appendix_of(plan, words),
-        "rules": [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))],
+        "rules": rules,
     }
 
 
-def _density(listed: int, diagram: SheetDiagram | None) -> str:
-    """Name the largest print in which so many quantities, with the diagram, may fit."""
-    stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
-    return "dense" if listed > _CROWDED or stacked else ""
+def _letters(
+    data: Iterable[SheetDatum], sections: Iterable[SheetTask], rules: Iterable[str]
+) -> int:
+    """Count what a sheet gives to read."""
+    rows = [*(datum.title for datum in data)]
+    rows += (item.text for section in sections for item in section.items)
+    texts = [*rows, *rules, *(section.task for section in sections)]
+    return sum(map(len, texts)) + _LETTERS_OF_ROW * len(rows)
+
+
+def _density(letters: int) -> str:
+    """Name the print for so much to read; laying out a sheet to find out takes as long again."""
+    return _PRINTS[(letters > _SOME) + (letters > _MUCH)]
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:

@@ -25,7 +25,7 @@ style sheets. A value that a template does not get is an error, never an empty p
 import re
 import traceback
 from base64 import b64encode
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -105,28 +105,6 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
         return template.render(document.values)
     except TemplateError as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
-
-
-def render_fitting(
-    documents: Sequence[Document], pages: int, before: str, templates: Path, words: Words
-) -> bytes:
-    """Render the first document that has at most so many pages; the last where none has.
-
-    Args:
-        documents: the same in ever smaller print, then what is to be done where none fits.
-        pages: that it may have.
-        before: id of the element with which a page begins that does not count any more.
-        templates: the folder of the course; see `render_pdf`, also for the errors.
-        words: the reader's language.
-    """
-    *roomy, tightest = documents
-    for document in roomy:
-        html = render_html(document, templates, words)
-        with few_collections():
-            laid_out = _laid_out(html, document.styles, templates)
-            if len(laid_out.pages) <= pages or before in laid_out.pages[pages].anchors:
-                return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
-    return render_pdf(tightest, templates, words)
 
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
