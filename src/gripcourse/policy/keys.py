@@ -124,6 +124,21 @@ POLICY: Final = Shape(
             {"reveal": text("Of the reference solution.", *Reveal, required=True)},
             required=True,
         ),
+        "scale": tables(
+            "What shares of the points are called.",
+            {
+                "id": text("Unique name; its column in the table of grades.", required=True),
+                "title": texts("For documents.", required=True),
+                "step": tables(
+                    "Its steps; none for the plain percentage.",
+                    {
+                        "from": number("Percentage of the points that it begins at.", 0, 100,
+                                       required=True),
+                        "text": texts("What it is called.", required=True),
+                    },
+                ),
+            },
+        ),
         "variants": table(
             "When variants may be handed out side by side.",
             {

@@ -16,6 +16,7 @@ from gripcourse.policy.model import Policy, Reveal
 from gripcourse.policy.points import main_points_by_section
 from gripcourse.policy.rubric_load import read_rubrics
 from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
+from gripcourse.policy.scales import read_scales
 from gripcourse.policy.slips_load import read_slip_policy
 from gripcourse.policy.variant_rules import read_variant_rules
 from gripcourse.text.suggestion import did_you_mean
@@ -77,6 +78,7 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         figure_rule=read_figure_rule(table.table("figures")),
         likeness=read_likeness_rule(table.table("likeness")),
         rubrics=rubrics,
+        scales=read_scales(table, points.numbers("section", {})),
     )
     credit.known_keys()
     rounding.known_keys()

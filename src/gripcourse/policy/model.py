@@ -9,6 +9,7 @@ from enum import StrEnum
 
 from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.rubric import Rubric
+from gripcourse.policy.scales import Scale
 from gripcourse.policy.slips import SlipPolicy
 
 
@@ -114,6 +115,7 @@ class Policy:
         figure_rule: how many figures answers should be typed with.
         likeness: when copying is suspected.
         rubrics: by which a person marks manual items, by id.
+        scales: what shares of the points are called, in the order of the documents.
     """
 
     total: float
@@ -139,3 +141,4 @@ class Policy:
     figure_rule: FigureRule
     likeness: LikenessRule
     rubrics: Mapping[str, Rubric]
+    scales: tuple[Scale, ...] = ()
