@@ -17,7 +17,7 @@ from gripcourse.api.documents import (
 )
 from gripcourse.api.marks import enter_mark, enter_marks, trace, what_waits
 from gripcourse.api.measuring import audit_tolerances, evaluate, evaluate_in_memory, simulate
-from gripcourse.api.regrading import apply_regrade, history, publish, regrade, undo_regrade
+from gripcourse.api.regrading import apply_regrade, history, publish, regrade, undo_regrade, waive
 from gripcourse.api.results import (
     CheckResult,
     IssueResult,
@@ -66,6 +66,7 @@ __all__ = [
     "trace",
     "undo_regrade",
     "validate",
+    "waive",
     "what_waits",
     "write_general_view",
     "write_key",

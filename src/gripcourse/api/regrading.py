@@ -11,6 +11,7 @@ from gripcourse.api.sources import FileLike, workbooks
 if TYPE_CHECKING:
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt
+    from gripcourse.gradebook.timing import Waiver
     from gripcourse.usecases.history import Event
     from gripcourse.usecases.regrade import Regrading
 
@@ -92,6 +93,31 @@ def publish(
     from gripcourse.usecases.regrade import publish as tell
 
     return tell(str(gradebook), students, Signed(by, datetime.now(UTC)))
+
+
+def waive(
+    course: Course,
+    gradebook: str | Path,
+    student: str,
+    *,
+    by: str,
+    why: str,
+    until: datetime | None = None,
+) -> "Waiver":
+    """Let a student's lateness cost nothing, at all or until a moment; the next grading shows it.
+
+    Raises:
+        GripcourseError: nobody knows the student, or no reason is given.
+    """
+    from gripcourse.gradebook.timing import Waiver
+    from gripcourse.usecases.opening import grading_of
+    from gripcourse.usecases.waive import waive as enter
+
+    register = grading_of(course.definition, course.policy).register
+    waiver = Waiver(
+        student, 0, until, withdrawn=False, person=by, done_at=datetime.now(UTC), why=why
+    )
+    return enter(waiver, str(gradebook), register)
 
 
 def history(gradebook: str | Path, student: str) -> "tuple[Event, ...]":

@@ -188,6 +188,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
         ),
     ] = None,
+    handed_in: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--handed-in",
+            metavar="file=2026-12-01T18:00",
+            help="When a file was handed in, or all of them; default: the file's own time.",
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -195,9 +203,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
+    from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
     from gripcourse.usecases.whose import read_whose
 
@@ -207,6 +217,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
     context = replace(context, whose=decided)
+    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
@@ -215,7 +226,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
-        graded = keep(graded, context, place, datetime.now(UTC))
+        graded = keep(graded, context, place, datetime.now(UTC), times)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
             graded,

@@ -1,4 +1,4 @@
-"""`gripcourse regrade`, `undo`, `publish` and `history`: parse, one call, print, exit code."""
+"""`gripcourse regrade`, `undo`, `publish`, `waive`, `history`: parse, one call, print."""
 
 import getpass
 from dataclasses import replace
@@ -140,6 +140,48 @@ def publish(
     place = gradebook_place(gradebook, course_folder(course))
     signed = Signed(by or getpass.getuser(), datetime.now(UTC))
     confirm(regrade_text.published_text(command.publish(place, students or (), signed), words))
+
+
+@app.command(cls=SpokenCommand)
+def waive(  # noqa: PLR0913 (one parameter per option)
+    student: Annotated[str, typer.Argument(metavar="student", help="Whose lateness.")],
+    *,
+    until: Annotated[
+        str | None,
+        typer.Option(
+            "--until",
+            metavar="2026-12-05T18:00",
+            help="Until when it costs nothing; default: ever.",
+        ),
+    ] = None,
+    withdraw: Annotated[
+        bool, typer.Option("--withdraw", help="Let the student's waivers count no longer.")
+    ] = False,
+    why: WhyOption = "",
+    by: ByOption = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Let a student's lateness cost nothing, at all or until a moment; the reason is kept."""
+    from gripcourse.gradebook.deadlines import moment_of
+    from gripcourse.gradebook.timing import Waiver
+    from gripcourse.policy.time_rules import zone_of
+    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.waive import waive as enter
+
+    words = words_for(language)
+    context = open_grading(course_folder(course))
+    moment = None if until is None else moment_of(until, zone_of(context.policy.late))
+    if until is not None and moment is None:
+        raise cli_text.misuse(
+            message("'{text}' is no day.", text=until),
+            message("Write 2026-12-01, or 2026-12-01 18:00."),
+        )
+    place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
+    wanted = Waiver(student, 0, moment, withdraw, by or getpass.getuser(), now, why)
+    enter(wanted, place, context.register)
+    confirm(words.say(message("Kept. Grade again to renew the reports.")))
 
 
 @app.command(cls=SpokenCommand)

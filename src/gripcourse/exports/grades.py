@@ -6,6 +6,7 @@ in every language, so that a program reads it the same everywhere.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC
 from pathlib import Path
 from types import MappingProxyType
 
@@ -29,6 +30,7 @@ class Called:
     words: Words
 
 
+_TIMED = ("earned", "attempt", "counts", "handed_in", "days_late")
 _PLAIN = Called((), Words("en"))
 
 
@@ -64,18 +66,27 @@ def grades_text(
     sections = tuple(
         dict.fromkeys(finding.section for report in reports for finding in report.findings)
     )
+    timed = any(report.timing is not None for report in reports)
     header = (
         *("student", "name", "group", "variant"),
         *("score", "max_score", "percent", "open_points"),
         *(one.id for one in called.scales),
+        *(_TIMED if timed else ()),
         *sections,
         *("slips", "flags", "file"),
     )
-    return table_text(header, (_row(report, sections, groups, called) for report in reports))
+    return table_text(
+        header, (_row(report, sections, groups, called, timed=timed) for report in reports)
+    )
 
 
 def _row(
-    report: Report, sections: tuple[str, ...], groups: Mapping[str, str], called: Called
+    report: Report,
+    sections: tuple[str, ...],
+    groups: Mapping[str, str],
+    called: Called,
+    *,
+    timed: bool,
 ) -> tuple[str, ...]:
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
     return (
@@ -84,6 +95,7 @@ def _row(
         ),
         *_points(report),
         *_grades(report, called),
+        *(_timing(report) if timed else ()),
         *_section_points(report, sections),
         text_cell("; ".join(_slips(report))),
         text_cell(flags),
@@ -109,6 +121,20 @@ def _grades(report: Report, called: Called) -> tuple[str, ...]:
         return ("",) * len(called.scales)
     standing = standing_of(report)
     return tuple(text_cell(certain_grade(scale, standing, called.words)) for scale in called.scales)
+
+
+def _timing(report: Report) -> tuple[str, ...]:
+    """Return what lateness leaves of the points, and which attempt it is; times are in UTC."""
+    timing = report.timing
+    if timing is None:
+        return ("",) * len(_TIMED)
+    return (
+        number_cell(report.earned) if report.judged else "",
+        f"{timing.number}/{timing.of}",
+        "1" if timing.counts else "0",
+        "" if timing.handed_in is None else f"{timing.handed_in.astimezone(UTC):%Y-%m-%dT%H:%MZ}",
+        str(timing.days_late),
+    )
 
 
 def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from gripcourse.gradebook import schema
 from gripcourse.gradebook.model import Attempt
 from gripcourse.gradebook.rows import Row, in_utc, stored
 from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows, new_attempts
+from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import Work
 from gripcourse.grading.model import PointSums
 from gripcourse.machine.database.opening import refusals_named
@@ -200,6 +201,57 @@ def published_works(book: Gradebook) -> frozenset[tuple[str, str]]:
         for one in (book.attempts({one.student for one in told}) if told else ())
     }
     return frozenset((one.student, digests[one.student, one.attempt]) for one in told)
+
+
+def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
+    """Return the waivers of each student, oldest first.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    one = schema.waivers.c
+    question = select(schema.waivers).order_by(one.student, one.number)
+    with refusals_named(book.place), book.engine.connect() as connection:
+        found = list(connection.execute(question).mappings())
+    made = [
+        Waiver(
+            student=row["student"],
+            number=row["number"],
+            until=None if row["until"] is None else in_utc(row["until"]),
+            withdrawn=bool(row["withdrawn"]),
+            person=row["person"],
+            done_at=in_utc(row["done_at"]),
+            why=row["why"],
+        )
+        for row in found
+    ]
+    return {name: tuple(group) for name, group in groupby(made, key=lambda one: one.student)}
+
+
+def keep_waiver(book: Gradebook, waiver: Waiver) -> Waiver:
+    """Keep a waiver, numbered.
+
+    Raises:
+        GradebookError: the database failed; nothing was kept.
+    """
+
+    def fresh() -> tuple[Waiver, ...]:
+        before = waivers(book).get(waiver.student, ())
+        return (replace(waiver, number=len(before) + 1),)
+
+    return book.add(fresh, lambda found: [(schema.waivers, [_waiver_row(found[0])])])[0]
+
+
+def _waiver_row(one: Waiver) -> Row:
+    return {
+        "student": one.student,
+        "number": one.number,
+        "until": None if one.until is None else stored(one.until),
+        "withdrawn": one.withdrawn,
+        "person": one.person,
+        "done_at": stored(one.done_at),
+        "why": one.why,
+    }
 
 
 def _key(one: Published) -> tuple[str, int, int]:

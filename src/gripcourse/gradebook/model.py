@@ -55,6 +55,8 @@ class Attempt:
         judged: False for a file that could not be judged; it has no results.
         results: one for each item, in the order of the report.
         regrade: number of the regrade that it belongs to; None where it was graded by itself.
+        handed_in: when, by the file or the platform, or as a person says; None where unknown.
+        handed_in_said: whether a person says so.
     """
 
     student: str
@@ -68,6 +70,8 @@ class Attempt:
     judged: bool
     results: tuple[Result, ...]
     regrade: int | None = None
+    handed_in: datetime | None = None
+    handed_in_said: bool = False
 
     @property
     def by_quantity(self) -> Mapping[str, Result]:
@@ -149,8 +153,9 @@ def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
 
 
 def says_the_same(one: Attempt, other: Attempt) -> bool:
-    """Tell whether two attempts came to the same."""
-    return one.judged == other.judged and same_results(one.results, other.results)
+    """Tell whether an attempt came to the same as an earlier one, and says no other time."""
+    same_time = not other.handed_in_said or other.handed_in == one.handed_in
+    return same_time and one.judged == other.judged and same_results(one.results, other.results)
 
 
 def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]:

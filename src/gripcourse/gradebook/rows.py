@@ -27,6 +27,8 @@ def attempt_row(attempt: Attempt) -> Row:
         "policy": attempt.fingerprints.policy,
         "engine": attempt.fingerprints.engine or None,
         "regrade": attempt.regrade,
+        "handed_in": None if attempt.handed_in is None else stored(attempt.handed_in),
+        "handed_in_said": attempt.handed_in_said,
         "judged": attempt.judged,
     }
 
@@ -91,6 +93,8 @@ def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
             if row["quantity"] is not None
         ),
         regrade=first["regrade"],
+        handed_in=None if first["handed_in"] is None else in_utc(first["handed_in"]),
+        handed_in_said=bool(first["handed_in_said"]),
     )
 
 

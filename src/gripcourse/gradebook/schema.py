@@ -36,6 +36,8 @@ attempts = Table(
     Column("judged", Boolean, nullable=False),
     Column("engine", String(64)),  # fingerprint; none before it was kept
     Column("regrade", Integer),  # that it belongs to; none where it was graded by itself
+    Column("handed_in", DateTime),  # UTC; none where unknown
+    Column("handed_in_said", Boolean),  # whether a person says so
 )
 
 results = Table(
@@ -113,4 +115,17 @@ publications = Table(
     ForeignKeyConstraint(
         ("student", "attempt"), ("gradebook_attempt.student", "gradebook_attempt.number")
     ),
+)
+
+# That somebody's lateness is not counted, at all or until a moment; the last one counts.
+waivers = Table(
+    "gradebook_waiver",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("until", DateTime),  # UTC; none: lateness costs nothing
+    Column("withdrawn", Boolean, nullable=False),
+    Column("person", String, nullable=False),
+    Column("done_at", DateTime, nullable=False),  # UTC
+    Column("why", String, nullable=False),
 )

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Result
 from gripcourse.grading.model import PointSums
@@ -16,12 +17,14 @@ class Work:
         number: counts the student's works from 1, in the order in which they were graded first.
         first: its first attempt.
         attempt: the attempt that stands for it.
+        handed_in: when; what a person said last goes before the file's own time. None: unknown.
     """
 
     student: str
     number: int
     first: Attempt
     attempt: Attempt
+    handed_in: datetime | None
 
     @property
     def digest(self) -> str:
@@ -40,11 +43,16 @@ def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[Work, ...]]:
         by_student.setdefault(one.student, {}).setdefault(one.digest, []).append(one)
     return {
         student: tuple(
-            Work(student, number, attempts[0], attempts[-1])
+            Work(student, number, attempts[0], attempts[-1], _handed_in(attempts))
             for number, attempts in enumerate(by_file.values(), start=1)
         )
         for student, by_file in by_student.items()
     }
+
+
+def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:
+    said = [one.handed_in for one in attempts if one.handed_in_said]
+    return said[-1] if said else attempts[0].handed_in
 
 
 def latest_judged(standing: Iterable[Attempt]) -> dict[str, Attempt]:

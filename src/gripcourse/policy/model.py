@@ -11,6 +11,7 @@ from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.rubric import Rubric
 from gripcourse.policy.scales import Scale
 from gripcourse.policy.slips import SlipPolicy
+from gripcourse.policy.time_rules import AttemptRule, LateRule
 
 
 class Reveal(StrEnum):
@@ -116,6 +117,8 @@ class Policy:
         likeness: when copying is suspected.
         rubrics: by which a person marks manual items, by id.
         scales: what shares of the points are called, in the order of the documents.
+        late: what lateness costs; None for nothing.
+        attempts: which of several works counts; None where each is reported for itself.
     """
 
     total: float
@@ -142,3 +145,5 @@ class Policy:
     likeness: LikenessRule
     rubrics: Mapping[str, Rubric]
     scales: tuple[Scale, ...] = ()
+    late: LateRule | None = None
+    attempts: AttemptRule | None = None

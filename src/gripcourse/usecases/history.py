@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.gradebook.journal import publications, regrades
+from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import points_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
@@ -47,7 +48,8 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
     """
     book = existing_gradebook(place)
     attempts = book.attempts({student})
-    if not attempts and student not in known:
+    waived = waivers(book)
+    if not attempts and student not in known and student not in waived:
         everybody = {one.student for one in book.attempts()}
         what = message("The register has no student '{student}'.", student=student)
         remedy = did_you_mean(student, everybody)
@@ -73,7 +75,19 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
                 number=told.attempt,
             )
             events.append(Event(told.signed.done_at, told.signed.person, said, ""))
+    events += [_of_waiver(one) for one in waived.get(student, ())]
     return tuple(sorted(events, key=lambda one: one.at))
+
+
+def _of_waiver(waiver: Waiver) -> Event:
+    if waiver.withdrawn:
+        what = message("The waiver was withdrawn: lateness is counted.")
+    elif waiver.until is None:
+        what = message("Lateness is not counted.")
+    else:
+        until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
+        what = message("Lateness is not counted until {until}.", until=until)
+    return Event(waiver.done_at, waiver.person, what, waiver.why)
 
 
 def versions_text(attempt: Attempt) -> str:

@@ -1,4 +1,4 @@
-"""Regrades: what graded each attempt, regrades with their reasons, and what was published."""
+"""What graded each attempt and when it was handed in; regrades, publications, waivers."""
 
 import sqlalchemy as sa
 from alembic import op
@@ -8,9 +8,11 @@ down_revision = "2"
 
 
 def upgrade() -> None:
-    """Add columns of attempts, and the tables of regrades and publications."""
+    """Add columns of attempts, and the tables of regrades, publications and waivers."""
     op.add_column("gradebook_attempt", sa.Column("engine", sa.String(64)))
     op.add_column("gradebook_attempt", sa.Column("regrade", sa.Integer))
+    op.add_column("gradebook_attempt", sa.Column("handed_in", sa.DateTime))
+    op.add_column("gradebook_attempt", sa.Column("handed_in_said", sa.Boolean))
     op.create_table(
         "gradebook_regrade",
         sa.Column("number", sa.Integer, primary_key=True, autoincrement=False),
@@ -31,4 +33,14 @@ def upgrade() -> None:
         sa.ForeignKeyConstraint(
             ("student", "attempt"), ("gradebook_attempt.student", "gradebook_attempt.number")
         ),
+    )
+    op.create_table(
+        "gradebook_waiver",
+        sa.Column("student", sa.String, primary_key=True),
+        sa.Column("number", sa.Integer, primary_key=True, autoincrement=False),
+        sa.Column("until", sa.DateTime),
+        sa.Column("withdrawn", sa.Boolean, nullable=False),
+        sa.Column("person", sa.String, nullable=False),
+        sa.Column("done_at", sa.DateTime, nullable=False),
+        sa.Column("why", sa.String, nullable=False),
     )
