@@ -547,6 +547,13 @@ def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_
     told = gripcourse("history", "s01", *at).out
     assert all(one in told for one in ("Attempt 1", "Петров", "диаграмма важнее", "поспешили"))
 
+    refused(gripcourse("waive", "s01", "--why", "болезнь", "--until", "soon", *at), "'soon'")
+    refused(gripcourse("waive", "s01", *at), "needs a reason")
+    assert gripcourse("waive", "s01", "--why", "болезнь", *at).code == cli.DONE
+    assert "болезнь" in gripcourse("history", "s01", *at).out
+    out = ("--out", tmp_path / "graded")
+    refused(gripcourse("grade", *files, *out, "--handed-in", "soon"), "--handed-in", "'soon'")
+
 
 def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:
     run = gripcourse("draw", "002", "--student-name", "Иванова А.", "--out", "views")

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from gripcourse.gradebook.model import Attempt, Fingerprints, GradebookEntry, Mark, latest_marks
-from gripcourse.gradebook.regrade import Direction, Version, WorkChange, change_of
+from gripcourse.gradebook.regrade import ChangedPart, Shift, WorkChange, change_of
 from gripcourse.gradebook.works import works_of
 from gripcourse.grading.model import Outcome, Report
 
@@ -32,13 +32,13 @@ def compare(report: MakeReport, attempts: MakeAttempts) -> Compare:
 @pytest.mark.parametrize(
     ("bore", "direction"),
     [
-        ((Outcome.CORRECT, 2.0, 2.0), Direction.RAISED),
-        ((Outcome.BLANK, 0.0, 2.0), Direction.UNCHANGED),
-        ((Outcome.WRONG, 0.0, 3.0), Direction.LOWERED),
+        ((Outcome.CORRECT, 2.0, 2.0), Shift.RAISED),
+        ((Outcome.BLANK, 0.0, 2.0), Shift.UNCHANGED),
+        ((Outcome.WRONG, 0.0, 3.0), Shift.LOWERED),
     ],
 )
 def test_what_counts_is_the_share_of_all_points(
-    compare: Compare, report: MakeReport, bore: tuple[Outcome, float, float], direction: Direction
+    compare: Compare, report: MakeReport, bore: tuple[Outcome, float, float], direction: Shift
 ) -> None:
     change = compare(report(bore=bore))
     assert change.direction is direction
@@ -50,7 +50,7 @@ def test_an_item_that_a_person_decided_moves_no_points(
     compare: Compare, report: MakeReport, mark: MakeMark
 ) -> None:
     change = compare(report(bore=(Outcome.CORRECT, 2.0, 2.0)), [mark("bore", 0.5)])
-    assert change.direction is Direction.UNCHANGED
+    assert change.direction is Shift.UNCHANGED
     assert change.before == change.after
     assert change.changes
 
@@ -59,7 +59,7 @@ def test_the_same_results_by_another_course_are_nothing_to_apply(
     compare: Compare, report: MakeReport
 ) -> None:
     change = compare(report(), fingerprints=Fingerprints("x" * 64, "d" * 64, "e" * 64))
-    assert change.versions == (Version.ENGINE, Version.COURSE)
+    assert change.versions == (ChangedPart.ENGINE, ChangedPart.COURSE)
     assert not change.changes
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from gripcourse.gradebook.model import Attempt
 from gripcourse.gradebook.timing import Rules, Waiver, timings_of
-from gripcourse.gradebook.works import Work, works_of
+from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.model import Outcome, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 
@@ -21,10 +21,10 @@ GOOD, POOR = (Outcome.CORRECT, 2.0, 2.0), (Outcome.WRONG, 0.0, 2.0)
 
 
 @pytest.fixture
-def hand_in(report: MakeReport, attempts: MakeAttempts) -> Callable[..., tuple[Work, ...]]:
+def hand_in(report: MakeReport, attempts: MakeAttempts) -> Callable[..., tuple[StudentWork, ...]]:
     """Works of one student, each by its hours after the deadline and what was found."""
 
-    def works(*given: tuple[float | None, tuple[Outcome, float, float]]) -> tuple[Work, ...]:
+    def works(*given: tuple[float | None, tuple[Outcome, float, float]]) -> tuple[StudentWork, ...]:
         kept = []
         for number, (hours, bore) in enumerate(given, start=1):
             (one,) = attempts(report(digest=str(number) * 64, bore=bore))
@@ -36,7 +36,7 @@ def hand_in(report: MakeReport, attempts: MakeAttempts) -> Callable[..., tuple[W
 
 
 def timings(
-    works: Sequence[Work],
+    works: Sequence[StudentWork],
     waiver: Waiver | None = None,
     counts: AttemptRule | None = None,
     deadline: datetime | None = DEADLINE,
@@ -54,21 +54,21 @@ def waiver(until: datetime | None = None, *, withdrawn: bool = False) -> Waiver:
     [(-1, 0, 0), (0, 0, 0), (2, 0, 0), (2.1, 1, 0.1), (24, 1, 0.1), (25, 2, 0.2), (240, 10, 0.35)],
 )
 def test_each_day_begun_after_the_grace_costs_up_to_the_most(
-    hand_in: Callable[..., tuple[Work, ...]], hours: float, days: int, share: float
+    hand_in: Callable[..., tuple[StudentWork, ...]], hours: float, days: int, share: float
 ) -> None:
     (timing,) = timings(hand_in((hours, GOOD)))
     assert (timing.days_late, timing.deduction) == (days, pytest.approx(share))
 
 
 def test_without_a_deadline_or_a_time_nothing_is_late(
-    hand_in: Callable[..., tuple[Work, ...]],
+    hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:
     assert timings(hand_in((100, GOOD)), deadline=None)[0].deduction == 0
     assert timings(hand_in((None, GOOD)))[0].deduction == 0
 
 
 def test_a_waiver_moves_the_deadline_or_takes_it_away_until_it_is_withdrawn(
-    hand_in: Callable[..., tuple[Work, ...]],
+    hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:
     works = hand_in((49, GOOD))
     until = DEADLINE + timedelta(days=1)
@@ -91,14 +91,14 @@ def test_a_waiver_moves_the_deadline_or_takes_it_away_until_it_is_withdrawn(
     ],
 )
 def test_one_work_counts(
-    hand_in: Callable[..., tuple[Work, ...]], counts: Counts, most: int, expected: list[bool]
+    hand_in: Callable[..., tuple[StudentWork, ...]], counts: Counts, most: int, expected: list[bool]
 ) -> None:
     works = hand_in((-9, POOR), (-5, GOOD), (-1, POOR))
     assert [one.counts for one in timings(works, counts=AttemptRule(counts, most))] == expected
 
 
 def test_the_best_is_the_best_after_what_lateness_costs(
-    hand_in: Callable[..., tuple[Work, ...]],
+    hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:
     works = hand_in((-1, (Outcome.CARRIED, 1.8, 2.0)), (100, GOOD))
     assert [one.counts for one in timings(works, counts=AttemptRule(Counts.BEST, 0))] == [
@@ -108,13 +108,13 @@ def test_the_best_is_the_best_after_what_lateness_costs(
 
 
 def test_works_are_counted_in_the_order_in_which_they_were_handed_in(
-    hand_in: Callable[..., tuple[Work, ...]],
+    hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:
     later, earlier = timings(hand_in((5, GOOD), (-5, GOOD)), counts=AttemptRule(Counts.LAST, 0))
     assert (earlier.number, later.number, later.counts) == (1, 2, True)
 
 
 def test_without_a_rule_each_work_is_reported_for_itself(
-    hand_in: Callable[..., tuple[Work, ...]],
+    hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:
     assert all(one.counts for one in timings(hand_in((-2, GOOD), (-1, POOR))))

@@ -9,9 +9,9 @@ from gripcourse.course.toml_table import Table
 from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy
 from gripcourse.policy.scales import (
+    CountedPoints,
     Scale,
     ScaleStep,
-    Standing,
     certain_grade,
     grade_text,
     read_scales,
@@ -39,33 +39,36 @@ LETTERS = Scale(
     ("earned", "letter"), [(100, "A"), (90, "A"), (89.999, "B"), (60, "B"), (59.9, "F"), (0, "F")]
 )
 def test_a_step_begins_at_its_percentage(earned: float, letter: str) -> None:
-    assert grade_text(LETTERS, Standing(earned, 100, 0), ENGLISH) == letter
+    assert grade_text(LETTERS, CountedPoints(earned, 100, 0), ENGLISH) == letter
 
 
 def test_the_edge_of_a_step_is_inside_whatever_the_last_bit_says() -> None:
-    assert grade_text(LETTERS, Standing(0.1 + 0.2 + 0.6, 1, 0), ENGLISH) == "A"
-    assert grade_text(LETTERS, Standing(3 * 0.3 - 1e-16, 1.0, 0), ENGLISH) == "A"
+    assert grade_text(LETTERS, CountedPoints(0.1 + 0.2 + 0.6, 1, 0), ENGLISH) == "A"
+    assert grade_text(LETTERS, CountedPoints(3 * 0.3 - 1e-16, 1.0, 0), ENGLISH) == "A"
 
 
 def test_where_waiting_points_decide_both_ends_are_named_and_no_cell_is_filled() -> None:
-    open_ = Standing(55, 100, 10)
+    open_ = CountedPoints(55, 100, 10)
     assert grade_text(LETTERS, open_, ENGLISH) == "F…B"
     assert certain_grade(LETTERS, open_, ENGLISH) == ""
-    assert certain_grade(LETTERS, Standing(65, 100, 10), ENGLISH) == "B"
+    assert certain_grade(LETTERS, CountedPoints(65, 100, 10), ENGLISH) == "B"
 
 
 def test_without_steps_it_is_the_percentage() -> None:
     percent = Scale("share", plain("Share"), ())
-    assert grade_text(percent, Standing(12.5, 100, 0), ENGLISH) == "12.5%"
+    assert grade_text(percent, CountedPoints(12.5, 100, 0), ENGLISH) == "12.5%"
 
 
 def test_without_any_points_there_is_no_grade() -> None:
-    assert grade_text(LETTERS, Standing(0, 0, 0), ENGLISH) == ""
+    assert grade_text(LETTERS, CountedPoints(0, 0, 0), ENGLISH) == ""
 
 
 def test_the_reference_course_has_marks_and_letters(policy: Policy) -> None:
     assert [one.id for one in policy.scales] == ["mark", "ects"]
-    assert [grade_text(one, Standing(84, 100, 0), ENGLISH) for one in policy.scales] == ["4", "B"]
+    assert [grade_text(one, CountedPoints(84, 100, 0), ENGLISH) for one in policy.scales] == [
+        "4",
+        "B",
+    ]
 
 
 def faults(*scales: dict[str, object]) -> list[str]:

@@ -14,7 +14,7 @@ from gripcourse.demo.students import correct
 from gripcourse.errors import GradebookError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed
-from gripcourse.gradebook.regrade import Direction
+from gripcourse.gradebook.regrade import Shift
 from gripcourse.grading.model import Report
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.history import history
@@ -83,10 +83,10 @@ def test_it_shows_old_and_new_for_everybody_with_the_reasons_and_writes_nothing(
     before = Path(faculty.place).read_bytes()
     found = faculty.regrade()
     assert Path(faculty.place).read_bytes() == before
-    assert {one: len(found.going(one)) for one in Direction} == {
-        Direction.RAISED: 0,
-        Direction.LOWERED: 1,
-        Direction.UNCHANGED: 1,
+    assert {one: len(found.going(one)) for one in Shift} == {
+        Shift.RAISED: 0,
+        Shift.LOWERED: 1,
+        Shift.UNCHANGED: 1,
     }
     (change,) = found.to_apply
     assert change.work.student == "s02"
@@ -102,7 +102,7 @@ def test_applied_it_counts_and_taken_back_it_never_did(faculty: Faculty) -> None
     first = faculty.regrade()
     assert len(apply_regrade(first, faculty.place, faculty.signed())) == 1
     assert faculty.regrade().to_apply == ()
-    assert len(faculty.regrade(faculty.today).going(Direction.RAISED)) == 1
+    assert len(faculty.regrade(faculty.today).going(Shift.RAISED)) == 1
     assert undo_regrade(faculty.place, faculty.signed("поспешили")).undoes == 1
     assert faculty.regrade(faculty.today).to_apply == ()
     assert faculty.regrade().to_apply == first.to_apply

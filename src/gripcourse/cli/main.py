@@ -192,7 +192,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         list[str] | None,
         typer.Option(
             "--handed-in",
-            metavar="file=2026-12-01T18:00",
+            metavar="file=time",
             help="When a file was handed in, or all of them; default: the file's own time.",
         ),
     ] = None,

@@ -150,7 +150,7 @@ def waive(  # noqa: PLR0913 (one parameter per option)
         str | None,
         typer.Option(
             "--until",
-            metavar="2026-12-05T18:00",
+            metavar="time",
             help="Until when it costs nothing; default: ever.",
         ),
     ] = None,

@@ -15,7 +15,7 @@ from gripcourse.text.words import Message, Words, message
 if TYPE_CHECKING:
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt, Result
-    from gripcourse.gradebook.regrade import Direction, WorkChange
+    from gripcourse.gradebook.regrade import Shift, WorkChange
     from gripcourse.usecases.history import Event
     from gripcourse.usecases.regrade import Regrading
 
@@ -34,23 +34,23 @@ _VERSIONS = {
 }
 
 
-def chosen_direction(written: str | None) -> "Direction | None":
+def chosen_direction(written: str | None) -> "Shift | None":
     """Read which works are to be shown; None for all that change.
 
     Raises:
         UsageError: there is no such filter.
     """
-    from gripcourse.gradebook.regrade import Direction
+    from gripcourse.gradebook.regrade import Shift
 
-    if written is None or written in list(Direction):
-        return None if written is None else Direction(written)
+    if written is None or written in list(Shift):
+        return None if written is None else Shift(written)
     what = message("There is no filter '{name}'.", name=written)
-    raise misuse(what, did_you_mean(written, list(Direction)))
+    raise misuse(what, did_you_mean(written, list(Shift)))
 
 
-def regrade_text(found: "Regrading", only: "Direction | None", words: Words) -> str:
+def regrade_text(found: "Regrading", only: "Shift | None", words: Words) -> str:
     """Return old and new points of each work, what changed about each item, and the counts."""
-    from gripcourse.gradebook.regrade import Direction
+    from gripcourse.gradebook.regrade import Shift
 
     asked = found.to_apply if only is None else found.going(only)
     lines = []
@@ -59,14 +59,14 @@ def regrade_text(found: "Regrading", only: "Direction | None", words: Words) -> 
         rows = [_row(one, words) for one in asked]
         lines.append(table_text(heads, rows, right={2, 3}))
     lines += [line for one in asked for line in _items(one, words)]
-    counts = {one: len(found.going(one)) for one in Direction}
+    counts = {one: len(found.going(one)) for one in Shift}
     lines.append(
         words.say(
             message(
                 "{raised} raised, {lowered} lowered, {unchanged} unchanged.",
-                raised=counts[Direction.RAISED],
-                lowered=counts[Direction.LOWERED],
-                unchanged=counts[Direction.UNCHANGED],
+                raised=counts[Shift.RAISED],
+                lowered=counts[Shift.LOWERED],
+                unchanged=counts[Shift.UNCHANGED],
             )
         )
     )

@@ -15,7 +15,7 @@ from gripcourse.gradebook.model import Attempt
 from gripcourse.gradebook.rows import Row, in_utc, stored
 from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows, new_attempts
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.gradebook.works import Work
+from gripcourse.gradebook.works import StudentWork
 from gripcourse.grading.model import PointSums
 from gripcourse.machine.database.opening import refusals_named
 
@@ -161,7 +161,7 @@ def publications(book: Gradebook) -> tuple[Published, ...]:
 
 
 def keep_publication(
-    book: Gradebook, told: Mapping[Work, PointSums], signed: Signed
+    book: Gradebook, told: Mapping[StudentWork, PointSums], signed: Signed
 ) -> tuple[Published, ...]:
     """Keep that students are told what stands; who was told just so already is not kept twice.
 

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Result, same_results
-from gripcourse.gradebook.works import Work, points_of
+from gripcourse.gradebook.works import StudentWork, points_of
 from gripcourse.grading.model import Outcome, PointSums
 
 _SAME = 1e-6  # points of one policy are the same number on each machine but for the last bits
 
 
-class Direction(StrEnum):
+class Shift(StrEnum):
     """What a regrade does to a work; the value is typed at the command line."""
 
     RAISED = "raised"
@@ -19,7 +19,7 @@ class Direction(StrEnum):
     UNCHANGED = "unchanged"
 
 
-class Version(StrEnum):
+class ChangedPart(StrEnum):
     """What may have changed between two gradings."""
 
     ENGINE = "engine"
@@ -54,21 +54,21 @@ class WorkChange:
         published: whether the student has been told the result.
     """
 
-    work: Work
+    work: StudentWork
     new: Attempt
-    versions: tuple[Version, ...]
+    versions: tuple[ChangedPart, ...]
     items: tuple[ItemChange, ...]
     before: PointSums
     after: PointSums
     published: bool
 
     @property
-    def direction(self) -> Direction:
+    def direction(self) -> Shift:
         """Whether the share of all points grows or falls."""
         difference = _share(self.after) - _share(self.before)
         if abs(difference) < _SAME:
-            return Direction.UNCHANGED
-        return Direction.RAISED if difference > 0 else Direction.LOWERED
+            return Shift.UNCHANGED
+        return Shift.RAISED if difference > 0 else Shift.LOWERED
 
     @property
     def is_lost(self) -> bool:
@@ -84,7 +84,7 @@ class WorkChange:
 
 
 def change_of(
-    work: Work, new: Attempt, marked: Mapping[str, GradebookEntry], *, published: bool
+    work: StudentWork, new: Attempt, marked: Mapping[str, GradebookEntry], *, published: bool
 ) -> WorkChange:
     """Compare what stands for a work with what it comes to now.
 
@@ -106,8 +106,8 @@ def change_of(
     )
 
 
-def _versions(old: Attempt, new: Attempt) -> Iterator[Version]:
-    for version in Version:
+def _versions(old: Attempt, new: Attempt) -> Iterator[ChangedPart]:
+    for version in ChangedPart:
         before, after = (getattr(one.fingerprints, version.value) for one in (old, new))
         if before != after:
             yield version

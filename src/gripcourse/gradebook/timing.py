@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from gripcourse.gradebook.model import GradebookEntry
-from gripcourse.gradebook.works import Work, points_of
+from gripcourse.gradebook.works import StudentWork, points_of
 from gripcourse.grading.model import Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 
@@ -43,7 +43,7 @@ class Rules:
 
 
 def timings_of(
-    works: Sequence[Work],
+    works: Sequence[StudentWork],
     marked: Mapping[str, GradebookEntry],
     deadline: datetime | None,
     waiver: Waiver | None,
@@ -101,7 +101,7 @@ def _cost(
 
 
 def _counting(
-    works: Sequence[Work],
+    works: Sequence[StudentWork],
     marked: Mapping[str, GradebookEntry],
     costs: Mapping[str, float],
     rules: Rules,
@@ -116,7 +116,7 @@ def _counting(
     if rules.attempts.counts is Counts.LAST:
         return works[-1].digest
 
-    def worth(work: Work) -> float:
+    def worth(work: StudentWork) -> float:
         sums = points_of(work.attempt.results, marked)
         possible = sums.max_score + sums.open_points
         return sums.score * (1 - costs[work.digest]) / possible if possible else 0.0

@@ -9,7 +9,7 @@ from gripcourse.grading.model import PointSums
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class StudentWork:
     """One file of one student, however often it was graded.
 
     Attributes:
@@ -32,7 +32,7 @@ class Work:
         return self.attempt.digest
 
 
-def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[Work, ...]]:
+def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[StudentWork, ...]]:
     """Return the works of each student, in the order in which they were graded first.
 
     Args:
@@ -43,7 +43,7 @@ def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[Work, ...]]:
         by_student.setdefault(one.student, {}).setdefault(one.digest, []).append(one)
     return {
         student: tuple(
-            Work(student, number, attempts[0], attempts[-1], _handed_in(attempts))
+            StudentWork(student, number, attempts[0], attempts[-1], _handed_in(attempts))
             for number, attempts in enumerate(by_file.values(), start=1)
         )
         for student, by_file in by_student.items()

@@ -46,7 +46,7 @@ class Scale:
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class CountedPoints:
     """Points of which some may still wait for a person.
 
     Attributes:
@@ -60,7 +60,7 @@ class Standing:
     waiting: float
 
 
-def grade_text(scale: Scale, standing: Standing, words: Words) -> str:
+def grade_text(scale: Scale, standing: CountedPoints, words: Words) -> str:
     """Call points by a scale: one step; where what waits decides, from the lowest to the highest.
 
     Returns:
@@ -70,13 +70,13 @@ def grade_text(scale: Scale, standing: Standing, words: Words) -> str:
     return lowest if lowest == highest else f"{lowest}…{highest}"
 
 
-def certain_grade(scale: Scale, standing: Standing, words: Words) -> str:
+def certain_grade(scale: Scale, standing: CountedPoints, words: Words) -> str:
     """Call points by a scale; nothing where points that wait for a person decide."""
     lowest, highest = _between(scale, standing, words)
     return lowest if lowest == highest else ""
 
 
-def _between(scale: Scale, standing: Standing, words: Words) -> tuple[str, str]:
+def _between(scale: Scale, standing: CountedPoints, words: Words) -> tuple[str, str]:
     if not standing.possible:
         return "", ""
     return (

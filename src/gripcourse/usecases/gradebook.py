@@ -19,10 +19,10 @@ from gripcourse.gradebook.works import works_of
 from gripcourse.grading.model import Report
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import LateRule
-from gripcourse.usecases.handed_in import HandedIn
+from gripcourse.usecases.handed_in import HandingTime
 from gripcourse.variants.model import Issued
 
-_NO_TIMES: Mapping[str, HandedIn] = MappingProxyType({})
+_NO_TIMES: Mapping[str, HandingTime] = MappingProxyType({})
 
 
 def check_gradebook(place: str) -> None:
@@ -40,7 +40,7 @@ def keep(
     context: GradingContext,
     place: str,
     now: datetime,
-    times: Mapping[str, HandedIn] = _NO_TIMES,
+    times: Mapping[str, HandingTime] = _NO_TIMES,
 ) -> tuple[Graded, ...]:
     """Keep a batch in the gradebook, and return it with the marks of persons.
 
@@ -106,7 +106,7 @@ def keep(
     )
 
 
-def _timed(attempt: Attempt, handed_in: HandedIn | None) -> Attempt:
+def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
     if handed_in is None:
         return attempt
     return replace(attempt, handed_in=handed_in.at, handed_in_said=handed_in.said)

@@ -14,7 +14,7 @@ from gripcourse.text.words import message
 
 
 @dataclass(frozen=True, slots=True)
-class HandedIn:
+class HandingTime:
     """When a file was handed in, and whether a person says so."""
 
     at: datetime
@@ -23,7 +23,7 @@ class HandedIn:
 
 def handed_in_times(
     written: Iterable[str], files: Sequence[Readable], zone: ZoneInfo
-) -> Mapping[str, HandedIn]:
+) -> Mapping[str, HandingTime]:
     """Return when each file was handed in, by its name; of bytes without a word nobody knows.
 
     Args:
@@ -36,7 +36,7 @@ def handed_in_times(
         UsageError: with everything that cannot be used.
     """
     times = {
-        shown(str(one)): HandedIn(datetime.fromtimestamp(one.stat().st_mtime, UTC), said=False)
+        shown(str(one)): HandingTime(datetime.fromtimestamp(one.stat().st_mtime, UTC), said=False)
         for one in files
         if isinstance(one, Path) and one.exists()
     }
@@ -50,7 +50,7 @@ def handed_in_times(
         elif not named:
             what = message("No file of the batch is called '{file}'.", file=name)
         else:
-            times |= {shown(file): HandedIn(at, said=True) for file in named}
+            times |= {shown(file): HandingTime(at, said=True) for file in named}
             continue
         remedy = message("Write 2026-12-01 18:00, or file=2026-12-01 18:00 for one file.")
         problems.append(Problem("", "", what, remedy, parameter="handed_in"))

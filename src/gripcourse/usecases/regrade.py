@@ -19,9 +19,9 @@ from gripcourse.gradebook.journal import (
     published_works,
 )
 from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks
-from gripcourse.gradebook.regrade import Direction, WorkChange, change_of
+from gripcourse.gradebook.regrade import Shift, WorkChange, change_of
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.gradebook.works import Work, points_of, works_of
+from gripcourse.gradebook.works import StudentWork, points_of, works_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
@@ -43,7 +43,7 @@ class Regrading:
     changes: tuple[WorkChange, ...]
     strangers: tuple[str, ...]
     failed: tuple[str, ...]
-    missing: tuple[Work, ...]
+    missing: tuple[StudentWork, ...]
     incidents: tuple[str, ...]
 
     @property
@@ -56,7 +56,7 @@ class Regrading:
         """Works that were judged and cannot be any more; what stands for them is kept."""
         return tuple(one for one in self.changes if one.is_lost)
 
-    def going(self, direction: Direction) -> tuple[WorkChange, ...]:
+    def going(self, direction: Shift) -> tuple[WorkChange, ...]:
         """Works whose points go one way, without those that cannot be judged any more."""
         return tuple(one for one in self.changes if one.direction is direction and not one.is_lost)
 
@@ -131,7 +131,7 @@ def apply_regrade(
     """
     _demand_reason(signed)
     lowered = [
-        one for one in regrading.to_apply if one.published and one.direction is Direction.LOWERED
+        one for one in regrading.to_apply if one.published and one.direction is Shift.LOWERED
     ]
     if lowered and not allow_lower:
         raise UsageError(
@@ -223,10 +223,10 @@ def _marked(book: Gradebook, students: set[str]) -> Mapping[str, Mapping[str, Gr
     return {student: latest_marks(all_) for student, all_ in entries.items()}
 
 
-def _strangers(graded: Sequence[Graded], works: Mapping[tuple[str, str], Work]) -> list[str]:
+def _strangers(graded: Sequence[Graded], works: Mapping[tuple[str, str], StudentWork]) -> list[str]:
     reports = [one.report for one in graded]
     return [one.file for one in reports if one.digest and (one.student, one.digest) not in works]
 
 
-def _place(work: Work) -> tuple[str, int]:
+def _place(work: StudentWork) -> tuple[str, int]:
     return work.student, work.number

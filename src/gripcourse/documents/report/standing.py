@@ -5,14 +5,14 @@ from datetime import datetime
 
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.model import Report
-from gripcourse.policy.scales import Scale, Standing, grade_text
+from gripcourse.policy.scales import CountedPoints, Scale, grade_text
 from gripcourse.text.amounts import percent_text, points_text
 from gripcourse.text.words import Message, Words, message
 
 
-def standing_of(report: Report) -> Standing:
+def standing_of(report: Report) -> CountedPoints:
     """Return the points of a report, with those that wait for a person."""
-    return Standing(
+    return CountedPoints(
         earned=report.earned,
         possible=report.max_score + report.open_points,
         waiting=report.open_points * (1 - (report.timing.deduction if report.timing else 0.0)),
