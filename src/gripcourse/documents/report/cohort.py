@@ -166,7 +166,7 @@ def _student(report: Report, sections: Sequence[str], policy: Policy, words: Wor
     return StudentRow(
         name=report.name or report.student or PurePath(report.file).name,
         variant=report.variant or "—",
-        score=points_text(report.score, words) if report.judged else "—",
+        score=points_text(report.earned, words) if report.judged else "—",
         grades=tuple(grades or ["—"] * len(policy.scales)),
         sections=tuple(
             points_text(totals[section].points, words) if section in totals else "—"
