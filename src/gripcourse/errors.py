@@ -28,6 +28,7 @@ class NextStep(StrEnum):
     command line the command or the option, a web page a button.
     """
 
+    ALLOW_LOWER = "allow_lower"
     CHECK_MACHINE = "check_machine"
     GRADE = "grade"
     LEAVE_WITHDRAWAL = "leave_withdrawal"
@@ -36,6 +37,7 @@ class NextStep(StrEnum):
     NAME_GRADEBOOK = "name_gradebook"
     NAME_TABLE = "name_table"
     OVERRULE = "overrule"
+    REGRADE = "regrade"
     SET_VALUES = "set_values"
     SIMULATE = "simulate"
 

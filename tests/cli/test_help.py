@@ -34,6 +34,9 @@ TYPED = frozenset(
             "private",
             "gradebook",
             "sqlite",
+            "raised",
+            "lowered",
+            "unchanged",
         ),
     )
 )

@@ -516,6 +516,45 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for the instructor.")
 
 
+def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_path: Path) -> None:
+    """Change the policy, look, apply, publish, take back: the codes say what is left to do."""
+    story = term.again(tmp_path)
+    at = ("--course", story.folder / "course")
+    files = (story.own, "--workers", 0, *at)
+    assert gripcourse("regrade", *files).code == cli.DONE
+
+    policy = story.folder / "course" / "grader" / "policy.toml"
+    text = policy.read_text(encoding="utf-8")
+    policy.write_text(text.replace("kinematic_diagram = 4", "kinematic_diagram = 5"), "utf-8")
+    shown = gripcourse("regrade", *files)
+    assert shown.code == cli.NEEDS_PERSON
+    assert all(
+        one in shown.out for one in ("s01", "the policy", "kinematic_diagram", "1 unchanged")
+    )
+    assert "kinematic_diagram" not in gripcourse("regrade", *files, "--only", "raised").out
+
+    refused(gripcourse("regrade", *files, "--only", "raise"), "'raise'", "'raised'")
+    refused(gripcourse("regrade", *files, "--apply"), "needs a reason")
+    refused(gripcourse("undo", "--why", "no", *at), "No regrade stands")
+    refused(gripcourse("history", "s09", *at), "STUDENT", "'s09'")
+    refused(gripcourse("publish", "s09", *at), "STUDENT", "s09")
+
+    assert gripcourse("publish", *at).code == cli.DONE
+    signed = ("--by", "Петров", "--why", "диаграмма важнее")
+    assert gripcourse("regrade", *files, "--apply", *signed).code == cli.DONE
+    assert gripcourse("regrade", *files).code == cli.DONE
+    assert gripcourse("undo", "--why", "поспешили", *at).code == cli.DONE
+    told = gripcourse("history", "s01", *at).out
+    assert all(one in told for one in ("Attempt 1", "Петров", "диаграмма важнее", "поспешили"))
+
+    refused(gripcourse("waive", "s01", "--why", "болезнь", "--until", "soon", *at), "'soon'")
+    refused(gripcourse("waive", "s01", *at), "needs a reason")
+    assert gripcourse("waive", "s01", "--why", "болезнь", *at).code == cli.DONE
+    assert "болезнь" in gripcourse("history", "s01", *at).out
+    out = ("--out", tmp_path / "graded")
+    refused(gripcourse("grade", *files, *out, "--handed-in", "soon"), "--handed-in", "'soon'")
+
+
 def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:
     run = gripcourse("draw", "002", "--student-name", "Иванова А.", "--out", "views")
     assert run.code == 0

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.exports.grades import grades_csv, grades_text
+from gripcourse.exports.grades import Called, grades_csv, grades_text
 from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
+from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
-from gripcourse.text.words import message
+from gripcourse.text.words import Words, message
 
 Change = Callable[..., Report]
 
@@ -29,6 +30,19 @@ def test_a_row_has_the_points_with_decimal_points(perfect: Report, wrong: Change
     assert float(row["max_score"]) == report.max_score
     assert row["open_points"] == "4"
     assert float(row["percent"]) == pytest.approx(100 * report.score / report.max_score, abs=1e-4)
+
+
+def test_each_scale_has_a_column_that_is_empty_while_points_that_wait_decide(
+    perfect: Report, policy: Policy
+) -> None:
+    called = Called(policy.scales, Words("ru"))
+    (row,) = rows(grades_text([perfect], {}, called))
+    assert (row["mark"], row["ects"]) == ("5", "A")
+    half = replace(perfect, score=83.0, max_score=96.0)
+    (row,) = rows(grades_text([half], {}, called))
+    assert (row["mark"], row["ects"]) == ("", "B")
+    (row,) = rows(grades_text([replace(perfect, judged=False)], {}, called))
+    assert (row["mark"], row["ects"]) == ("", "")
 
 
 def test_the_columns_of_the_sections_add_up_to_the_score(perfect: Report, wrong: Change) -> None:

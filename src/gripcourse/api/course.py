@@ -278,6 +278,7 @@ class Course:
         gradebook: str | Path | None = None,
         graded_on: date | None = None,
         whose: Mapping[str, str] | None = None,
+        handed_in: Iterable[str] = (),
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -290,6 +291,8 @@ class Course:
                 persons from; None for none.
             graded_on: day that documents bear; None for today.
             whose: ids of students by file, where a person says who handed it in.
+            handed_in: when files were handed in, as `file=2026-12-01 18:00`, or one moment for all;
+                files of which nothing is said have their own time, bytes none.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -298,8 +301,10 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
+        from gripcourse.policy.time_rules import zone_of
         from gripcourse.usecases.grade import batch_result, grade, write_results
         from gripcourse.usecases.gradebook import check_gradebook, keep
+        from gripcourse.usecases.handed_in import handed_in_times
         from gripcourse.usecases.opening import grading_of
         from gripcourse.usecases.whose import read_whose
 
@@ -311,7 +316,8 @@ class Course:
             check_gradebook(str(gradebook))
         graded = grade(sources, context, workers, on_done)
         if gradebook is not None:
-            graded = keep(graded, context, str(gradebook), datetime.now(UTC))
+            times = handed_in_times(handed_in, sources, zone_of(self.policy.late))
+            graded = keep(graded, context, str(gradebook), datetime.now(UTC), times)
         reports = tuple(one.report for one in graded)
         if out is not None:
             day = graded_on or _today()

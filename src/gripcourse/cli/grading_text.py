@@ -31,6 +31,7 @@ FLAGS = {
     FlagCode.MARK_OUTDATED: message("mark outdated"),
     FlagCode.NOT_JUDGED: message("not judged"),
     FlagCode.OTHER_VARIANT: message("another's variant"),
+    FlagCode.REGRADE_WAITS: message("regrade waits"),
     FlagCode.REJECTED: message("file rejected"),
     FlagCode.REPORT_INCIDENT: message("no report"),
     FlagCode.SAME_ANSWERS: message("another's answers"),

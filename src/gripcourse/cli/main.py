@@ -19,6 +19,7 @@ from gripcourse.cli import course as cli_course
 from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import grading_text, simulation
 from gripcourse.cli import mark as cli_mark
+from gripcourse.cli import regrade as cli_regrade
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
@@ -61,7 +62,7 @@ app = command_group(
     "Course assignments: issue variants, check, grade, report.",
     is_program=True,
 )
-for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
+for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
 app.add_typer(simulation.tolerance_app, name="tolerance")
@@ -187,6 +188,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
         ),
     ] = None,
+    handed_in: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--handed-in",
+            metavar="file=time",
+            help="When a file was handed in, or all of them; default: the file's own time.",
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -194,9 +203,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
+    from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
     from gripcourse.usecases.whose import read_whose
 
@@ -206,6 +217,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
     context = replace(context, whose=decided)
+    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
@@ -214,7 +226,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
-        graded = keep(graded, context, place, datetime.now(UTC))
+        graded = keep(graded, context, place, datetime.now(UTC), times)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
             graded,

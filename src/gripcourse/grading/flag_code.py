@@ -17,6 +17,7 @@ class FlagCode(StrEnum):
     MARK_OUTDATED = "mark_outdated"
     NOT_JUDGED = "not_judged"
     OTHER_VARIANT = "other_variant"
+    REGRADE_WAITS = "regrade_waits"  # published; today's course or policy would say otherwise
     REJECTED = "rejected"
     REPORT_INCIDENT = "report_incident"  # the report of a judged submission failed on our side
     SAME_ANSWERS = "same_answers"

@@ -9,7 +9,9 @@ from enum import StrEnum
 
 from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.rubric import Rubric
+from gripcourse.policy.scales import Scale
 from gripcourse.policy.slips import SlipPolicy
+from gripcourse.policy.time_rules import AttemptRule, LateRule
 
 
 class Reveal(StrEnum):
@@ -137,6 +139,9 @@ class Policy:
         likeness: when copying is suspected.
         check: what a self-check tells.
         rubrics: by which a person marks manual items, by id.
+        scales: what shares of the points are called, in the order of the documents.
+        late: what lateness costs; None for nothing.
+        attempts: which of several works counts; None where each is reported for itself.
     """
 
     total: float
@@ -163,3 +168,6 @@ class Policy:
     likeness: LikenessRule
     check: CheckRule
     rubrics: Mapping[str, Rubric]
+    scales: tuple[Scale, ...] = ()
+    late: LateRule | None = None
+    attempts: AttemptRule | None = None

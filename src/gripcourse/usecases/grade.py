@@ -10,7 +10,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
-from gripcourse.exports.grades import grades_csv
+from gripcourse.exports.grades import Called, grades_csv
 from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
@@ -141,8 +141,8 @@ def write_grades(
         Why the cohort report could not be laid out, None where it was.
     """
     groups = {name: issued.student.group for name, issued in context.register.items()}
-    grades_csv(reports, out / GRADES_CSV, groups)
     words = Words(context.course.language)
+    grades_csv(reports, out / GRADES_CSV, groups, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
     write_text(out / GRADES_JSON, json_text(reports, words, passed_over))

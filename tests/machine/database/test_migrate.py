@@ -45,7 +45,9 @@ def test_every_row_of_the_first_version_is_kept(old: Path) -> None:
     rows = {line for line in dump(old) if line.startswith("INSERT") and "_format" not in line}
     assert len(rows) == 4
     book = open_gradebook(str(old))
-    assert rows <= set(dump(old))
+    # A row may have got columns behind those that it had.
+    now = dump(old)
+    assert all(any(line.startswith(row.removesuffix(");")) for line in now) for row in rows)
     (entry,) = book.entries()
     assert (entry.mark.marker, entry.mark.lines) == ("Петров", {"sizes": 0.5})
     with book.engine.connect() as connection:
