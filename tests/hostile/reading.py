@@ -1,0 +1,76 @@
+"""What is done with each spoiled workbook, in a worker too."""
+
+import resource
+from dataclasses import dataclass
+
+from gripcourse.course.quantity import Quantity
+from gripcourse.errors import TableError
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.table import first_sheet
+from gripcourse.submission.interpret import interpret
+from gripcourse.submission.model import Reading, Rejected, Submission
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
+from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.variants.sheet import read_sheet
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBoth:
+    """What a file came to.
+
+    Attributes:
+        raw: as a student's workbook.
+        submission: what its answers were understood as; None for a refused file.
+        table: as a table: its refusal, or the number of its rows.
+        said: the reason in each language, for a refused file.
+        peak: megabytes of memory that the process has had at most.
+    """
+
+    raw: RawWorkbook | Rejected
+    submission: Submission | None
+    table: WhyRefused | int
+    said: tuple[str, ...]
+    peak: float
+
+
+def as_student(data: bytes, quantities: tuple[Quantity, ...]) -> ReadBoth:
+    """Read a file that a student hands in."""
+    raw = read_workbook(NamedBytes("answers.xlsx", data))
+    refused = isinstance(raw, Rejected)
+    submission = None if isinstance(raw, Rejected) else interpret(raw, quantities)
+    said = tuple(Words(one).say(raw.reason) for one in LANGUAGES) if refused else ()
+    return ReadBoth(raw, submission, 0, said, _peak())
+
+
+def as_table(data: bytes, _: object) -> WhyRefused | int:
+    """Read a file that an instructor gives as a table."""
+    rows = first_sheet(data)
+    return rows if isinstance(rows, WhyRefused) else len(rows)
+
+
+def as_list(data: bytes) -> None:
+    """Read a file as a list; the one thing that may be raised is our sentence."""
+    try:
+        read_sheet(NamedBytes("list.xlsx", data))
+    except TableError as refused:
+        assert str(refused)
+
+
+def faults_of(read: ReadBoth) -> list[str]:
+    """Tell what is wrong with an outcome, whatever the file is."""
+    if isinstance(read.raw, Rejected):
+        whole = len(set(read.said)) == len(LANGUAGES) and all(read.said)
+        is_known = read.raw.code in set(WhyRefused) and len(read.raw.digest) == 64
+        return [] if whole and is_known else [f"refused without a reason: {read.raw}"]
+    assert read.submission is not None
+    return [
+        f"{name}: a value without an answer"
+        for name, one in read.submission.answers.items()
+        if (one.value is None) == (one.reading is Reading.READ)
+    ]
+
+
+def _peak() -> float:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
