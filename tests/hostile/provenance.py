@@ -33,7 +33,10 @@ def invented(data: bytes, raw: RawWorkbook) -> list[str]:
         if _is(one, "definedName")
     ]
     merged = " ".join(
-        one.get("ref", "") for tree in parts.values() for one in tree.iter() if _is(one, "mergeCell")
+        one.get("ref", "")
+        for tree in parts.values()
+        for one in tree.iter()
+        if _is(one, "mergeCell")
     )
     faults = []
     for name, cell in _named(raw):

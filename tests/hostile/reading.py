@@ -1,10 +1,11 @@
 """What is done with each spoiled workbook, in a worker too."""
 
+import io
 import resource
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Quantity
-from gripcourse.errors import TableError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import first_sheet
@@ -13,35 +14,36 @@ from gripcourse.submission.model import Reading, Rejected, Submission
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.variants.sheet import read_sheet
 
 
 @dataclass(frozen=True, slots=True)
-class ReadBoth:
+class Outcome:
     """What a file came to.
 
     Attributes:
         raw: as a student's workbook.
         submission: what its answers were understood as; None for a refused file.
-        table: as a table: its refusal, or the number of its rows.
         said: the reason in each language, for a refused file.
         peak: megabytes of memory that the process has had at most.
+        printed: what came to a terminal.
     """
 
     raw: RawWorkbook | Rejected
     submission: Submission | None
-    table: WhyRefused | int
     said: tuple[str, ...]
     peak: float
+    printed: str
 
 
-def as_student(data: bytes, quantities: tuple[Quantity, ...]) -> ReadBoth:
+def as_student(data: bytes, quantities: tuple[Quantity, ...]) -> Outcome:
     """Read a file that a student hands in."""
-    raw = read_workbook(NamedBytes("answers.xlsx", data))
-    refused = isinstance(raw, Rejected)
-    submission = None if isinstance(raw, Rejected) else interpret(raw, quantities)
+    terminal = io.StringIO()
+    with redirect_stdout(terminal), redirect_stderr(terminal):
+        raw = read_workbook(NamedBytes("answers.xlsx", data))
+        refused = isinstance(raw, Rejected)
+        submission = None if isinstance(raw, Rejected) else interpret(raw, quantities)
     said = tuple(Words(one).say(raw.reason) for one in LANGUAGES) if refused else ()
-    return ReadBoth(raw, submission, 0, said, _peak())
+    return Outcome(raw, submission, said, _peak(), terminal.getvalue())
 
 
 def as_table(data: bytes, _: object) -> WhyRefused | int:
@@ -50,16 +52,10 @@ def as_table(data: bytes, _: object) -> WhyRefused | int:
     return rows if isinstance(rows, WhyRefused) else len(rows)
 
 
-def as_list(data: bytes) -> None:
-    """Read a file as a list; the one thing that may be raised is our sentence."""
-    try:
-        read_sheet(NamedBytes("list.xlsx", data))
-    except TableError as refused:
-        assert str(refused)
-
-
-def faults_of(read: ReadBoth) -> list[str]:
+def faults_of(read: Outcome) -> list[str]:
     """Tell what is wrong with an outcome, whatever the file is."""
+    if read.printed:
+        return [f"printed: {read.printed}"]
     if isinstance(read.raw, Rejected):
         whole = len(set(read.said)) == len(LANGUAGES) and all(read.said)
         is_known = read.raw.code in set(WhyRefused) and len(read.raw.digest) == 64

@@ -86,8 +86,7 @@ PARTS: Final[Mapping[str, bytes]] = {
     WORKBOOK: _HEAD + b'<workbook xmlns="%s" xmlns:r="%s"><workbookPr/><sheets>'
     b'<sheet name="1. %s" sheetId="1" r:id="r1"/>'
     b'<sheet name="_gripcourse" sheetId="2" state="hidden" r:id="r2"/></sheets>'
-    b"<definedNames>%s</definedNames></workbook>"
-    % (_MAIN, _RELATED, "Расчёт".encode(), _names()),
+    b"<definedNames>%s</definedNames></workbook>" % (_MAIN, _RELATED, "Расчёт".encode(), _names()),
     RELATIONS: _HEAD + b'<Relationships xmlns="%s/relationships">'
     b'<Relationship Id="r1" Type="%s/worksheet" Target="worksheets/sheet1.xml"/>'
     b'<Relationship Id="r2" Type="%s/worksheet" Target="worksheets/sheet2.xml"/>'
@@ -98,8 +97,9 @@ PARTS: Final[Mapping[str, bytes]] = {
     HIDDEN: _HEAD + b'<worksheet xmlns="%s"><sheetData>'
     b'<row r="1"><c r="B1" t="s"><v>3</v></c></row><row r="2"><c r="B2"><v>7</v></c></row>'
     b"</sheetData></worksheet>" % _MAIN,
-    TEXTS: _HEAD + '<sst xmlns="{}"><si><t>Величина</t></si><si><r><t>63</t></r><r><t> мм</t></r>'
-    "</si><si><t>да</t></si><si><t>s001</t></si></sst>".format(_MAIN.decode()).encode(),
+    TEXTS: _HEAD
+    + f'<sst xmlns="{_MAIN.decode()}"><si><t>Величина</t></si><si><r><t>63</t></r><r><t> мм</t></r>'
+    "</si><si><t>да</t></si><si><t>s001</t></si></sst>".encode(),
     STYLES: _HEAD + b'<styleSheet xmlns="%s"><numFmts count="1">'
     b'<numFmt numFmtId="164" formatCode="0.0"/></numFmts><cellXfs count="4">'
     b'<xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="14"/><xf numFmtId="10"/>'

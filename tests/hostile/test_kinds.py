@@ -16,7 +16,7 @@ from gripcourse.submission.model import Reading, Rejected
 from gripcourse.submission.raw import RawWorkbook
 from hostile import archives, parts, sheets
 from hostile.provenance import invented
-from hostile.reading import ReadBoth, as_student, as_table, faults_of
+from hostile.reading import Outcome, as_student, as_table, faults_of
 from hostile.small_workbook import ANSWERS, PARTS, archive, quantities
 
 Made: TypeAlias = Mapping[str, bytes]
@@ -46,7 +46,7 @@ def within(processor: float) -> Pool:
 
 
 @pytest.fixture(scope="module")
-def outcomes(files: Made) -> Mapping[str, ReadBoth | Lost]:
+def outcomes(files: Made) -> Mapping[str, Outcome | Lost]:
     """Read all of them in one worker; whoever takes too much is lost."""
     pool = within(SECONDS)
     jobs = run_each(
@@ -78,26 +78,26 @@ def test_the_workbook_that_is_spoiled_is_sound() -> None:
 
 @pytest.mark.parametrize("name", KINDS)
 def test_a_file_is_refused_with_a_reason_or_read_for_what_stands_in_it(
-    name: str, files: Made, outcomes: Mapping[str, ReadBoth | Lost]
+    name: str, files: Made, outcomes: Mapping[str, Outcome | Lost]
 ) -> None:
     read = outcomes[name]
-    assert isinstance(read, ReadBoth), read
+    assert isinstance(read, Outcome), read
     assert not faults_of(read)
     if isinstance(read.raw, RawWorkbook):
         assert not invented(files[name], read.raw)
 
 
-def test_no_file_takes_much_memory(outcomes: Mapping[str, ReadBoth | Lost]) -> None:
-    assert max(one.peak for one in outcomes.values() if isinstance(one, ReadBoth)) < MEGABYTES
+def test_no_file_takes_much_memory(outcomes: Mapping[str, Outcome | Lost]) -> None:
+    assert max(one.peak for one in outcomes.values() if isinstance(one, Outcome)) < MEGABYTES
 
 
-def test_most_broken_files_are_refused(outcomes: Mapping[str, ReadBoth | Lost]) -> None:
+def test_most_broken_files_are_refused(outcomes: Mapping[str, Outcome | Lost]) -> None:
     codes = {one.raw.code for one in outcomes.values() if _is_refused(one)}  # type: ignore[union-attr]
     assert codes >= set(WhyRefused) - {WhyRefused.GONE, WhyRefused.LOCK_FILE, WhyRefused.TOO_COSTLY}
 
 
-def _is_refused(one: ReadBoth | Lost) -> bool:
-    return isinstance(one, ReadBoth) and isinstance(one.raw, Rejected)
+def _is_refused(one: Outcome | Lost) -> bool:
+    return isinstance(one, Outcome) and isinstance(one.raw, Rejected)
 
 
 def test_the_same_files_as_tables_are_refused_or_read(

@@ -172,6 +172,7 @@ class Report:
         creator: the author that the workbook names; empty for none.
         known_by: what told whose file it is.
         refusal: code of the reason why the file cannot be read; empty for none.
+        lacks_results: whether answers are formulas whose results the file does not store.
     """
 
     file: str
@@ -194,6 +195,7 @@ class Report:
     creator: str = ""
     known_by: KnownBy = KnownBy.NOTHING
     refusal: str = ""
+    lacks_results: bool = False
 
     @property
     def composition(self) -> Composition:

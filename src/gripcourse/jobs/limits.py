@@ -191,9 +191,8 @@ def _die_with_parent() -> None:
     library holds Python's lock, so that on Linux the kernel is asked as well.
     """
     parent = multiprocessing.parent_process()
-    if parent is None:
-        return
-    threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+    if parent is not None:
+        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
     if sys.platform == "linux":
         import ctypes  # noqa: PLC0415 (for this alone)
 

@@ -1,29 +1,39 @@
 """One job apart from this process, in a worker that waits for the next one.
 
 Starting a process takes longer than reading a file. The worker is kept, and another one takes its
-place where it hung, died or grew.
+place where it hung, died or grew. Unlike the workers of `run_each` it never runs the program that
+asks again: a script of somebody who has not heard of that may read a table.
 """
 
+import atexit
+import pickle
+import subprocess
+import sys
+import threading
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
-from multiprocessing import get_context
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Final, TypeVar
 
-from gripcourse.jobs.limits import Limits, bind_worker, peak_memory
+from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.work import Task, do
+from gripcourse.jobs.work import Task
 
 Item = TypeVar("Item")
 Shared = TypeVar("Shared")
 Result = TypeVar("Result")
 
 _GROWN: Final = 256 * 1024**2  # bytes that a worker has had at most, where it is kept
+_TO_START: Final = 60.0  # seconds, on a machine that is busy
+_BEGIN: Final = (
+    "import pickle, sys; sys.path[:] = pickle.load(sys.stdin.buffer);"
+    "from gripcourse.jobs.servant import serve; serve()"
+)
 
 # All workers are started by one thread that lives as long as this process: Linux ends a worker
 # with the thread that started it, and the threads of a server come and go.
 _KEEPER: Final = ThreadPoolExecutor(1, "keeper of warm workers")
 # What is kept between two calls: one worker for each set of limits; only the keeper touches it.
-_WARM: Final[dict[Limits, Executor]] = {}
+_WARM: Final[dict[Limits, "subprocess.Popen[bytes]"]] = {}
 
 
 def do_apart(
@@ -43,19 +53,19 @@ def do_apart(
         limits: of the worker; `Limits.processor` bounds its time too.
         seconds: that the job may take by the clock.
     """
-    return _KEEPER.submit(_done, Task(work, shared, seconds, limits), item, limits).result()
+    packed = pickle.dumps((Task(work, shared, seconds, limits), item))
+    return _KEEPER.submit(_done, packed, limits, seconds + limits.grace).result()
 
 
-def _done(task: Task, item: object, limits: Limits) -> Any | Lost:  # noqa: ANN401 (whatever it returns)
+def _done(packed: bytes, limits: Limits, seconds: float) -> Any | Lost:  # noqa: ANN401 (whatever it returns)
     """Do a job; once more where the worker had died of something else before."""
-    for fresh in (limits not in _WARM, True):
-        worker = _WARM.get(limits) or _WARM.setdefault(limits, _worker(limits))
+    tries = 2 if limits in _WARM else 1
+    for _ in range(tries):
+        worker = _WARM.get(limits) or _WARM.setdefault(limits, _started(limits))
         try:
-            outcome, grown = worker.submit(_measured, task, item).result()
-        except BrokenExecutor:
+            outcome, grown = _answered(worker, packed, seconds)
+        except (OSError, EOFError, pickle.UnpicklingError):
             _dismiss(limits)
-            if fresh:
-                break
         else:
             if grown > _GROWN:
                 _dismiss(limits)
@@ -63,14 +73,51 @@ def _done(task: Task, item: object, limits: Limits) -> Any | Lost:  # noqa: ANN4
     return Lost("The worker that did this died, or did not end in time.\n")
 
 
-def _worker(limits: Limits) -> Executor:
-    return ProcessPoolExecutor(1, get_context("spawn"), bind_worker, (limits,))
+def _started(limits: Limits) -> "subprocess.Popen[bytes]":
+    worker = subprocess.Popen(  # noqa: S603 (this very program)
+        [sys.executable, "-c", _BEGIN],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+    )
+    _send(worker, pickle.dumps(sys.path) + pickle.dumps(limits))
+    return worker
+
+
+def _answered(worker: "subprocess.Popen[bytes]", packed: bytes, seconds: float) -> tuple[Any, int]:
+    """Send a job and wait; the worker ends itself in time, and where it cannot, it is ended."""
+    end = threading.Timer(_TO_START + seconds, worker.kill)
+    end.daemon = True
+    end.start()
+    try:
+        _send(worker, packed)
+        if worker.stdout is None:  # pragma: no cover (for the types)
+            raise EOFError
+        outcome, grown = pickle.load(worker.stdout)  # noqa: S301 (our own program)
+    finally:
+        end.cancel()
+    return outcome, grown
+
+
+def _send(worker: "subprocess.Popen[bytes]", packed: bytes) -> None:
+    if worker.stdin is not None:
+        worker.stdin.write(packed)
+        worker.stdin.flush()
 
 
 def _dismiss(limits: Limits) -> None:
-    _WARM.pop(limits).shutdown(wait=False)
+    worker = _WARM.pop(limits)
+    worker.kill()
+    worker.wait()
+    for pipe in (worker.stdin, worker.stdout):
+        if pipe is not None:
+            try:
+                pipe.close()
+            except OSError:  # what it never read
+                continue
 
 
-def _measured(task: Task, item: object) -> tuple[Any | Lost, int]:
-    outcome = do(task, item)
-    return outcome, peak_memory()
+@atexit.register
+def _dismiss_all() -> None:
+    for limits in tuple(_WARM):
+        _dismiss(limits)
