@@ -1,11 +1,11 @@
 """What is done with each spoiled workbook, in a worker too."""
 
 import io
-import resource
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Quantity
+from gripcourse.jobs.limits import peak_memory
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import first_sheet
@@ -43,7 +43,7 @@ def as_student(data: bytes, quantities: tuple[Quantity, ...]) -> Outcome:
         refused = isinstance(raw, Rejected)
         submission = None if isinstance(raw, Rejected) else interpret(raw, quantities)
     said = tuple(Words(one).say(raw.reason) for one in LANGUAGES) if refused else ()
-    return Outcome(raw, submission, said, _peak(), terminal.getvalue())
+    return Outcome(raw, submission, said, peak_memory() / 1024**2, terminal.getvalue())
 
 
 def as_table(data: bytes, _: object) -> WhyRefused | int:
@@ -66,7 +66,3 @@ def faults_of(read: Outcome) -> list[str]:
         for name, one in read.submission.answers.items()
         if (one.value is None) == (one.reading is Reading.READ)
     ]
-
-
-def _peak() -> float:
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

@@ -14,9 +14,10 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.process import BaseProcess
+from pathlib import Path
 from types import FrameType
 
 from gripcourse.text.words import Message, message
@@ -105,13 +106,16 @@ def memory_notice(limits: Limits, platform: str = sys.platform) -> Message | Non
 
 
 def peak_memory() -> int:
-    """Return how many bytes of memory this process has had at most; 0 where nobody counts."""
-    if sys.platform == "win32":
-        return 0
-    import resource  # noqa: PLC0415 (exists on Unix only)
+    """Return how many bytes of memory this process has had at most; 0 where nobody counts.
 
-    found = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return found if sys.platform == "darwin" else found * 1024
+    On Linux `getrusage` counts what the process that started this one had, too.
+    """
+    if sys.platform == "linux":
+        with suppress(OSError, StopIteration):
+            lines = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
+            peak = next(line for line in lines.splitlines() if line.startswith("VmHWM:"))
+            return int(peak.split()[1]) * 1024
+    return 0
 
 
 def _lower(kind: int, wanted: int) -> None:
