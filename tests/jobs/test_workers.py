@@ -3,8 +3,7 @@
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from multiprocessing import util
 from pathlib import Path
 from types import ModuleType
@@ -15,6 +14,7 @@ from gripcourse.jobs.limits import Limits, memory_notice
 from gripcourse.jobs.lost import JobLostError, Lost
 from gripcourse.jobs.pools import INLINE, PROCESSES, THREADS, Pool, pool_for
 from gripcourse.jobs.workers import all_done, in_order, run_each
+from support.processes import is_running, wait_for
 
 if sys.platform != "win32":
     import resource
@@ -91,21 +91,6 @@ def test_no_worker_outlives_a_program_that_is_killed(errands: ModuleType, tmp_pa
         program.send_signal(signal.SIGKILL)
     workers = [int(one.name) for one in tmp_path.iterdir()]
     wait_for(lambda: not any(is_running(one) for one in workers))
-
-
-def wait_for(condition: Callable[[], bool], seconds: float = 30) -> None:
-    until = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < until
-        time.sleep(0.02)
-
-
-def is_running(process: int) -> bool:
-    try:
-        state = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-    except OSError:
-        return False
-    return state[0] != "Z"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems bound no memory")

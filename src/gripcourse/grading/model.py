@@ -197,6 +197,7 @@ class Report:
         known_by: what told whose file it is.
         refusal: code of the reason why the file cannot be read; empty for none.
         timing: attempts and lateness; None where the policy has no rule for them.
+        lacks_results: whether answers are formulas whose results the file does not store.
     """
 
     file: str
@@ -220,6 +221,7 @@ class Report:
     known_by: KnownBy = KnownBy.NOTHING
     refusal: str = ""
     timing: Timing | None = None
+    lacks_results: bool = False
 
     @property
     def earned(self) -> float:

@@ -66,7 +66,7 @@ def do(task: Task, item: object) -> Any | Lost:  # noqa: ANN401 (as above)
     try:
         if task.limits is None:
             return task.work(item, task.shared)
-        with time_limit(task.seconds, task.limits.grace):
+        with time_limit(task.seconds, task.limits.grace, task.limits.processor):
             return task.work(item, task.shared)
     except (Exception, TookTooLongError):  # noqa: BLE001 (ours: one job's, never the batch's)
         return Lost(traceback.format_exc())
