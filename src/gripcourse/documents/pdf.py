@@ -120,12 +120,18 @@ def render_fitting(
         words: the reader's language.
     """
     *roomy, tightest = documents
-    for document in roomy:
-        html = render_html(document, templates, words)
-        with few_collections():
-            laid_out = _laid_out(html, document.styles, templates)
+    fitting, first, end = None, 0, len(roomy)
+    with few_collections():
+        while first < end:  # what is smaller takes no more room
+            middle = (first + end) // 2
+            html = render_html(roomy[middle], templates, words)
+            laid_out = _laid_out(html, roomy[middle].styles, templates)
             if len(laid_out.pages) <= pages or before in laid_out.pages[pages].anchors:
-                return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
+                fitting, end = laid_out, middle
+            else:
+                first = middle + 1
+        if fitting is not None:
+            return bytes(fitting.write_pdf(pdf_variant=_VARIANT))
     return render_pdf(tightest, templates, words)
 
 
