@@ -36,6 +36,13 @@ def _refuse(said: str) -> None:
     raise RuntimeError(said)
 
 
+def leave(item: int, _: object) -> int:
+    """End the program where a number is odd, as a library does that has nothing else to say."""
+    if item % 2:
+        raise SystemExit(item)
+    return item
+
+
 def double(item: int, add: int) -> int:
     time.sleep(0.02 if item == 0 else 0)
     return 2 * item + add

@@ -73,6 +73,36 @@ def test_what_cannot_be_unpacked_is_said_by_each_job(errands: ModuleType) -> Non
     assert reasons == {"RuntimeError: lost on the way"}
 
 
+UNGUARDED = """
+from gripcourse.jobs.workers import in_order, run_each
+import errands
+if __name__ != "__main__":
+    raise SystemExit("this script is not for workers")
+jobs = run_each(errands.carry, range(9), bytes(1_000_000), workers=2, seconds=9)
+print(len(lost := in_order(jobs)), {one.reason for one in lost})
+"""
+
+
+def test_a_worker_that_cannot_start_is_said_by_each_job(tmp_path: Path) -> None:
+    """A script is imported by the workers that it starts, and may end them before they begin."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        f"import sys\nsys.path[:0] = {[*sys.path, str(Path(__file__).parent)]}\n{UNGUARDED}",
+        encoding="utf-8",
+    )
+    command = [sys.executable, str(script)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)  # noqa: S603
+    assert done.stdout.startswith("9 {'No worker could start;")
+    assert "not for workers" in done.stderr
+
+
+def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> None:
+    jobs = run_each(errands.leave, range(3), None, workers=1, seconds=9, pool=INLINE)
+    zero, one, two = in_order(jobs)
+    assert (zero, two) == (0, 2)
+    assert isinstance(one, Lost)
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="sleeps in a library of the system")
 def test_who_hangs_in_a_library_is_ended_and_the_others_are_done(errands: ModuleType) -> None:
     items = ["one", "deaf", "two"]
