@@ -104,11 +104,12 @@ def arrange(
         found.append(best)
         if _is_shown(best, pictured) and best.filled >= _FILLED:
             return best
-    shown = [one for one in found if _is_shown(one, pictured)]
-    if shown:
-        return max(shown, key=lambda one: one.filled)
-    large = (one for one in found if _is_large(one, pictured))
-    return next(large, max(found, key=lambda one: one.factor, default=None))
+    for fits in (_is_shown, _is_large):
+        there = [one for one in found if fits(one, pictured)]
+        filled = (one for one in there if one.filled >= _FILLED)
+        if there:
+            return next(filled, max(there, key=lambda one: one.filled))
+    return max(found, key=lambda one: one.factor, default=None)
 
 
 def _is_shown(one: Arranged, pictured: Pictured) -> bool:
