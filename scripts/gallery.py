@@ -4,8 +4,8 @@
 
 OUT is the folder that the demo was made in. What the demo has no example of is made here by the
 same functions: the longest assignment under the longest name, a report after publication, a cohort
-of sixty, the diagram and the general view of every scheme, the certificate, the atlas; of every kind
-of document that has no picture yet, the first page of each of its samples.
+of sixty, the diagram and the general view of every scheme, the certificate, the atlas; of every
+kind of document that has no picture yet, the first page of each of its samples.
 """
 
 import subprocess

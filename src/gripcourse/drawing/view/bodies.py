@@ -175,7 +175,9 @@ def _copies(
             moved = _turned(moved - about, turn) + about + shift
         moved = moved * np.array([1.0, side])
         box = _box(moved, half)
-        yield Piece(part, shape.key, shape.kind, side, moved, half, low, high, enters, voids, fixed, box)
+        yield Piece(
+            part, shape.key, shape.kind, side, moved, half, low, high, enters, voids, fixed, box
+        )
 
 
 def _needs(shape: ViewShape, scene: Scene) -> Mapping[str, Array] | None:

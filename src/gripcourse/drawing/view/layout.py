@@ -81,8 +81,8 @@ def arrange(
 ) -> Arranged | None:
     """Find the smallest sheet that a thing fills and is well shown on, at the largest scale there.
 
-    Where it fills none, the one that it fills most. Where no sheet shows its details, its size alone
-    decides; else the largest scale of all.
+    Where it fills none, the one that it fills most. Where no sheet shows its details, its size
+    alone decides; else the largest scale of all.
 
     Args:
         boxes: gives the box of each face round its own origin, with dimensions and leaders, in
