@@ -125,6 +125,8 @@ class ViewPart:
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
+        touches: parts that it may press into by a fraction of a millimetre: what it holds.
+        enters: how much deeper than that it may, in millimetres; None for no deeper.
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
         density: kg/m³ of what its outline holds; 0 for that of the view.
@@ -142,6 +144,8 @@ class ViewPart:
     mark: tuple[Expression, ...]
     moves: bool
     meets: tuple[str, ...]
+    touches: tuple[str, ...]
+    enters: Formula | None
     positions: tuple[str, ...]
     placed_at: str
     depth: tuple[Expression, ...]

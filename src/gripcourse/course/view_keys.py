@@ -74,6 +74,8 @@ _PART: Final = Shape(
         "mark": other("Where the leader of its position ends.", _TWO),
         "moves": flag("Whether the other position of the view shows it too."),
         "meets": strings("Parts that it may overlap: a pin in its hole, teeth in mesh."),
+        "touches": strings("Parts that it may press into by 0.2 mm: what it holds."),
+        "enters": text("Formula: how much deeper than that it may."),
         "body": flag("Whether its figures are solid: absent is true for those with an inside."),
         "depth": _DEPTH,
         "density": number("kg/m³ of what its outline holds; absent: that of the view."),

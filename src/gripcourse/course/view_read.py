@@ -120,6 +120,8 @@ def _part(table: Table) -> ViewPart:
         mark=() if nameless else _expressions(table, "mark", Need.POINT),
         moves=table.flag("moves"),
         meets=table.strings("meets"),
+        touches=table.strings("touches"),
+        enters=_formula(table, "enters", table.text("enters")) if table.has("enters") else None,
         positions=table.strings("positions"),
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),

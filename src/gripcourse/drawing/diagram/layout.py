@@ -1,7 +1,7 @@
 """A diagram laid out: every mark in its place on a sheet, at the largest scale that fits."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Final, TypeAlias
@@ -125,14 +125,14 @@ def lay_out(
         if scale > largest:
             continue
         marks = _marks(plan, diagram, stops, scale, language)
-        marks += _seen_along(plan, diagram, stops, scale, language, bounds(marks), beside=beside)
+        marks += _seen_along(plan, diagram, stops, scale, language, marks, beside=beside)
         size = bounds(marks)
         if size.width > widest or size.height > HIGHEST:
             # What is too large shrinks no faster than the scale: symbols keep their size.
             if not views:
                 largest = scale * min(widest / size.width, HIGHEST / size.height)
             continue
-        laid = _with_letters(marks, scale, widest)
+        laid = _with_letters(marks, size, scale, widest)
         if laid.width > widest or laid.height > HIGHEST:
             found = found or laid
             continue
@@ -158,11 +158,10 @@ def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
             yield scale
 
 
-def _with_letters(marks: list[Mark], scale: float, widest: float) -> DiagramLayout:
+def _with_letters(marks: list[Mark], size: Box, scale: float, widest: float) -> DiagramLayout:
     """Place the letters, and everything on the smallest sheet that holds it."""
     drawn: list[Mark] = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
-    size = bounds(drawn)
     room = (widest - (size.width)) / 2, (HIGHEST - (size.height)) / 2
     sheet = Box(
         size.left - room[0], size.bottom - room[1], size.right + room[0], size.top + room[1]
@@ -203,13 +202,13 @@ def _marks(
     return marks
 
 
-def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
+def _seen_along(  # noqa: PLR0913 (as for all marks, and the others)
     plan: Plan,
     diagram: Diagram,
     stops: Mapping[str, Stop],
     scale: float,
     language: str,
-    others: Box,
+    drawn: Sequence[Mark],
     *,
     beside: bool,
 ) -> list[Mark]:
@@ -217,6 +216,7 @@ def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
     found: list[Mark] = []
     for element in diagram.elements:
         if element.kind == _SEEN_ALONG and element.is_drawn(plan.options):
+            others = bounds(drawn)
             for shape in _shapes(element, plan, stops, scale, language):
                 marks = list(SYMBOLS[element.kind](shape))
                 size = bounds(marks)

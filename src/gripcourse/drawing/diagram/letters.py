@@ -10,7 +10,17 @@ import shapely
 from numpy.typing import NDArray
 
 from gripcourse.drawing.diagram.candidates import Candidates, candidates
-from gripcourse.drawing.diagram.marks import Chain, Fill, Letter, Mark, Path, chain, head, moved
+from gripcourse.drawing.diagram.marks import (
+    Chain,
+    Fill,
+    Letter,
+    Mark,
+    Path,
+    chain,
+    corners,
+    head,
+    moved,
+)
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
 from gripcourse.drawing.paper.strokes import Box, box_of
 from gripcourse.drawing.paper.text import Point, text_width
@@ -91,7 +101,7 @@ class Written:
 
 def bounds(marks: Iterable[Mark]) -> Box:
     """Return the box round everything drawn."""
-    return box_of(point for mark in marks for point in chain(mark))
+    return box_of(point for mark in marks for point in corners(mark))
 
 
 def strokes_of(marks: Sequence[Mark]) -> shapely.STRtree:

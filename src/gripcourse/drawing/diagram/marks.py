@@ -207,10 +207,20 @@ def chain(mark: Mark) -> tuple[Point, ...]:
             return ()
 
 
+def corners(mark: Mark) -> tuple[Point, ...]:
+    """Return points that reach as far as what is drawn; of letters, nothing."""
+    if isinstance(mark, RingMark) or (isinstance(mark, ArcMark) and is_circle(mark)):
+        (x, y), reach = mark.centre, mark.radius
+        return (x - reach, y - reach), (x + reach, y + reach)
+    return chain(mark)
+
+
 def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
     """Yield what is seen of the marks: what is under a ring or a mask ends at its edge."""
     all_marks = list(marks)
-    cover = shapely.union_all([_cover(mark) for mark in all_marks])
+    covers = [_cover(mark) for mark in all_marks if isinstance(mark, (RingMark, Mask))]
+    cover = shapely.union_all(covers)
+    shapely.prepare(cover)
     for mark in all_marks:
         if isinstance(mark, Path) and mark.under:
             yield from _cut(mark, cover)
@@ -218,19 +228,19 @@ def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
             yield mark
 
 
-def _cover(mark: Mark) -> BaseGeometry:
+def _cover(mark: RingMark | Mask) -> BaseGeometry:
     """Return what a mark hides."""
-    match mark:
-        case RingMark(centre, radius):
-            return shapely.Point(centre).buffer(radius, quad_segs=_QUARTER)
-        case Mask(points):
-            return shapely.Polygon(points).buffer(0)
-    return shapely.Polygon()
+    if isinstance(mark, RingMark):
+        return shapely.Point(mark.centre).buffer(mark.radius, quad_segs=_QUARTER)
+    return shapely.Polygon(mark.points).buffer(0)
 
 
 def _cut(path: Path, cover: BaseGeometry) -> Iterator[Path]:
     """Yield the pieces of a path that are not covered."""
     whole = shapely.LineString(chain(path))
+    if not shapely.intersects(cover, whole):
+        yield replace(path, under=False)
+        return
     seen = whole.difference(cover)
     if seen.length >= whole.length - _NEAR:
         yield replace(path, under=False)
