@@ -18,6 +18,7 @@ from gripcourse.grading.unjudged import (
     unknown_student_report,
     unreadable_report,
 )
+from gripcourse.machine.archive import UnreadableMemberError
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
@@ -56,6 +57,8 @@ def grade_file(source: Readable, context: GradingContext) -> Report:
     file = shown_name(source)
     try:
         raw = read_workbook(source)
+    except UnreadableMemberError:
+        raw = Rejected.because(file, "", WhyRefused.DAMAGED)
     except OSError:  # it was there when the batch began
         raw = Rejected.because(file, "", WhyRefused.GONE)
     identity = None if isinstance(raw, Rejected) else raw.identity

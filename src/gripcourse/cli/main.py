@@ -176,7 +176,8 @@ def issue(  # noqa: PLR0913 (one parameter per option)
 @app.command(cls=SpokenCommand)
 def grade(  # noqa: PLR0913 (one parameter per option)
     paths: Annotated[
-        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+        list[Path],
+        typer.Argument(metavar="file", help="Workbooks, or folders or zips with workbooks."),
     ],
     *,
     out: OutOption,
