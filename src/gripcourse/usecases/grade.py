@@ -140,8 +140,8 @@ def write_grades(
     Returns:
         Why the cohort report could not be laid out, None where it was.
     """
-    groups = {name: issued.student.group for name, issued in context.register.items()}
-    grades_csv(reports, out / GRADES_CSV, groups)
+    students = {name: issued.student for name, issued in context.register.items()}
+    grades_csv(reports, out / GRADES_CSV, students)
     words = Words(context.course.language)
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
