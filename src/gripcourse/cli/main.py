@@ -17,6 +17,7 @@ import typer
 
 from gripcourse.cli import course as cli_course
 from gripcourse.cli import draw as cli_draw
+from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import text as cli_text
@@ -64,6 +65,7 @@ app = command_group(
 for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_export.app, name="export")
 app.add_typer(simulation.tolerance_app, name="tolerance")
 
 
