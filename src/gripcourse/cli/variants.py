@@ -47,9 +47,7 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     ] = False,
     apart_from: Annotated[
         Path | None,
-        typer.Option(
-            "--apart-from", help="Another table, such as last year's, to keep apart from."
-        ),
+        typer.Option("--apart-from", help="A table to keep apart from, as of last year."),
     ] = None,
     out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,

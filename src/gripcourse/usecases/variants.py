@@ -23,7 +23,7 @@ from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import OwnTable, read_own_table, read_table, write_table
 
 
-def draw_variants(
+def draw_variants(  # noqa: PLR0913 (the last three are for those who need them)
     course: Course,
     count: int,
     seed: int,
