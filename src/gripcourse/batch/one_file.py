@@ -11,6 +11,7 @@ from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
+from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.unjudged import (
     disputed_report,
     is_unreadable,
@@ -44,12 +45,14 @@ class GradingContext:
         course, policy: what is graded by.
         register: entries by student id.
         whose: by file, the id of the student who handed it in, where a person says so.
+        pattern: how paths say whose a file is; None where only platforms' own ways count.
     """
 
     course: Course
     policy: Policy
     register: Mapping[str, Issued]
     whose: Mapping[str, str] = field(default_factory=dict)
+    pattern: PathPattern | None = None
 
 
 def grade_file(source: Readable, context: GradingContext) -> Report:
@@ -71,7 +74,7 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     student = context.whose.get(file)
     if student is not None:
         return named_by_person(student, context.register)
-    return identify(file, identity, context.register)
+    return identify(file, identity, context.register, context.pattern)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:

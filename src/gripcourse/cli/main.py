@@ -190,6 +190,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
         ),
     ] = None,
+    pattern: Annotated[
+        str | None,
+        typer.Option(
+            "--pattern",
+            metavar="{name}/{id}*.xlsx",
+            help="Where paths say whose a file is, in an order of folders of your own.",
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -197,6 +205,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
@@ -208,7 +217,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     files = found.files
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
-    context = replace(context, whose=decided)
+    order = None if pattern is None else path_pattern(pattern, context.register)
+    context = replace(context, whose=decided, pattern=order)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
