@@ -148,6 +148,10 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     deadline: Annotated[
         datetime | None, typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in.")
     ] = None,
+    printed: Annotated[
+        Path | None,
+        typer.Option("--print", help="File for a printer: a list and all sheets, on both sides."),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
@@ -172,6 +176,11 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
     confirm(cli_text.issuing_text(issuing, out, words))
+    if printed is not None:
+        from gripcourse.usecases.printing import print_sheets
+
+        print_sheets(issuing.handouts, loaded, out, printed, order.today)
+        confirm(str(printed))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
