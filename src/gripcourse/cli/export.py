@@ -14,7 +14,10 @@ from gripcourse.cli.options import (
     CourseOption,
     LanguageOption,
     OutOption,
+    TableOption,
     course_folder,
+    document_language,
+    main_table,
     words_for,
 )
 from gripcourse.text.words import Message, Words, message
@@ -60,6 +63,30 @@ def moodle(
         said = message("Upload the worksheet first, then {file}.", file=str(feedback))
         confirm(words.say(said))
     _leave((*results.notes, *filled.notes, *lacking), words)
+
+
+@app.command("moodle-xml", cls=SpokenCommand)
+def moodle_xml(
+    variants: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="variant", help="Variants of the table; default: all."),
+    ] = None,
+    *,
+    out: OutOption = Path("questions.xml"),
+    table: TableOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Write variants as questions that Moodle imports, for a self-test; with the answers."""
+    from gripcourse.course.load import load_course
+    from gripcourse.usecases.exporting import moodle_questions
+
+    loaded = load_course(course_folder(course))
+    document = Words(document_language(language, loaded.language))
+    place = table or main_table(loaded.root)
+    count = moodle_questions(loaded, place, variants or (), out, document)
+    said = message("{count} questions were written to {file}.", count=count, file=str(out))
+    confirm(words_for(language).say(said))
 
 
 @app.command("canvas", cls=SpokenCommand)

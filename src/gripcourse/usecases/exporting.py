@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import shutil
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,14 +21,17 @@ from gripcourse.exports.platforms.moodle_worksheet import (
     fill_worksheet,
     read_worksheet,
 )
+from gripcourse.exports.platforms.moodle_xml import moodle_xml
 from gripcourse.exports.platforms.works import Work, works_of
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
 from gripcourse.issuing.store import read_register
 from gripcourse.machine.files import replacing, write_bytes, write_text
+from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grade import REPORTS
 from gripcourse.variants.model import Student
+from gripcourse.variants.table import read_table
 
 _REPORT = "report.pdf"
 _TEXT = "message.txt"
@@ -197,3 +201,31 @@ def _only_report(results: Results, student: str) -> ReportResult:
     what = message("There are {count} reports to choose from, not one.", count=len(found))
     remedy = message("Name the student, or grade one submission alone.")
     raise UsageError([Problem("", "", what, remedy)])
+
+
+def moodle_questions(
+    course: Course, table: Path, chosen: Sequence[str], out: Path, words: Words
+) -> int:
+    """Write variants of a table as Moodle's questions; the answers are in the file.
+
+    Args:
+        course: whose variants.
+        table: of variants.
+        chosen: their ids; empty for all.
+        out: file to write.
+        words: the language of the questions.
+
+    Returns:
+        How many there are.
+
+    Raises:
+        GripcourseError: the table cannot be used, or has no such variant.
+    """
+    variants = read_table(table, course)
+    unknown = set(chosen) - {one.id for one in variants}
+    if unknown:
+        what = message("The table has no variant '{variant}'.", variant=min(unknown))
+        raise UsageError([Problem(str(table), "", what, message("Name those that it has."))])
+    wanted = [one for one in variants if not chosen or one.id in chosen]
+    write_bytes(out, moodle_xml(wanted, course, load_policy(course), words))
+    return len(wanted)

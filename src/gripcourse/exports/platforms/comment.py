@@ -1,12 +1,12 @@
 """What a grade was given for, in a few lines: points in all, by section, and what still waits."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from html import escape
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.exports.platforms.works import Work
-from gripcourse.exports.report_result import FindingResult
+from gripcourse.exports.report_result import FindingResult, ReportResult
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import points_out_of, points_text
 from gripcourse.text.words import Words, message
@@ -44,10 +44,19 @@ def _waits(finding: FindingResult) -> bool:
     return finding.outcome.traits.waits and finding.decision is None
 
 
+def titles_of(report: ReportResult, course: Course, words: Words) -> Mapping[str, str]:
+    """Return the titles of what a report judged, by id; of what is no more in the course its id."""
+    quantities = plan_of(course, Composition.of(report.scheme, report.options)).quantities
+    return {
+        one.quantity: (
+            quantities[one.quantity].title.of(words.language)
+            if one.quantity in quantities
+            else one.quantity
+        )
+        for one in report.findings
+    }
+
+
 def _open_titles(work: Work, course: Course, words: Words) -> list[str]:
-    plan = plan_of(course, Composition.of(work.report.scheme, work.report.options))
-    return [
-        plan.quantities[one.quantity].title.of(words.language)
-        for one in work.report.findings
-        if _waits(one) and one.quantity in plan.quantities
-    ]
+    titles = titles_of(work.report, course, words)
+    return [titles[one.quantity] for one in work.report.findings if _waits(one)]

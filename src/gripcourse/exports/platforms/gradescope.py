@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 from gripcourse.course.model import Course, Section
+from gripcourse.exports.platforms.comment import titles_of
 from gripcourse.exports.report_result import FindingResult, ReportResult
 from gripcourse.text.words import Words, message
 
@@ -50,23 +51,32 @@ def gradescope_results(
 def _tests(
     report: ReportResult, course: Course, words: Words, visibility: str
 ) -> Iterator[dict[str, Any]]:
+    titles = titles_of(report, course, words)
     for number, section in enumerate(course.sections, start=1):
         inside = [one for one in report.findings if one.section == section.id]
         if inside:
-            yield _test(number, section, inside, words, visibility)
+            lines = [
+                f"{titles[one.quantity]}: {one.message}"
+                for one in inside
+                if one.points < one.max_points
+            ]
+            test = _test(section, inside, lines, words, visibility)
+            yield {"number": str(number), **test}
 
 
 def _test(
-    number: int, section: Section, findings: list[FindingResult], words: Words, visibility: str
+    section: Section,
+    findings: list[FindingResult],
+    lines: list[str],
+    words: Words,
+    visibility: str,
 ) -> dict[str, Any]:
     waiting = [one for one in findings if one.outcome.traits.waits and one.decision is None]
     score = sum(one.points for one in findings if one not in waiting)
     most = sum(one.max_points for one in findings)
-    lines = [one.message for one in findings if one.points < one.max_points]
     if waiting:
         lines.append(words.say(message("A part of this section waits for a person.")))
     return {
-        "number": str(number),
         "name": section.title.of(words.language),
         "score": round(score, 4),
         "max_score": round(most, 4),
