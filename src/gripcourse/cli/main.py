@@ -203,8 +203,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         str | None,
         typer.Option(
             "--pattern",
-            metavar="{name}/{id}*.xlsx",
-            help="Where paths say whose a file is, in an order of folders of your own.",
+            metavar="pattern",
+            help="Where your own paths say whose a file is: {name}/{id}*.xlsx.",
         ),
     ] = None,
     on: DateOption = None,

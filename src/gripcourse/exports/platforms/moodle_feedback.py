@@ -17,6 +17,7 @@ from gripcourse.text.words import Message, Words, message
 
 # What Moodle takes out of names.
 _DROPPED: Final = re.compile(r"[\x00-\x1f\x7f&<>\"`|':\\/]")
+_REPORT: Final = message("report")
 _EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 _READABLE: Final = 0o644
 
@@ -47,7 +48,7 @@ def feedback_zip(
 def feedback_name(row: Row, work: Work, words: Words) -> str:
     """Return the name of a report in the zip, with its folder."""
     full_name = row.name or (work.part.name if work.part else "")
-    file = f"{words.say(message('report'))}_{work.report.variant}.pdf"
+    file = f"{words.say(_REPORT)}_{work.report.variant}.pdf"
     return f"{_clean(full_name)}_{row.number}_assignfeedback_file/{_DROPPED.sub('', file)}"
 
 
