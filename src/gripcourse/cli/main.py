@@ -204,7 +204,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         typer.Option(
             "--pattern",
             metavar="pattern",
-            help="Where your own paths say whose a file is: {name}/{id}*.xlsx.",
+            help="Where your own paths say whose a file is.",
         ),
     ] = None,
     on: DateOption = None,

@@ -41,7 +41,7 @@ class UnreadableMemberError(OSError):
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class PackedMember:
     """One file of an archive.
 
     Attributes:
@@ -63,7 +63,7 @@ def is_bundle(path: Path) -> bool:
         return _OF_A_DOCUMENT.isdisjoint(opened.namelist())
 
 
-def members_of(archive: Path) -> tuple[Member, ...]:
+def members_of(archive: Path) -> tuple[PackedMember, ...]:
     """List the files of a zip, sorted by name.
 
     Raises:
@@ -85,7 +85,7 @@ def members_of(archive: Path) -> tuple[Member, ...]:
     for place, info in enumerate(found):
         if not info.is_dir():
             name = _free(_name(info), taken)
-            members.append(Member(place, name, _unusable(info, name)))
+            members.append(PackedMember(place, name, _unusable(info, name)))
     return tuple(sorted(members, key=lambda one: one.name))
 
 
@@ -94,7 +94,7 @@ def read_member(archive: Path, place: int) -> bytes:
 
     Args:
         archive: a zip.
-        place: of the member; see `Member`.
+        place: of the member; see `PackedMember`.
 
     Raises:
         UnreadableMemberError: it is damaged, or larger than any file that is looked at.

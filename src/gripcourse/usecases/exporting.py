@@ -22,7 +22,7 @@ from gripcourse.exports.platforms.moodle_worksheet import (
     read_worksheet,
 )
 from gripcourse.exports.platforms.moodle_xml import moodle_xml
-from gripcourse.exports.platforms.works import Work, works_of
+from gripcourse.exports.platforms.works import GradedWork, works_of
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
 from gripcourse.issuing.store import read_register
@@ -55,10 +55,10 @@ class Results:
     students: dict[str, Student]
     grades: GradesResult
     reports: Path
-    works: tuple[Work, ...]
+    works: tuple[GradedWork, ...]
     notes: tuple[Message, ...]
 
-    def report_of(self, work: Work) -> Path:
+    def report_of(self, work: GradedWork) -> Path:
         """Tell where the report of a work lies."""
         return self.reports / f"{work.report.student}.pdf"
 
@@ -174,7 +174,7 @@ def outbox_folders(results: Results, out: Path) -> tuple[Path, ...]:
     return tuple(folders)
 
 
-def _letter(results: Results, work: Work) -> str:
+def _letter(results: Results, work: GradedWork) -> str:
     """Return the text for a student, in the student's language."""
     known = results.students.get(work.report.student)
     language = known.language if known is not None else ""

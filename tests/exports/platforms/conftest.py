@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from gripcourse.exports.platforms.works import Work, works_of
+from gripcourse.exports.platforms.works import GradedWork, works_of
 from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
@@ -38,10 +38,10 @@ def graded(perfect: Report) -> Graded:
 
 
 @pytest.fixture
-def works(graded: Graded) -> Callable[..., tuple[Work, ...]]:
+def works(graded: Graded) -> Callable[..., tuple[GradedWork, ...]]:
     """Make works that count."""
 
-    def make(files: dict[str, str]) -> tuple[Work, ...]:
+    def make(files: dict[str, str]) -> tuple[GradedWork, ...]:
         return works_of(graded(files), STUDENTS)[0]
 
     return make

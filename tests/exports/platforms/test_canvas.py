@@ -8,10 +8,10 @@ import pytest
 
 from gripcourse.errors import UsageError
 from gripcourse.exports.platforms.canvas import fill_gradebook
-from gripcourse.exports.platforms.works import Work
+from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.machine.content import NamedBytes
 
-Works = Callable[[dict[str, str]], tuple[Work, ...]]
+Works = Callable[[dict[str, str]], tuple[GradedWork, ...]]
 EXPORT = """\
 Student,ID,SIS User ID,SIS Login ID,Section,РГР 1 (9876),Lab (11),Current Score
 Manual Posting,,,,,,,
@@ -23,7 +23,7 @@ FILES = {"ивановаольга_LATE_501_77_s.xlsx": "s17", "x_502_78_s.xlsx"
 
 
 def table(
-    text: str = EXPORT, assignment: str = "РГР 1", **found: tuple[Work, ...]
+    text: str = EXPORT, assignment: str = "РГР 1", **found: tuple[GradedWork, ...]
 ) -> list[list[str]]:
     source = NamedBytes("grades.csv", text.encode("utf-8-sig"))
     content = fill_gradebook(source, found.get("works", ()), assignment).content

@@ -13,11 +13,11 @@ from gripcourse.errors import UsageError
 from gripcourse.exports.platforms.comment import comment_html
 from gripcourse.exports.platforms.moodle_feedback import feedback_zip
 from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
-from gripcourse.exports.platforms.works import Work
+from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import Words
 
-Works = Callable[[dict[str, str]], tuple[Work, ...]]
+Works = Callable[[dict[str, str]], tuple[GradedWork, ...]]
 ZIP = "РГР.zip/Ольга Иванова_{}_assignsubmission_file/s.xlsx"
 EN = """\
 Identifier,"Full name","Email address",Status,Grade,"Maximum grade","Grade can be changed",\
@@ -48,7 +48,7 @@ def sheet(text: str, encoding: str = "utf-8-sig") -> NamedBytes:
     return NamedBytes("Grades.csv", text.encode(encoding))
 
 
-def filled(source: NamedBytes, works: tuple[Work, ...]) -> bytes:
+def filled(source: NamedBytes, works: tuple[GradedWork, ...]) -> bytes:
     return fill_worksheet(read_worksheet(source), works, lambda _: "<p>ok</p>").content
 
 

@@ -14,7 +14,7 @@ from typing import Final
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import text_cell
 from gripcourse.exports.platforms.raw_table import RawTable, read_raw_table
-from gripcourse.exports.platforms.works import Row, Work, match
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow, match
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
@@ -40,7 +40,9 @@ class FilledGradebook:
     notes: tuple[Message, ...]
 
 
-def fill_gradebook(source: Readable, works: Sequence[Work], assignment: str) -> FilledGradebook:
+def fill_gradebook(
+    source: Readable, works: Sequence[GradedWork], assignment: str
+) -> FilledGradebook:
     """Make the table that Canvas imports.
 
     Args:
@@ -107,7 +109,7 @@ def _assignment_column(table: RawTable, after: int, wanted: str) -> int:
     raise UsageError([Problem(table.file, "", what, remedy, parameter="assignment")])
 
 
-def _people(table: RawTable, places: dict[str, int]) -> Iterator[tuple[int, Row]]:
+def _people(table: RawTable, places: dict[str, int]) -> Iterator[tuple[int, PlatformRow]]:
     identifier = places["ID"]
     names = [places[one] for one in ("LastName", "FirstName", "Student") if one in places]
     keys = [
@@ -117,7 +119,7 @@ def _people(table: RawTable, places: dict[str, int]) -> Iterator[tuple[int, Row]
         if cells and cells[identifier].strip().isdecimal():
             name = " ".join(cells[at] for at in names)
             other = tuple(cells[at] for at in keys)
-            yield place, Row(place + 1, cells[identifier].strip(), other, name)
+            yield place, PlatformRow(place + 1, cells[identifier].strip(), other, name)
 
 
 def _possible(table: RawTable, column: int) -> float | None:

@@ -5,14 +5,14 @@ from html import escape
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
-from gripcourse.exports.platforms.works import Work
+from gripcourse.exports.platforms.works import GradedWork
 from gripcourse.exports.report_result import FindingResult, ReportResult
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import points_out_of, points_text
 from gripcourse.text.words import Words, message
 
 
-def comment_lines(work: Work, course: Course, words: Words) -> Iterator[str]:
+def comment_lines(work: GradedWork, course: Course, words: Words) -> Iterator[str]:
     """Yield the lines: the sum first, then each section, then what waits for a person."""
     yield _of(work.points, work.total, words)
     for section in course.sections:
@@ -31,7 +31,7 @@ def comment_lines(work: Work, course: Course, words: Words) -> Iterator[str]:
         yield words.say(said)
 
 
-def comment_html(work: Work, course: Course, words: Words) -> str:
+def comment_html(work: GradedWork, course: Course, words: Words) -> str:
     """Return the lines as a platform stores a comment: HTML, without a single line end."""
     return f"<p>{'<br>'.join(map(escape, comment_lines(work, course, words)))}</p>"
 
@@ -57,6 +57,6 @@ def titles_of(report: ReportResult, course: Course, words: Words) -> Mapping[str
     }
 
 
-def _open_titles(work: Work, course: Course, words: Words) -> list[str]:
+def _open_titles(work: GradedWork, course: Course, words: Words) -> list[str]:
     titles = titles_of(work.report, course, words)
     return [titles[one.quantity] for one in work.report.findings if _waits(one)]

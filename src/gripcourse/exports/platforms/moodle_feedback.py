@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.exports.platforms.moodle_worksheet import FilledWorksheet
-from gripcourse.exports.platforms.works import Row, Work
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow
 from gripcourse.text.words import Message, Words, message
 
 # What Moodle takes out of names.
@@ -23,7 +23,7 @@ _READABLE: Final = 0o644
 
 
 def feedback_zip(
-    filled: FilledWorksheet, report_of: Callable[[Work], Path], words: Words
+    filled: FilledWorksheet, report_of: Callable[[GradedWork], Path], words: Words
 ) -> tuple[bytes, tuple[Message, ...]]:
     """Return the zip, the same bytes for the same reports, and notes on works without a report.
 
@@ -45,7 +45,7 @@ def feedback_zip(
     return stream.getvalue(), tuple(notes)
 
 
-def feedback_name(row: Row, work: Work, words: Words) -> str:
+def feedback_name(row: PlatformRow, work: GradedWork, words: Words) -> str:
     """Return the name of a report in the zip, with its folder."""
     full_name = row.name or (work.part.name if work.part else "")
     file = f"{words.say(_REPORT)}_{work.report.variant}.pdf"
@@ -56,7 +56,7 @@ def _clean(name: str) -> str:
     return _DROPPED.sub("", name.replace("_", " ")).strip(" .~")
 
 
-def _of_works(filled: FilledWorksheet) -> Iterator[tuple[Row, Work]]:
+def _of_works(filled: FilledWorksheet) -> Iterator[tuple[PlatformRow, GradedWork]]:
     for _, _, row in filled.worksheet.rows():
         work = filled.matching.works.get(row.line)
         if work is not None:

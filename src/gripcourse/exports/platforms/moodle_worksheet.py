@@ -21,7 +21,7 @@ from gripcourse.exports.platforms.moodle_words import (
     MoodleColumn,
 )
 from gripcourse.exports.platforms.raw_table import RawTable, read_raw_table
-from gripcourse.exports.platforms.works import Matching, Row, Work, match
+from gripcourse.exports.platforms.works import GradedWork, Matching, PlatformRow, match
 from gripcourse.machine.content import Readable
 from gripcourse.text.words import Message, message
 
@@ -52,7 +52,7 @@ class Worksheet:
         """Return what a row has in a column; nothing where there is no such column."""
         return row[self.columns[column]].strip() if column in self.columns else ""
 
-    def rows(self) -> Iterator[tuple[int, tuple[str, ...], Row]]:
+    def rows(self) -> Iterator[tuple[int, tuple[str, ...], PlatformRow]]:
         """Yield the place of each person's row, its cells and who it is about."""
         for place, cells in enumerate(self.table.rows[1:], start=1):
             if not any(cells):
@@ -60,7 +60,11 @@ class Worksheet:
             number = _NUMBER.search(self.cell(cells, MoodleColumn.IDENTIFIER))
             keys = [cell for at, cell in enumerate(cells) if at not in self.columns.values()]
             name = self.cell(cells, MoodleColumn.NAME)
-            yield place, cells, Row(place + 1, number[1] if number else "", tuple(keys), name)
+            yield (
+                place,
+                cells,
+                PlatformRow(place + 1, number[1] if number else "", tuple(keys), name),
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +104,7 @@ def read_worksheet(source: Readable) -> Worksheet:
 
 
 def fill_worksheet(
-    worksheet: Worksheet, works: Sequence[Work], comment: Callable[[Work], str]
+    worksheet: Worksheet, works: Sequence[GradedWork], comment: Callable[[GradedWork], str]
 ) -> FilledWorksheet:
     """Fill the grades of works into a worksheet.
 
@@ -141,7 +145,7 @@ def _all_columns(header: Sequence[str]) -> dict[str, dict[MoodleColumn, int]]:
 
 
 def _filled(
-    worksheet: Worksheet, cells: Sequence[str], work: Work, comment: str, row: Row
+    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, comment: str, row: PlatformRow
 ) -> tuple[str, ...]:
     filled = list(cells)
     maximum = _maximum(worksheet, cells, work, row)
@@ -154,7 +158,9 @@ def _filled(
     return tuple(filled)
 
 
-def _maximum(worksheet: Worksheet, cells: Sequence[str], work: Work, row: Row) -> float:
+def _maximum(
+    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, row: PlatformRow
+) -> float:
     """Return the points that the platform has for the assignment; without any, our own."""
     written = worksheet.cell(cells, MoodleColumn.MAXIMUM)
     if not written and not worksheet.cell(cells, MoodleColumn.SCALE):
@@ -202,7 +208,7 @@ def _unknown(table: RawTable, column: MoodleColumn) -> Problem:
     )
 
 
-def _locked(work: Work, row: Row) -> Message:
+def _locked(work: GradedWork, row: PlatformRow) -> Message:
     return message(
         "Row {row}: the grade of {student} cannot be changed in Moodle; it was left alone.",
         row=row.line,
@@ -210,7 +216,7 @@ def _locked(work: Work, row: Row) -> Message:
     )
 
 
-def _odd_date(work: Work, row: Row, date: str) -> Message:
+def _odd_date(work: GradedWork, row: PlatformRow, date: str) -> Message:
     return message(
         "Row {row}: Moodle may not understand the date '{date}' and skip {student}; allow it to"
         " update records that were changed since.",

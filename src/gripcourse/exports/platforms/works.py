@@ -17,7 +17,7 @@ from gripcourse.variants.model import Student
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class GradedWork:
     """A judged work that counts.
 
     Attributes:
@@ -52,7 +52,7 @@ class Work:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class PlatformRow:
     """Who a row of a platform's table is about.
 
     Attributes:
@@ -77,13 +77,13 @@ class Matching:
         notes: works that have no row, each with the reason.
     """
 
-    works: Mapping[int, Work]
+    works: Mapping[int, GradedWork]
     notes: tuple[Message, ...]
 
 
 def works_of(
     grades: GradesResult, students: Mapping[str, Student]
-) -> tuple[tuple[Work, ...], tuple[Message, ...]]:
+) -> tuple[tuple[GradedWork, ...], tuple[Message, ...]]:
     """Return the work of each student that counts, and notes on those of whom none does.
 
     Args:
@@ -101,11 +101,11 @@ def works_of(
             continue
         known = students.get(student)
         part = next(filter(None, (platform_part(one.file) for one in reports)), None)
-        works.append(Work(reports[0], "" if known is None else known.email, part))
+        works.append(GradedWork(reports[0], "" if known is None else known.email, part))
     return tuple(works), tuple(notes)
 
 
-def match(works: Sequence[Work], rows: Sequence[Row], file: str) -> Matching:
+def match(works: Sequence[GradedWork], rows: Sequence[PlatformRow], file: str) -> Matching:
     """Tell which row is whose; see the module.
 
     Args:
@@ -117,7 +117,7 @@ def match(works: Sequence[Work], rows: Sequence[Row], file: str) -> Matching:
         UsageError: two rows are of one person, or two works belong to one row.
     """
     problems = list(_doubled(rows, file))
-    found: dict[int, list[Work]] = {}
+    found: dict[int, list[GradedWork]] = {}
     notes = []
     for work in works:
         surest = [_by_number(work, rows), _by_key(work, rows)]
@@ -138,24 +138,26 @@ def match(works: Sequence[Work], rows: Sequence[Row], file: str) -> Matching:
     return Matching({line: one for line, (one,) in found.items()}, tuple(notes))
 
 
-def _by_number(work: Work, rows: Iterable[Row]) -> list[Row]:
+def _by_number(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
     number = "" if work.part is None else work.part.identifier
     return [row for row in rows if number and row.number == number]
 
 
-def _by_key(work: Work, rows: Iterable[Row]) -> list[Row]:
+def _by_key(work: GradedWork, rows: Iterable[PlatformRow]) -> list[PlatformRow]:
     own = {work.report.student.casefold(), work.email.casefold()} - {""}
     return [row for row in rows if own & {key.strip().casefold() for key in row.keys}]
 
 
-def _by_name(work: Work, rows: Iterable[Row], works: Iterable[Work]) -> list[Row]:
+def _by_name(
+    work: GradedWork, rows: Iterable[PlatformRow], works: Iterable[GradedWork]
+) -> list[PlatformRow]:
     own = sorted(words_of(work.report.name))
     namesakes = [one for one in works if sorted(words_of(one.report.name)) == own]
     found = [row for row in rows if own and sorted(words_of(row.name)) == own]
     return found if len(found) == len(namesakes) == 1 else []
 
 
-def _doubled(rows: Iterable[Row], file: str) -> Iterator[Problem]:
+def _doubled(rows: Iterable[PlatformRow], file: str) -> Iterator[Problem]:
     lines: dict[str, int] = {}
     for row in rows:
         if row.number and (first := lines.setdefault(row.number, row.line)) != row.line:
@@ -168,7 +170,7 @@ def _doubled(rows: Iterable[Row], file: str) -> Iterator[Problem]:
             yield Problem(file, "", what, _again())
 
 
-def _two_rows(file: str, work: Work, lines: Iterable[int]) -> Problem:
+def _two_rows(file: str, work: GradedWork, lines: Iterable[int]) -> Problem:
     what = message(
         "Rows {lines} are all of {student}.",
         lines=", ".join(map(str, sorted(lines))),
@@ -177,7 +179,7 @@ def _two_rows(file: str, work: Work, lines: Iterable[int]) -> Problem:
     return Problem(file, "", what, _again())
 
 
-def _two_works(file: str, line: int, works: Iterable[Work]) -> Problem:
+def _two_works(file: str, line: int, works: Iterable[GradedWork]) -> Problem:
     what = message(
         "The works of {students} belong to the same row {line}.",
         students=", ".join(one.said for one in works),
@@ -199,7 +201,7 @@ def _several(student: str, reports: Iterable[ReportResult]) -> Message:
     )
 
 
-def _disputed(work: Work, lines: Iterable[int]) -> Message:
+def _disputed(work: GradedWork, lines: Iterable[int]) -> Message:
     return message(
         "The work of {student} was handed in under another account: rows {lines}. No grade is"
         " written.",
@@ -208,5 +210,5 @@ def _disputed(work: Work, lines: Iterable[int]) -> Message:
     )
 
 
-def _absent(work: Work) -> Message:
+def _absent(work: GradedWork) -> Message:
     return message("{student} is not in the platform's table.", student=work.said)
