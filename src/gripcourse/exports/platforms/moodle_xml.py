@@ -107,8 +107,9 @@ def _answer(quantity: Quantity, value: float, points: float, policy: Policy, wor
     """Return an answer as Moodle's text holds it: weight, kind, what is right and how nearly."""
     weight = max(1, round(_WEIGHT * points))
     if quantity.kind is Kind.VERDICT:
-        right, wrong = ("yes", "no") if value else ("no", "yes")
-        return f"{{{weight}:MC:={words.translate(right)}~{words.translate(wrong)}}}"
+        yes, no = words.say(message("yes")), words.say(message("no"))
+        right, wrong = (yes, no) if value else (no, yes)
+        return f"{{{weight}:MC:={right}~{wrong}}}"
     tolerance = max(band(quantity, value, policy), _LEAST * abs(value))
     return f"{{{weight}:NM:={_plain(value)}:{_plain(tolerance)}}}"
 
