@@ -11,6 +11,7 @@ from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
+from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.unjudged import (
     disputed_report,
     is_unreadable,
@@ -18,6 +19,7 @@ from gripcourse.grading.unjudged import (
     unknown_student_report,
     unreadable_report,
 )
+from gripcourse.machine.archive import UnreadableMemberError
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
@@ -45,6 +47,7 @@ class GradingContext:
         register: entries by student id.
         whose: by file, the id of the student who handed it in, where a person says so.
         office: the command that starts LibreOffice, for files that need it; None for none.
+        pattern: how paths say whose a file is; None where only platforms' own ways count.
     """
 
     course: Course
@@ -52,6 +55,7 @@ class GradingContext:
     register: Mapping[str, Issued]
     whose: Mapping[str, str] = field(default_factory=dict)
     office: str | None = None
+    pattern: PathPattern | None = None
 
 
 def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
@@ -65,6 +69,8 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
     file = shown_name(source)
     try:
         raw = read_workbook(source) if made is None else read_again(source, made)
+    except UnreadableMemberError:
+        raw = Rejected.because(file, "", WhyRefused.DAMAGED)
     except OSError:  # it was there when the batch began
         raw = Rejected.because(file, "", WhyRefused.GONE)
     identity = None if isinstance(raw, Rejected) else raw.identity
@@ -79,7 +85,7 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     student = context.whose.get(file)
     if student is not None:
         return named_by_person(student, context.register)
-    return identify(file, identity, context.register)
+    return identify(file, identity, context.register, context.pattern)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:

@@ -17,6 +17,7 @@ import typer
 
 from gripcourse.cli import course as cli_course
 from gripcourse.cli import draw as cli_draw
+from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import regrade as cli_regrade
@@ -65,6 +66,7 @@ app = command_group(
 for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_export.app, name="export")
 app.add_typer(simulation.tolerance_app, name="tolerance")
 
 
@@ -147,6 +149,10 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     deadline: Annotated[
         datetime | None, typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in.")
     ] = None,
+    printed: Annotated[
+        Path | None,
+        typer.Option("--print", help="File for a printer: a list and all sheets, on both sides."),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
@@ -171,13 +177,19 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
     confirm(cli_text.issuing_text(issuing, out, words))
+    if printed is not None:
+        from gripcourse.usecases.printing import print_sheets
+
+        print_sheets(issuing.handouts, loaded, out, printed, order.today)
+        confirm(str(printed))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
 @app.command(cls=SpokenCommand)
 def grade(  # noqa: PLR0913 (one parameter per option)
     paths: Annotated[
-        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+        list[Path],
+        typer.Argument(metavar="file", help="Workbooks, or folders or zips with workbooks."),
     ],
     *,
     out: OutOption,
@@ -196,6 +208,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             help="When a file was handed in, or all of them; default: the file's own time.",
         ),
     ] = None,
+    pattern: Annotated[
+        str | None,
+        typer.Option(
+            "--pattern",
+            metavar="pattern",
+            help="Where your own paths say whose a file is.",
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -203,6 +223,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
@@ -216,7 +237,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     files = found.files
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
-    context = replace(context, whose=decided)
+    order = None if pattern is None else path_pattern(pattern, context.register)
+    context = replace(context, whose=decided, pattern=order)
     times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)

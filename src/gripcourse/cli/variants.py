@@ -45,6 +45,10 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     freely: Annotated[
         bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
     ] = False,
+    apart_from: Annotated[
+        Path | None,
+        typer.Option("--apart-from", help="A table to keep apart from, as of last year."),
+    ] = None,
     out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -53,9 +57,11 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.usecases.variants import draw_table
 
+    if freely and apart_from is not None:
+        raise cli_text.misuse(message("--freely and --apart-from exclude each other."))
     words = words_for(language)
     loaded = load_course(course_folder(course))
-    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely)
+    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from)
     confirm(cli_text.drawn_text(drawn, out, words))
 
 

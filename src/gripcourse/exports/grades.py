@@ -1,4 +1,4 @@
-"""The table of grades: one row for each file, for a spreadsheet program or a learning platform.
+"""The table of grades: one row for each file and for each student without one.
 
 UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and commas between cells
 in every language, so that a program reads it the same everywhere.
@@ -18,8 +18,11 @@ from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import Words
+from gripcourse.variants.model import Student
 
-_NO_GROUPS: Mapping[str, str] = MappingProxyType({})
+_NOBODY: Mapping[str, Student] = MappingProxyType({})
+NOT_HANDED_IN = "not_handed_in"
+"""Stands for the flags of who handed nothing in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +40,7 @@ _PLAIN = Called((), Words("en"))
 def grades_csv(
     reports: Iterable[Report],
     path: Path,
-    groups: Mapping[str, str] = _NO_GROUPS,
+    students: Mapping[str, Student] = _NOBODY,
     called: Called = _PLAIN,
 ) -> None:
     """Write the grades of a batch.
@@ -47,19 +50,20 @@ def grades_csv(
     Args:
         reports: of the batch, in the order of the rows.
         path: file to write; it appears whole or not at all.
-        groups: group of each student by id, where the roster knows it.
+        students: everybody to whom something was issued, by id; who has no file among the reports
+            has a row all the same, without points.
         called: the scales; a grade that points which wait for a person decide is left empty.
 
     Raises:
         OSError: the file cannot be written.
     """
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, grades_text(tuple(reports), groups, called).encode("utf-8-sig"))
+    write_bytes(path, grades_text(tuple(reports), students, called).encode("utf-8-sig"))
 
 
 def grades_text(
     reports: Sequence[Report],
-    groups: Mapping[str, str] = _NO_GROUPS,
+    students: Mapping[str, Student] = _NOBODY,
     called: Called = _PLAIN,
 ) -> str:
     """Return the table as text; see `grades_csv`."""
@@ -68,22 +72,35 @@ def grades_text(
     )
     timed = any(report.timing is not None for report in reports)
     header = (
-        *("student", "name", "group", "variant"),
+        *("student", "name", "group", "email", "variant"),
         *("score", "max_score", "percent", "open_points"),
         *(one.id for one in called.scales),
         *(_TIMED if timed else ()),
         *sections,
         *("slips", "flags", "file"),
     )
-    return table_text(
-        header, (_row(report, sections, groups, called, timed=timed) for report in reports)
+    rows = [
+        _row(report, sections, students.get(report.student), called, timed=timed)
+        for report in reports
+    ]
+    handed_in = {report.student for report in reports}
+    rows += (
+        _missing_row(student, len(header))
+        for id_, student in students.items()
+        if id_ not in handed_in
     )
+    return table_text(header, rows)
+
+
+def _missing_row(student: Student, width: int) -> tuple[str, ...]:
+    known = tuple(map(text_cell, (student.id, student.name, student.group, student.email)))
+    return (*known, *("",) * (width - len(known) - 2), NOT_HANDED_IN, "")
 
 
 def _row(
     report: Report,
     sections: tuple[str, ...],
-    groups: Mapping[str, str],
+    student: Student | None,
     called: Called,
     *,
     timed: bool,
@@ -91,7 +108,14 @@ def _row(
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
     return (
         *map(
-            text_cell, (report.student, report.name, groups.get(report.student, ""), report.variant)
+            text_cell,
+            (
+                report.student,
+                report.name,
+                "" if student is None else student.group,
+                "" if student is None else student.email,
+                report.variant,
+            ),
         ),
         *_points(report),
         *_grades(report, called),

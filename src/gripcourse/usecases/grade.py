@@ -140,9 +140,9 @@ def write_grades(
     Returns:
         Why the cohort report could not be laid out, None where it was.
     """
-    groups = {name: issued.student.group for name, issued in context.register.items()}
+    students = {name: issued.student for name, issued in context.register.items()}
     words = Words(context.course.language)
-    grades_csv(reports, out / GRADES_CSV, groups, Called(context.policy.scales, words))
+    grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
     write_text(out / GRADES_JSON, json_text(reports, words, passed_over))

@@ -2,6 +2,7 @@
 
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -48,7 +49,12 @@ def buildable(check: OverlapCheck) -> Filter:
     return sift
 
 
-def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> Filter:
+def sifter(
+    policy: Policy,
+    sections: int,
+    check: OverlapCheck | None = None,
+    others: Sequence[Group] = (),
+) -> Filter:
     """Make the filter of one drawing; it remembers what it let through.
 
     What costs most comes last, and only for as many candidates as may be needed.
@@ -57,8 +63,15 @@ def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> 
         policy: the rules for variants.
         sections: how many sections the course has.
         check: tells whether bodies stand in each other; None where nobody knows the bodies.
+        others: variants of other tables, solved: what is drawn keeps as far from them as from
+            each other, however near they are to one another.
     """
     accepted = Accepted(limits_of(policy), sections)
+    for other in others:
+        items = items_of((replace(other, rows=np.arange(other.family.size)),), policy, Kind.FORMULA)
+        answers = accepted.answers(items, other.family.size)
+        for place in range(other.family.size):
+            accepted.add(answers, place)
 
     def sift(batch: Batch) -> Sifted:
         count = len(batch.cases)
