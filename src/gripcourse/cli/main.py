@@ -194,6 +194,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.machine.files import make_private_folder
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
@@ -209,7 +210,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
-    out.mkdir(parents=True, exist_ok=True)
+    make_private_folder(out)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))

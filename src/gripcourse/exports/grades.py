@@ -26,14 +26,14 @@ def grades_csv(
 
     Args:
         reports: of the batch, in the order of the rows.
-        path: file to write; it appears whole or not at all.
+        path: file to write, whole or not at all; only its owner may read it.
         groups: group of each student by id, where the roster knows it.
 
     Raises:
         OSError: the file cannot be written.
     """
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, grades_text(tuple(reports), groups).encode("utf-8-sig"))
+    write_bytes(path, grades_text(tuple(reports), groups).encode("utf-8-sig"), private=True)
 
 
 def grades_text(reports: Sequence[Report], groups: Mapping[str, str] = _NO_GROUPS) -> str:

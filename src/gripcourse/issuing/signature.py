@@ -11,7 +11,7 @@ import re
 from pathlib import Path
 
 from gripcourse.errors import Problem, RegisterError
-from gripcourse.machine.files import making, write_text
+from gripcourse.machine.files import make_private_folder, making, write_text
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Variant
 
@@ -48,7 +48,7 @@ def make_key(path: Path, random_bytes: bytes) -> bytes:
             message("There is a key already; a new one would void all signatures."),
             message("Keep it. To start a new course, move it away together with the register."),
         )
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_private_folder(path.parent)
     with making(path) as unfinished:
         write_text(unfinished, random_bytes.hex() + "\n", private=True)
     return read_key(path)

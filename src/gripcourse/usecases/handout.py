@@ -10,6 +10,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.documents.assignment_sheet import assignment_sheet
 from gripcourse.errors import GripcourseError, Problem
+from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import replacing, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
@@ -60,7 +61,7 @@ class IssuingContext:
 
 def sheet_path(out: Path, student: str) -> Path:
     """Return where a student's assignment sheet is written."""
-    return out / student / f"assignment_{student}.pdf"
+    return file_below(file_below(out, student), f"assignment_{student}.pdf")
 
 
 def workbook_path(out: Path, student: str) -> Path:
@@ -68,7 +69,7 @@ def workbook_path(out: Path, student: str) -> Path:
 
     It is called like the student, so that a returned file tells whose it is.
     """
-    return out / student / f"{student}.xlsx"
+    return file_below(file_below(out, student), f"{student}.xlsx")
 
 
 def issue(

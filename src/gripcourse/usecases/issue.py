@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
@@ -89,9 +90,10 @@ def issue_order(
         issue_one: writes one student's documents.
 
     Raises:
-        GripcourseError: the roster, the table, the register or the key cannot be used; nothing
+        GripcourseError: the deadline, the roster, the table, the register or the key cannot be used; nothing
             was written.
     """
+    _refuse_past(order)
     before = read_register(course.root, course.id)
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
@@ -111,6 +113,18 @@ def issue_order(
     made_key = _key_notes(course) if known is None else ()
     notes = (*made_key, *roster.notes, *extended.notes)
     return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
+
+
+def _refuse_past(order: Order) -> None:
+    """Refuse a deadline before the day of the issue: every work would be late."""
+    if order.deadline is not None and order.deadline < order.today:
+        what = message(
+            "The deadline {deadline} lies before the day of the issue, {today}.",
+            deadline=order.deadline.isoformat(),
+            today=order.today.isoformat(),
+        )
+        remedy = message("Name a later deadline, or an earlier day of the issue.")
+        raise UsageError([Problem("", "", what, remedy, parameter="deadline")])
 
 
 def _key_notes(course: Course) -> tuple[Message, ...]:
