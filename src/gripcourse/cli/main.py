@@ -18,6 +18,7 @@ import typer
 from gripcourse.cli import course as cli_course
 from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import grading_text, simulation
+from gripcourse.cli import key as cli_key
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
@@ -65,6 +66,7 @@ for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
 app.add_typer(simulation.tolerance_app, name="tolerance")
+app.add_typer(cli_key.app, name="key")
 
 
 @app.command(cls=SpokenCommand)
@@ -303,8 +305,10 @@ def _guard(run: Callable[[], int | None]) -> int:
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         trace = traceback.format_exc()
         log = cli_text.write_incident(trace)
-        if is_verbose():
+        if is_verbose() or log is None:
             typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
+        if log is None:
+            said = message("This is our mistake, not yours. The details stand above.")
         typer.echo(chosen_words().say(said), err=True)
         return OUR_MISTAKE

@@ -18,8 +18,9 @@ sheets. It offers to every template
     box | plain              a formula as one line of text
     box | aside              the same, empty where its MathML can be read without being drawn
 
-in a sandbox, because a course may be a stranger's, and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
-style sheets. A value that a template does not get is an error, never an empty place.
+in a sandbox, because a course may be a stranger's, and renders with what is expensive kept for the
+whole process: compiled templates, fonts, and parsed style sheets. A value that a template does not
+get is an error, never an empty place.
 """
 
 import re

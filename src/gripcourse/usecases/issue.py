@@ -90,14 +90,16 @@ def issue_order(
         issue_one: writes one student's documents.
 
     Raises:
-        GripcourseError: the deadline, the roster, the table, the register or the key cannot be used; nothing
-            was written.
+        GripcourseError: the deadline, the roster, the table, the register or the key cannot be
+            used; nothing was written.
     """
     _refuse_past(order)
     before = read_register(course.root, course.id)
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
     variants = read_table(order.table, course)
+    # Before anything is kept: a folder that cannot be written must not cost a variant.
+    order.out.mkdir(parents=True, exist_ok=True)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
     terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
