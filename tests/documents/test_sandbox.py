@@ -22,7 +22,7 @@ def filled(template: str, folder: Path, **values: object) -> str:
         "{{ ''.__class__.__mro__[1].__subclasses__() }}",
         "{{ '{0.__class__}'.format(say) }}",
         "{{ say | attr('__self__') }}",
-        "{{ [say] | map(attribute='__self__') | list }}",
+        "{{ [say] | map(attribute='__self__') | first }}",
         "{{ place.read_text() }}",
         "{{ place.unlink() }}",
         "{{ taken.append(1) }}",
@@ -40,7 +40,7 @@ def test_a_strange_template_reaches_neither_python_nor_files(template: str, tmp_
 
 @pytest.mark.parametrize("product", ["'x' * 99999999999", "9 ** 9 ** 9 ** 9"])
 def test_a_template_cannot_fill_the_memory(product: str, tmp_path: Path) -> None:
-    with pytest.raises(OverflowError):
+    with pytest.raises(CourseError):
         filled(f"{{{{ {product} }}}}", tmp_path)
 
 

@@ -104,7 +104,7 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
     try:
         template = template_environment(templates, words.language).get_template(document.template)
         return template.render(document.values)
-    except TemplateError as error:
+    except (TemplateError, ArithmeticError) as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
 
 

@@ -98,13 +98,13 @@ def issue_order(
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
     variants = read_table(order.table, course)
-    # Before anything is kept: a folder that cannot be written must not cost a variant.
-    order.out.mkdir(parents=True, exist_ok=True)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
     terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
+    extend(before, students, variants, terms)  # what is refused makes neither key nor folder
+    # Before anything is kept: a folder that cannot be written must not cost a variant.
+    order.out.mkdir(parents=True, exist_ok=True)
     if known is None:
-        extend(before, students, variants, terms)  # what is refused makes no key
         terms = replace(terms, key=make_key(place, terms.key))
     extended = extend_register(
         course.root, course.id, lambda register: extend(register, students, variants, terms)
