@@ -104,6 +104,26 @@ _SYSTEM = {
         message("Nothing can be written to this disk."),
         message("Name another place."),
     ),
+    errno.EFBIG: (
+        message("The system does not allow files of this size."),
+        message("Lift the limit (ulimit -f), or name another place."),
+    ),
+    errno.EDQUOT: (
+        message("Your share of this disk is full."),
+        message("Make room, or name another place."),
+    ),
+    errno.EPIPE: (
+        message("The program that reads what is printed has ended."),
+        message("Write into a file first."),
+    ),
+    errno.ELOOP: (
+        message("This link leads to itself."),
+        message("Check the path."),
+    ),
+    errno.ENAMETOOLONG: (
+        message("This name is too long for the system."),
+        message("Name another place."),
+    ),
     errno.ENOSPC: (
         message("The disk is full."),
         message("Make room, or name another place."),

@@ -6,9 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
-from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -16,6 +14,7 @@ import pytest
 from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
 from gripcourse.machine.database.home import gradebook_path
+from support.command_line import Run, call
 
 SCHEME = "rack_parallelogram"
 ROSTER = """\
@@ -25,33 +24,7 @@ s02,Шевченко Оксана,РТК-41,,uk,007
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Run:
-    """What a call of the command line came to."""
-
-    code: int
-    out: str
-    err: str
-
-    @property
-    def problems(self) -> list[str]:
-        """The lines on the error stream, but for the progress bar."""
-        return [line for line in self.err.splitlines() if line.strip() and "━" not in line]
-
-
 Command = Callable[..., Run]
-
-
-def call(home: Path, *arguments: object, system: str = "C") -> Run:
-    """Call the command line in a folder."""
-    out, err = StringIO(), StringIO()
-    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
-        patch.chdir(home)
-        patch.setenv("LC_ALL", system)
-        patch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
-        with pytest.raises(SystemExit) as left:
-            cli.main()
-    return Run(int(left.value.code or 0), out.getvalue(), err.getvalue())
 
 
 @pytest.fixture

@@ -19,6 +19,7 @@ from gripcourse.cli import course as cli_course
 from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
+from gripcourse.cli import key as cli_key
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import regrade as cli_regrade
 from gripcourse.cli import text as cli_text
@@ -68,6 +69,7 @@ for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation)
 app.add_typer(cli_variants.app, name="variants")
 app.add_typer(cli_export.app, name="export")
 app.add_typer(simulation.tolerance_app, name="tolerance")
+app.add_typer(cli_key.app, name="key")
 
 
 @app.command(cls=SpokenCommand)
@@ -224,6 +226,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.grading.path_pattern import path_pattern
+    from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
@@ -243,7 +246,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
-    out.mkdir(parents=True, exist_ok=True)
+    make_private_folder(out)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
@@ -336,8 +339,10 @@ def _guard(run: Callable[[], int | None]) -> int:
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         trace = traceback.format_exc()
         log = cli_text.write_incident(trace)
-        if is_verbose():
+        if is_verbose() or log is None:
             typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
+        if log is None:
+            said = message("This is our mistake, not yours. The details stand above.")
         typer.echo(chosen_words().say(said), err=True)
         return OUR_MISTAKE

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli.loudness import is_quiet
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import write_text
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Texts, Words, message
 
@@ -263,11 +264,15 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
     return "\n".join(lines)
 
 
-def write_incident(trace: str) -> Path:
-    """Write a traceback where a user can find it, and return where."""
+def write_incident(trace: str) -> Path | None:
+    """Write a traceback where a user can find it, and return where; None where nothing can be."""
     number = hashlib.sha256(trace.encode()).hexdigest()[:8]
     path = Path(tempfile.gettempdir()) / f"gripcourse-incident-{number}.log"
-    path.write_text(trace, encoding="utf-8")
+    # The folder is everybody's: not through a link that somebody laid there, and for nobody else.
+    try:
+        write_text(path, trace, private=True)
+    except OSError:
+        return None
     return path
 
 

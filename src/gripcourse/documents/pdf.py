@@ -18,8 +18,9 @@ sheets. It offers to every template
     box | plain              a formula as one line of text
     box | aside              the same, empty where its MathML can be read without being drawn
 
-and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
-style sheets. A value that a template does not get is an error, never an empty place.
+in a sandbox, because a course may be a stranger's, and renders with what is expensive kept for the
+whole process: compiled templates, fonts, and parsed style sheets. A value that a template does not
+get is an error, never an empty place.
 """
 
 import re
@@ -103,7 +104,7 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
     try:
         template = template_environment(templates, words.language).get_template(document.template)
         return template.render(document.values)
-    except TemplateError as error:
+    except (TemplateError, ArithmeticError) as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
 
 
@@ -161,6 +162,7 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
         templates: the folder of the course with the templates.
     """
     from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
+    from jinja2.exceptions import SecurityError
 
     found = traceback.extract_tb(error.__traceback__)
     places = [(step, _template_name(step.filename, templates)) for step in found]
@@ -174,6 +176,8 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
             remedy = message("Correct the name, or copy the file from the reference course.")
         case TemplateSyntaxError():
             place, line = error.name or name, error.lineno
+        case SecurityError():
+            remedy = message("Leave it out; a template shows the values that it gets, no more.")
         case UndefinedError():
             remedy = message("Correct the name; it may be only the name of what stands before it.")
     return Problem(
@@ -203,10 +207,12 @@ def _seen(value: object) -> object:
 @lru_cache(maxsize=4 * len(LANGUAGES))
 def template_environment(templates: Path, language: str) -> "Environment":
     """Return what every template of a folder gets whatever the document: see the list above."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from jinja2 import FileSystemLoader, StrictUndefined
+
+    from gripcourse.documents.sandbox import TemplateSandbox
 
     words = Words(language)
-    environment = Environment(
+    environment = TemplateSandbox(
         loader=FileSystemLoader(template_folders(templates)),
         autoescape=True,
         undefined=StrictUndefined,

@@ -49,7 +49,7 @@ def grades_csv(
 
     Args:
         reports: of the batch, in the order of the rows.
-        path: file to write; it appears whole or not at all.
+        path: file to write, whole or not at all; only its owner may read it.
         students: everybody to whom something was issued, by id; who has no file among the reports
             has a row all the same, without points.
         called: the scales; a grade that points which wait for a person decide is left empty.
@@ -58,7 +58,8 @@ def grades_csv(
         OSError: the file cannot be written.
     """
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, grades_text(tuple(reports), students, called).encode("utf-8-sig"))
+    text = grades_text(tuple(reports), students, called)
+    write_bytes(path, text.encode("utf-8-sig"), private=True)
 
 
 def grades_text(

@@ -101,7 +101,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
-        write_text(out / INCIDENTS, "\n".join(incidents))
+        write_text(out / INCIDENTS, "\n".join(incidents), private=True)
     else:
         # Those of an earlier run into the same folder have been mended.
         (out / INCIDENTS).unlink(missing_ok=True)
@@ -145,7 +145,7 @@ def write_grades(
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    write_text(out / GRADES_JSON, json_text(reports, words, passed_over))
+    write_text(out / GRADES_JSON, json_text(reports, words, passed_over), private=True)
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
         cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
@@ -154,7 +154,7 @@ def write_grades(
         # An earlier one would say something else than the grades.
         (out / COHORT_PDF).unlink(missing_ok=True)
         return pdf
-    write_bytes(out / COHORT_PDF, pdf)
+    write_bytes(out / COHORT_PDF, pdf, private=True)
     return None
 
 

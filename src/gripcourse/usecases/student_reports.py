@@ -11,7 +11,8 @@ from gripcourse.course.model import Course
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.jobs.workers import Lost, run_each
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.enclosed import file_below
+from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
@@ -90,6 +91,7 @@ def write_reports(
     Raises:
         OSError: the folder cannot be written.
     """
+    make_private_folder(folder)
     paths = _paths(reports, folder)
     to_do = [number for number, path in enumerate(paths) if path is not None]
     outcomes: list[Path | Lost | None] = [None] * len(reports)
@@ -116,7 +118,7 @@ def _keep(pdf: bytes | Lost, path: Path | None) -> Path | Lost | None:
     if isinstance(pdf, Lost):
         path.unlink(missing_ok=True)
         return pdf
-    write_bytes(path, pdf)
+    write_bytes(path, pdf, private=True)
     return path
 
 
@@ -132,7 +134,7 @@ def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
         if report.scheme:
             named[report.student] += 1
             suffix = f"-{named[report.student]}" if named[report.student] > 1 else ""
-            paths[number] = folder / f"{report.student}{suffix}.pdf"
+            paths[number] = file_below(folder, f"{report.student}{suffix}.pdf")
     return paths
 
 
