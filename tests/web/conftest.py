@@ -8,13 +8,21 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
+from gripcourse.desk.store import open_desk
+from gripcourse.machine.database.home import home_of
+from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
-from gripcourse.usecases.desk import DeskContext, open_context
+from gripcourse.text.words import Words
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.handout import Handout, IssuingContext, sheet_path, workbook_path
+from gripcourse.usecases.issue import issue_order
 from gripcourse.usecases.links import token_of
+from gripcourse.variants.model import Issued
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.site import Site
-from support.classroom import Classroom, forget_one_jaw, open_classroom
+from gripcourse.workbook.write import write_answer_workbook
+from support.classroom import KEY, Classroom, forget_one_jaw, open_classroom
 
 BEGAN = datetime(2026, 10, 1, 9, 30, tzinfo=UTC)
 
@@ -61,14 +69,25 @@ class Server:
         ).read_bytes()
 
 
+def quick_handout(context: IssuingContext, entry: Issued) -> Handout:
+    """Write the real workbook, and a sheet that nobody reads."""
+    student, words = entry.student.id, Words(entry.student.language)
+    sheet, workbook = sheet_path(context.out, student), workbook_path(context.out, student)
+    write_bytes(sheet, b"%PDF of " + student.encode())
+    plan = context.plan(entry.variant.composition)
+    write_answer_workbook(workbook, plan, entry, context.course, words)
+    return Handout(student, (sheet, workbook), ())
+
+
 @pytest.fixture(scope="session")
 def opened(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Server:
     """A class with its documents; tests add to it and find only what they added."""
     folder = tmp_path_factory.mktemp("web")
     classroom = open_classroom(folder, policy)
-    issuing = classroom.issue()
-    assert all(not one.faults for one in issuing.handouts)
-    return Server(classroom, open_context(classroom.course.root), folder / "graded")
+    course = classroom.course
+    issue_order(course, policy, classroom.order, 0, lambda _: None, issue_one=quick_handout)
+    desk = open_desk(home_of(course.root), course.id)
+    return Server(classroom, DeskContext(course, policy, KEY, desk), folder / "graded")
 
 
 @pytest.fixture

@@ -35,7 +35,9 @@ def test_a_link_opens_the_students_own_assignment_in_their_language(
 def test_the_documents_that_were_issued_can_be_taken_away(server: "Server") -> None:
     client, home = server.client(), server.home("s01")
     assert client.get(f"{home}assignment.pdf").content.startswith(b"%PDF")
-    assert client.get(f"{home}workbook.xlsx").content == server.classroom.workbook("s01").read_bytes()
+    assert (
+        client.get(f"{home}workbook.xlsx").content == server.classroom.workbook("s01").read_bytes()
+    )
 
 
 def test_a_check_says_how_each_answer_was_read_and_how_many_are_left(
@@ -67,21 +69,23 @@ def test_a_receipt_is_for_bytes_that_a_new_server_still_has(
     home = server.home("s01")
     receipt = server.client().post(f"{home}hand-in", files=upload(filled, "../../work.xlsx"))
     digest = hashlib.sha256(filled).hexdigest()
-    assert str(receipt.url).endswith("/receipt/1")
+    number = len(server.context.desk.hand_ins("s01"))
+    assert str(receipt.url).endswith(f"/receipt/{number}")
     assert digest in receipt.text
     assert "work.xlsx" in receipt.text
     assert ".." not in receipt.text
     assert kept_path(server.context, digest).read_bytes() == filled
     again = server.client()  # of another process
-    assert again.get(f"{home}receipt/1").text == receipt.text
-    assert again.get(f"{home}file/1").content == filled
+    assert again.get(f"{home}receipt/{number}").text == receipt.text
+    assert again.get(f"{home}file/{number}").content == filled
 
 
 def test_two_clicks_are_one_hand_in(server: "Server", tmp_path: Path) -> None:
     client, home, data = server.client(), server.home("s02"), server.filled("s02", tmp_path)
-    for _ in range(2):
-        assert str(client.post(f"{home}hand-in", files=upload(data)).url).endswith("/receipt/1")
-    assert len(server.context.desk.hand_ins("s02")) == 1
+    before = len(server.context.desk.hand_ins("s02"))
+    answers = [client.post(f"{home}hand-in", files=upload(data)) for _ in range(2)]
+    assert [str(one.url) for one in answers] == [f"http://testserver{home}receipt/{before + 1}"] * 2
+    assert len(server.context.desk.hand_ins("s02")) == before + 1
 
 
 def test_a_file_after_the_last_day_is_kept_and_called_late(server: "Server") -> None:

@@ -28,7 +28,8 @@ from gripcourse.text.words import message
 app = typer.Typer()
 
 AddressOption = Annotated[
-    str, typer.Option("--address", help="Of the server, as browsers reach it; default: the course's.")
+    str,
+    typer.Option("--address", help="Of the server, as browsers reach it; default: the course's."),
 ]
 ByOption = Annotated[
     str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
@@ -40,9 +41,7 @@ WhyOption = Annotated[str, typer.Option("--why", help="Why, in a few words; it i
 def serve(  # noqa: PLR0913 (one parameter per option)
     *,
     host: Annotated[str, typer.Option("--host", help="Where to listen.")] = "127.0.0.1",
-    port: Annotated[
-        int, typer.Option("--port", min=1, max=65535, help="Where to listen.")
-    ] = 8321,
+    port: Annotated[int, typer.Option("--port", min=1, max=65535, help="Where to listen.")] = 8321,
     address: AddressOption = "",
     assignments: Annotated[
         Path | None, typer.Option("--assignments", help="Folder that issuing wrote.")
@@ -129,7 +128,7 @@ def links(  # noqa: PLR0913 (one parameter per option)
 
 
 @app.command(cls=SpokenCommand)
-def publish(  # noqa: PLR0913 (one parameter per option)
+def publish(
     graded: Annotated[
         Path | None, typer.Argument(metavar="folder", help="Folder that grading wrote.")
     ] = None,

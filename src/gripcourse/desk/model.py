@@ -1,4 +1,4 @@
-"""What the desk keeps: files handed in, self-checks, requests, publications. Nothing ever changes."""
+"""What the desk keeps for good: files handed in, self-checks, requests, publications."""
 
 from dataclasses import dataclass
 from datetime import datetime

@@ -35,9 +35,7 @@ class Desk:
     engine: Engine
     course: str
 
-    def add_hand_in(
-        self, student: str, digest: str, size: int, name: str, now: datetime
-    ) -> HandIn:
+    def add_hand_in(self, student: str, digest: str, size: int, name: str, now: datetime) -> HandIn:
         """Keep that a file was handed in; the same bytes again right after are not kept twice."""
         known = self.hand_ins(student)
         if known and known[-1].digest == digest:
@@ -76,9 +74,7 @@ class Desk:
     def revoked(self, student: str) -> int:
         """Return how often the links of a student were revoked."""
         table = schema.revocations.c
-        question = select(func.count()).where(
-            table.course == self.course, table.student == student
-        )
+        question = select(func.count()).where(table.course == self.course, table.student == student)
         with refusals_named(self.place), self.engine.connect() as connection:
             return int(connection.execute(question).scalar_one())
 
@@ -96,9 +92,7 @@ class Desk:
         row = {"token": digest_of(token), "course": self.course, "name": name}
         self._insert(schema.sign_ins, row | {"expires": _utc(expires)})
 
-    def begin_session(
-        self, sign_in: str, session: str, expires: datetime, now: datetime
-    ) -> bool:
+    def begin_session(self, sign_in: str, session: str, expires: datetime, now: datetime) -> bool:
         """Use up a sign-in for a session; False where it is none, too late, or was used before."""
         table, token = schema.sign_ins.c, digest_of(sign_in)
         question = select(table.token).where(
@@ -145,9 +139,7 @@ class Desk:
             question = question.where(table.c.student == student)
         question = question.order_by(*table.primary_key.columns)
         with refusals_named(self.place), self.engine.connect() as connection:
-            return tuple(
-                make(**_plain(row)) for row in connection.execute(question).mappings()
-            )
+            return tuple(make(**_plain(dict(row))) for row in connection.execute(question).mappings())
 
     def _append(
         self, table: Table, of: Mapping[str, str], row: Mapping[str, Any]

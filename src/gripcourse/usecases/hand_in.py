@@ -39,9 +39,7 @@ class Receipt:
     code: str
 
 
-def hand_in(
-    context: DeskContext, issued: Issued, file: NamedBytes, now: datetime
-) -> Receipt:
+def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetime) -> Receipt:
     """Keep a file that a student hands in, whatever is in it.
 
     The same bytes once more right after are the same hand-in: two clicks make one.

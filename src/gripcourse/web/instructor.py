@@ -192,9 +192,7 @@ def student_report(seat: Seat) -> Response:
     published = None if row is None else published_to(seat.site.context, row.issued.student.id)
     if published is None or published.pdf is None:
         return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
-    return FileResponse(
-        published.pdf, media_type="application/pdf", filename=published.pdf.name
-    )
+    return FileResponse(published.pdf, media_type="application/pdf", filename=published.pdf.name)
 
 
 def grades(seat: Seat) -> Response:

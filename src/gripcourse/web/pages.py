@@ -61,7 +61,9 @@ def notice(
     """Say one thing on a page of its own.
 
     Args:
-        site, request, words: as of `page`.
+        site: the server.
+        request: that is answered.
+        words: language of the page.
         said: what is said.
         status: of the answer.
         back: where a link leads to; empty for none.

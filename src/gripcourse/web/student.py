@@ -188,9 +188,7 @@ def check(visit: Visit) -> Response:
     if visit.sent.file is None:
         return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
     count(site, CHECKS, visit.student)
-    result = site.checkers.do(
-        CheckJob(visit.sent.file, visit.student, site.ledger, words.language)
-    )
+    result = site.checkers.do(CheckJob(visit.sent.file, visit.student, site.ledger, words.language))
     if isinstance(result, Lost):
         said = message("This file could not be read within the limits of the server.")
         return visit.say(said, HTTPStatus.UNPROCESSABLE_ENTITY)

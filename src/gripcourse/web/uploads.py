@@ -37,9 +37,7 @@ async def read_form(request: Request) -> Sent:
     """
     if declares_too_much(request.headers):
         raise HTTPException(_TOO_LARGE)
-    async with request.form(
-        max_files=1, max_fields=_FIELDS, max_part_size=_LONGEST_FIELD
-    ) as form:
+    async with request.form(max_files=1, max_fields=_FIELDS, max_part_size=_LONGEST_FIELD) as form:
         texts = {name: one for name, one in form.items() if isinstance(one, str)}
         files = [one for one in form.values() if isinstance(one, UploadFile) and one.filename]
         sent = [NamedBytes(str(one.filename), await one.read()) for one in files]
