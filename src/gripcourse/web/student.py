@@ -21,6 +21,7 @@ from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.jobs.lost import Lost
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
+from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.hand_in import hand_in, kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
@@ -48,6 +49,7 @@ _REFUSED: Final = {
     ),
 }
 _LONGEST_SENTENCE: Final = 1000
+_FIGURES: Final = 7  # of a number that was understood
 _BINARY: Final = "application/octet-stream"
 
 
@@ -215,10 +217,15 @@ def _understood(result: CheckResult, words: Words) -> dict[str, object]:
         "remarks": result.remarks,
         "sections": result.sections,
         "answers": [
-            (one, "" if one.value is None else f"{words.number(one.value, 7)} {one.unit}".strip())
+            (one, "" if one.value is None else _amount(one.value, one.unit, words))
             for one in result.answers
         ],
     }
+
+
+def _amount(value: float, unit: str, words: Words) -> str:
+    joint = "" if not unit or unit.startswith("°") else NO_BREAK_SPACE
+    return f"{words.number(value, _FIGURES)}{joint}{unit}"
 
 
 def _counts(result: CheckResult) -> dict[str, int]:
