@@ -24,6 +24,7 @@ from selenium.webdriver.common.keys import Keys
 
 if TYPE_CHECKING:
     from selenium.webdriver.remote.webdriver import WebDriver
+
     from web.conftest import Server
 
 FLAGS = (
@@ -56,7 +57,7 @@ def address(opened: "Server") -> Iterator[str]:
     ends = time.monotonic() + SECONDS
     while time.monotonic() < ends:
         try:
-            urllib.request.urlopen(url, timeout=1).close()  # noqa: S310 (our own)
+            urllib.request.urlopen(url, timeout=1).close()
             break
         except (URLError, OSError):
             time.sleep(0.2)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 from starlette.routing import Route
 
-from gripcourse.desk.links import Link, link_text
+from gripcourse.desk.links import SignedLink, link_text
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.guard import LARGEST_BODY
 from gripcourse.web.rates import HAND_INS
@@ -74,16 +74,16 @@ def test_a_forged_an_expired_and_a_revoked_link_open_nothing(
     good, course = neighbour.home("s03"), neighbour.context.course.id
     expires = datetime(2026, 12, 31, tzinfo=UTC)
     links = {
-        "forged": (f"/s/{link_text(Link('s03', expires, 0), bytes(32), course)}/", 404),
+        "forged": (f"/s/{link_text(SignedLink('s03', expires, 0), bytes(32), course)}/", 404),
         "other course": (
-            f"/s/{link_text(Link('s03', expires, 0), neighbour.context.key, 'other')}/",
+            f"/s/{link_text(SignedLink('s03', expires, 0), neighbour.context.key, 'other')}/",
             404,
         ),
         "neighbour's code": (good.replace("s03", "s01"), 404),
         "later": (good.replace("~0~", "~00~"), 404),
         "expired": (neighbour.home("s03", days=-1), 410),
         "revoked": (
-            f"/s/{link_text(Link('s03', expires, 7), neighbour.context.key, course)}/",
+            f"/s/{link_text(SignedLink('s03', expires, 7), neighbour.context.key, course)}/",
             410,
         ),
     }

@@ -32,7 +32,7 @@ class Refused(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
+class SignedLink:
     """What a link says.
 
     Attributes:
@@ -46,25 +46,25 @@ class Link:
     number: int
 
 
-def link_text(link: Link, key: bytes, course_id: str) -> str:
+def link_text(link: SignedLink, key: bytes, course_id: str) -> str:
     """Write a link as one segment of a web address."""
     seconds = int(link.expires.timestamp())
     return f"{link.student}~{seconds}~{link.number}~{_mac(link, key, course_id)}"
 
 
-def read_link(text: str, key: bytes, course_id: str) -> Link | None:
+def read_link(text: str, key: bytes, course_id: str) -> SignedLink | None:
     """Read what `link_text` wrote with the same key; None for anything else."""
     found = _TEXT.fullmatch(text)
     if found is None:
         return None
     expires = datetime.fromtimestamp(min(int(found["expires"]), _LAST), UTC)
-    link = Link(found["student"], expires, int(found["number"]))
+    link = SignedLink(found["student"], expires, int(found["number"]))
     # One spelling only: digits of other scripts and leading zeros are no part of it.
     written = link_text(link, key, course_id)
     return link if hmac.compare_digest(written.encode(), text.encode()) else None
 
 
-def refusal_of(link: Link | None, revoked: int, now: datetime) -> Refused | None:
+def refusal_of(link: SignedLink | None, revoked: int, now: datetime) -> Refused | None:
     """Tell why a link opens nothing; None where it opens.
 
     Args:
@@ -82,7 +82,7 @@ def refusal_of(link: Link | None, revoked: int, now: datetime) -> Refused | None
 _LAST: Final = int(datetime(9999, 1, 1, tzinfo=UTC).timestamp())
 
 
-def _mac(link: Link, key: bytes, course_id: str) -> str:
+def _mac(link: SignedLink, key: bytes, course_id: str) -> str:
     signed = json.dumps(
         [course_id, link.student, int(link.expires.timestamp()), link.number], ensure_ascii=True
     )

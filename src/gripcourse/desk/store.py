@@ -139,7 +139,8 @@ class Desk:
             question = question.where(table.c.student == student)
         question = question.order_by(*table.primary_key.columns)
         with refusals_named(self.place), self.engine.connect() as connection:
-            return tuple(make(**_plain(dict(row))) for row in connection.execute(question).mappings())
+            found = connection.execute(question).mappings()
+            return tuple(make(**_plain(dict(row))) for row in found)
 
     def _append(
         self, table: Table, of: Mapping[str, str], row: Mapping[str, Any]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from pathlib import Path
 
-from gripcourse.desk.links import Link, Refused, link_text, read_link, refusal_of
+from gripcourse.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.machine.files import write_bytes
@@ -51,7 +51,7 @@ def make_links(
 
 def token_of(context: DeskContext, student: str, expires: datetime) -> str:
     """Make the part of an address by which a student is known."""
-    link = Link(student, expires, context.desk.revoked(student))
+    link = SignedLink(student, expires, context.desk.revoked(student))
     return link_text(link, context.key, context.course.id)
 
 

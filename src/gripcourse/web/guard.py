@@ -20,7 +20,6 @@ _HEADERS: Final = {
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
-    "X-Robots-Tag": "noindex",
 }
 _HTTPS_ONLY: Final = "max-age=31536000"
 

@@ -9,18 +9,18 @@ _MOST_KEPT: Final = 10_000  # whoever tries with ever new names cannot fill the 
 
 
 @dataclass(frozen=True, slots=True)
-class Rate:
+class Allowance:
     """At most so many times within so many seconds."""
 
     times: int
     seconds: float
 
 
-CHECKS: Final = Rate(30, 600)
-HAND_INS: Final = Rate(20, 600)
-REQUESTS: Final = Rate(20, 600)
-REFUSED_LINKS: Final = Rate(60, 600)
-SIGN_INS: Final = Rate(20, 600)
+CHECKS: Final = Allowance(30, 600)
+HAND_INS: Final = Allowance(20, 600)
+REQUESTS: Final = Allowance(20, 600)
+REFUSED_LINKS: Final = Allowance(60, 600)
+SIGN_INS: Final = Allowance(20, 600)
 
 
 class Counter:
@@ -28,9 +28,9 @@ class Counter:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._done: dict[tuple[Rate, str], deque[float]] = {}
+        self._done: dict[tuple[Allowance, str], deque[float]] = {}
 
-    def allows(self, rate: Rate, who: str, now: float) -> bool:
+    def allows(self, rate: Allowance, who: str, now: float) -> bool:
         """Count one more; False, and nothing counted, where it would be too many.
 
         Args:

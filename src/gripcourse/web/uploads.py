@@ -11,7 +11,7 @@ from starlette.requests import Request
 
 from gripcourse.machine.content import NamedBytes
 from gripcourse.web.guard import declares_too_much
-from gripcourse.web.rates import Rate
+from gripcourse.web.rates import Allowance
 from gripcourse.web.site import Site
 
 _FIELDS: Final = 8
@@ -44,7 +44,7 @@ async def read_form(request: Request) -> Sent:
     return Sent(texts, sent[0] if sent else None)
 
 
-def count(site: Site, rate: Rate, who: str) -> None:
+def count(site: Site, rate: Allowance, who: str) -> None:
     """Count one more.
 
     Raises:
