@@ -12,7 +12,7 @@ from gripcourse.variants.model import Issued
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class GroupMember:
     """A student of the group.
 
     Attributes:
@@ -45,7 +45,7 @@ class Wish:
     group: str
     state: str
 
-    def meets(self, row: Member) -> bool:
+    def meets(self, row: GroupMember) -> bool:
         """Tell whether a student is one of them."""
         person = row.issued.student
         states = {
@@ -61,7 +61,7 @@ class Wish:
         )
 
 
-def rows_of(context: DeskContext) -> tuple[Member, ...]:
+def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     """Return everybody, by group and name."""
     hand_ins = context.desk.hand_ins()
     last = latest(hand_ins)
@@ -70,7 +70,7 @@ def rows_of(context: DeskContext) -> tuple[Member, ...]:
     requests = Counter(one.student for one in context.desk.requests())
     attempts = latest_judged(Gradebook(context.desk.engine).attempts())
     rows = (
-        Member(
+        GroupMember(
             issued=issued,
             hand_in=last.get(id_),
             late=id_ in last and receipt_of(context, issued, last[id_]).late,

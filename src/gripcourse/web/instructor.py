@@ -18,7 +18,7 @@ from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.hand_in import kept_path, receipt_of
 from gripcourse.usecases.publish import current, publish, published_grades, published_to, withdraw
 from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
-from gripcourse.web.group import Member, Wish, rows_of
+from gripcourse.web.group import GroupMember, Wish, rows_of
 from gripcourse.web.pages import NOT_FOUND, notice, page, visitor_words
 from gripcourse.web.rates import SIGN_INS
 from gripcourse.web.site import Site
@@ -239,7 +239,7 @@ def _done(seat: Seat, act: Callable[[], object]) -> Response:
     return RedirectResponse(seat.home, HTTPStatus.SEE_OTHER)
 
 
-def _row(seat: Seat) -> Member | None:
+def _row(seat: Seat) -> GroupMember | None:
     wanted = str(seat.request.path_params["student"])
     rows = rows_of(seat.site.context)
     return next((row for row in rows if row.issued.student.id == wanted), None)
