@@ -87,7 +87,8 @@ def test_tests_need_more_than_a_run(machine: Machine) -> None:
 
 
 def test_the_libreoffice_of_a_desktop_is_not_replaced(machine: Machine) -> None:
-    installed = (*RUN, "libreoffice-calc", "libreoffice-draw", "librecad", "poppler-utils")
+    others = ("chromium", "chromium-driver", "librecad", "poppler-utils")
+    installed = (*RUN, "libreoffice-calc", "libreoffice-draw", *others)
     assert debian(machine, installed, SOMEBODY).run("test").returncode == 0
 
 

@@ -16,6 +16,7 @@ from typing import Annotated
 import typer
 
 from gripcourse.cli import course as cli_course
+from gripcourse.cli import desk as cli_desk
 from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
@@ -64,7 +65,7 @@ app = command_group(
     "Course assignments: issue variants, check, grade, report.",
     is_program=True,
 )
-for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation):
+for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation, cli_desk):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
 app.add_typer(cli_export.app, name="export")

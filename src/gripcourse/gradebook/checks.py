@@ -59,3 +59,20 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
     except sqlite3.Error as fault:
         raise OSError(None, str(fault), str(ledger.path)) from fault
     return most - taken - 1 if taken < most else None
+
+
+def left_of(ledger: CheckLedger, most: int) -> int:
+    """Return how many self-checks are left, without taking one.
+
+    Raises:
+        OSError: the file cannot be read.
+    """
+    if not ledger.path.is_file():
+        return most
+    try:
+        with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT)) as file:
+            question = "SELECT taken FROM checks WHERE who = ?"
+            row = file.execute(question, (ledger.who,)).fetchone()
+    except sqlite3.Error as fault:
+        raise OSError(None, str(fault), str(ledger.path)) from fault
+    return most if row is None else max(0, most - int(row[0]))

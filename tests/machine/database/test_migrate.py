@@ -17,13 +17,15 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.engine import Dialect
 from sqlalchemy.schema import CreateTable
 
+from gripcourse.desk import schema as desk
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
 from gripcourse.machine.database.opening import open_engine
 
-TABLES = [*gradebook.metadata.sorted_tables, *register.metadata.sorted_tables]
+PARTS = (gradebook, register, desk)
+TABLES = [table for part in PARTS for table in part.metadata.sorted_tables]
 FIRST_VERSION = Path(__file__).with_name("first_version.sql").read_text(encoding="utf-8")
 
 
