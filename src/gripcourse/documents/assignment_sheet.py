@@ -4,20 +4,20 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.model import Course, Section
-from gripcourse.course.note import NotedDocument, notes_of
-from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
+from gripcourse.course.quantity import Kind, Quantity, Tolerance
 from gripcourse.documents.appendix import appendix_of, cited_tables
+from gripcourse.documents.assignment_rules import course_notes, hand_in, judging_rules
 from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
-from gripcourse.solver.asked import cited_works, deciding
+from gripcourse.solver.asked import deciding
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
 
 TEMPLATE = "assignment.html.j2"
@@ -122,7 +122,7 @@ def sheet_values(
     data = given_data(plan.givens, issued.variant.given, words)
     constants = given_data(plan.constants, issued.variant.given, words)
     sections = list(_tasks(plan, policy, course, words))
-    rules = [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))]
+    rules = [*course_notes(plan, words), *map(words.say, judging_rules(plan, policy, words))]
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
@@ -137,7 +137,7 @@ def sheet_values(
         "constants": constants,
         "density": _density(_letters((*data, *constants), sections, rules)),
         "sections": sections,
-        "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
+        "hand_in": [words.say(sentence) for sentence in hand_in(plan, words)],
         "appendix": appendix_of(plan, words),
         "rules": rules,
     }
@@ -280,91 +280,3 @@ def _asked(
 
 def _band(band: Tolerance, words: Words) -> str:
     return f"±{NO_BREAK_SPACE}{percent_text(band.relative, words)}"
-
-
-def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
-    yield message(
-        "The workbook that was issued with this sheet, with your answers in its marked cells. "
-        "Do not change the given values: answers are judged against the values of this sheet."
-    )
-    if plan.manual:
-        titles = "; ".join(quantity.title.of(words.language) for quantity in plan.manual)
-        yield message("The instructor marks from a rubric: {titles}.", titles=titles)
-
-
-def _notes(plan: Plan, words: Words) -> Iterator[str]:
-    """Yield what the course itself says about its quantities."""
-    for text in notes_of(
-        plan.course.notes, NotedDocument.ASSIGNMENT, plan.scheme.id, plan.quantities
-    ):
-        yield text.of(words.language)
-
-
-def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    yield message(
-        "An answer is right when it differs from the expected value by no more than {band}, unless "
-        "another tolerance is printed beside the quantity.",
-        band=percent_text(policy.tolerance.relative, words),
-    )
-    yield from _works(plan)
-    yield from _carried(policy, words)
-    yield message(
-        "Sizes that you accept from a series are design decisions. They are judged by their rule: "
-        "an entry of the series, not below the required value and not wastefully above it. Your "
-        "own choice is used in everything that follows."
-    )
-    yield from _errata(plan, policy, words)
-    yield message(
-        "Write numbers with a decimal comma or a decimal point, in the unit beside the cell, and "
-        "keep at least four significant figures. An empty cell is no answer; it is not read as "
-        "zero."
-    )
-
-
-def _works(plan: Plan) -> Iterator[Message]:
-    works = cited_works(plan)
-    if works:
-        yield message(
-            "In square brackets: the number of the work and its equation. {works}",
-            works=Texts({
-                language: "; ".join(
-                    f"[{number}] {work.title.of(language)}"
-                    for number, work in enumerate(works, start=1)
-                )
-                for language in LANGUAGES
-            }),
-        )  # fmt: skip
-
-
-def _carried(policy: Policy, words: Words) -> Iterator[Message]:
-    if policy.carried_credit >= 1:
-        yield message(
-            "A mistake costs its points once: an answer that follows from your own earlier numbers "
-            "counts in full."
-        )
-    elif policy.carried_credit > 0:
-        yield message(
-            "A mistake is not charged twice: an answer that follows from your own earlier numbers "
-            "earns {share} of its points.",
-            share=percent_text(policy.carried_credit, words),
-        )
-
-
-def _errata(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    if not any(one.as_printed for one in plan.quantities.values()):
-        return
-    if plan.convention is Convention.AS_PRINTED:
-        yield message("The reference follows the formulas as the sources print them.")
-    elif policy.printed_credit is None:
-        yield message("The sources have known misprints; only the corrected formulas count.")
-    elif policy.printed_credit >= 1:
-        yield message(
-            "The sources have known misprints. An answer computed exactly as they print a formula "
-            "counts in full, with a remark on what is right."
-        )
-    else:
-        yield message(
-            "The sources have known misprints. An answer computed exactly as they print a formula "
-            "earns {share} of its points, with a remark on what is right.",
-            share=percent_text(policy.printed_credit, words),
-        )

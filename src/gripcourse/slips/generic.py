@@ -17,6 +17,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import GenericSlip, SlipKind
+from gripcourse.slips.ends import other_ends
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
 from gripcourse.text.units import dimension, factor
 
@@ -282,15 +283,6 @@ def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
     for other in other_ends(name, around.slip):
         if other in around.earlier and around.quantities[other].unit == unit:
             yield other
-
-
-def other_ends(name: str, slip: GenericSlip) -> Iterator[str]:
-    """Yield the ids that are a name with its ending changed for the other of a pair."""
-    for pair in slip.pairs:
-        for one, another in (pair, pair[::-1]):
-            other = name.removesuffix(one) + another
-            if name.endswith(one) and other != name:
-                yield other
 
 
 def _minimum_for_maximum(around: Surroundings) -> Iterator[Rewritten]:

@@ -18,7 +18,7 @@ from gripcourse.usecases.regrade import publish as keep_told
 
 
 @dataclass(frozen=True, slots=True)
-class Published:
+class ShownResult:
     """What a student may see: the judgement, and the printed report where there is one."""
 
     report: ReportResult
@@ -82,7 +82,7 @@ def current(context: DeskContext) -> Publication | None:
     return known[-1] if known and known[-1].published else None
 
 
-def published_to(context: DeskContext, student: str) -> Published | None:
+def published_to(context: DeskContext, student: str) -> ShownResult | None:
     """Return what a student of the register may see; None where nothing is published."""
     publication = current(context)
     if publication is None:
@@ -93,7 +93,7 @@ def published_to(context: DeskContext, student: str) -> Published | None:
         return None
     report = ReportResult.from_dict(json.loads(path.read_text(encoding="utf-8")))
     printed = folder / f"{student}.pdf"
-    return Published(report, printed if printed.is_file() else None)
+    return ShownResult(report, printed if printed.is_file() else None)
 
 
 def published_grades(context: DeskContext) -> Path | None:

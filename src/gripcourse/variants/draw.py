@@ -33,7 +33,7 @@ class Drawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class DrawingOrder:
     """What is to be drawn from one space.
 
     Attributes:
@@ -85,17 +85,17 @@ def draw(
     return mixed(tuple(found), count, seed)
 
 
-def orders_of(spaces: Sequence[Space], count: int, seed: int) -> tuple[Order, ...]:
+def orders_of(spaces: Sequence[Space], count: int, seed: int) -> tuple[DrawingOrder, ...]:
     """Share variants out among spaces; see `draw`."""
     *own, _, sharing = _seeds(len(spaces), seed)
     counts = iter(counts_of(spaces, count, np.random.default_rng(sharing)))
     return tuple(
-        Order(space.scheme, {case: next(counts) for case in range(len(space.cases))}, one)
+        DrawingOrder(space.scheme, {case: next(counts) for case in range(len(space.cases))}, one)
         for space, one in zip(spaces, own, strict=True)
     )
 
 
-def draw_space(course: Course, space: Space, order: Order, further: Filter | None) -> Found:
+def draw_space(course: Course, space: Space, order: DrawingOrder, further: Filter | None) -> Found:
     """Draw the variants of one space; see `draw`."""
     rng = np.random.default_rng(order.seed)
     search = Search(course, space, further, rng)

@@ -12,7 +12,7 @@ from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
 from gripcourse.jobs.workers import Lost, all_done, in_order, run_each
 from gripcourse.variants.bodies import bodies_check
-from gripcourse.variants.draw import Drawn, Found, Order, draw, draw_space, mixed, orders_of
+from gripcourse.variants.draw import DrawingOrder, Drawn, Found, draw, draw_space, mixed, orders_of
 from gripcourse.variants.screening import buildable
 from gripcourse.variants.space import Space, load_spaces
 
@@ -37,7 +37,7 @@ def draw_freely(
     if workers == 0:
         return draw(course, spaces, count, seed, buildable(bodies_check(course)))
     orders = orders_of(spaces, count, seed)
-    jobs: Iterator[tuple[int, _Drawn | Lost]] = run_each(
+    jobs: Iterator[tuple[int, _DrawnScheme | Lost]] = run_each(
         _draw_scheme, orders, course, workers=workers, seconds=SECONDS
     )
     drawn = in_order(all_done(jobs))
@@ -49,20 +49,20 @@ def draw_freely(
 
 
 @dataclass(frozen=True, slots=True)
-class _Drawn:
+class _DrawnScheme:
     """What became of one scheme; `refused` says why there is nothing: no error of ours."""
 
     found: Found | None = None
     refused: tuple[Problem, ...] = ()
 
 
-def _draw_scheme(order: Order, course: Course) -> _Drawn:
+def _draw_scheme(order: DrawingOrder, course: Course) -> _DrawnScheme:
     """Draw the variants of one scheme in a process that knows the course."""
     space = _spaces(course)[order.scheme]
     try:
-        return _Drawn(draw_space(course, space, order, buildable(bodies_check(course))))
+        return _DrawnScheme(draw_space(course, space, order, buildable(bodies_check(course))))
     except TableError as error:
-        return _Drawn(refused=tuple(error.problems))
+        return _DrawnScheme(refused=tuple(error.problems))
 
 
 @lru_cache(maxsize=1)

@@ -40,7 +40,7 @@ class OneByOne:
 
 
 @dataclass(frozen=True, slots=True)
-class _Job:
+class _Look:
     """Variants of one scheme, their positions in the table, and those whose slips are counted."""
 
     variants: tuple[Variant, ...]
@@ -85,12 +85,12 @@ def look_at_each(
     )
 
 
-def _jobs(variants: Sequence[Variant], counted: frozenset[int]) -> tuple[_Job, ...]:
+def _jobs(variants: Sequence[Variant], counted: frozenset[int]) -> tuple[_Look, ...]:
     by_scheme: dict[str, list[int]] = {}
     for row, variant in enumerate(variants):
         by_scheme.setdefault(variant.scheme, []).append(row)
     return tuple(
-        _Job(
+        _Look(
             tuple(variants[row] for row in rows),
             tuple(rows),
             tuple(variants[row] for row in rows if row in counted),
@@ -106,7 +106,7 @@ def _sample(count: int) -> frozenset[int]:
     return frozenset(int(row) for row in np.linspace(0, count - 1, COUNTED))
 
 
-def _look(job: _Job, shared: _Shared) -> OneByOne:
+def _look(job: _Look, shared: _Shared) -> OneByOne:
     slips: dict[int, list[tuple[str, str]]] = {}
     overlaps: dict[int, Overlap] = {}
     for group in solve_groups(shared.course, job.variants):

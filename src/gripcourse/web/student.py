@@ -26,7 +26,7 @@ from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.hand_in import hand_in, kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
 from gripcourse.usecases.links import open_link
-from gripcourse.usecases.publish import Published, published_to
+from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web.checking import CheckJob
 from gripcourse.web.pages import NO_FILE, NOT_FOUND, notice, page, visitor_words
@@ -158,7 +158,7 @@ def home(visit: Visit) -> Response:
     return page(visit.site, visit.request, "assignment", words, values)
 
 
-def _results(published: Published, titles: dict[str, str]) -> dict[str, object]:
+def _results(published: ShownResult, titles: dict[str, str]) -> dict[str, object]:
     """Return what the page shows of results; numbers of the reference stay in the report."""
     report = published.report
     return {

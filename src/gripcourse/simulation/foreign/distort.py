@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from gripcourse.simulation.foreign.kinds import Mistake
+from gripcourse.simulation.foreign.kinds import ForeignMistake
 
 Change = Callable[[ast.expr], Iterator[ast.expr]]
 
@@ -26,7 +26,7 @@ _LEAST_FACTOR: Final = 2  # digits that two can be exchanged in
 
 
 def distorted(
-    tree: ast.expr, kind: Mistake, known: AbstractSet[str], lengths: AbstractSet[str]
+    tree: ast.expr, kind: ForeignMistake, known: AbstractSet[str], lengths: AbstractSet[str]
 ) -> list[ast.expr]:
     """Return what a mistake can make of a formula; nothing where it cannot be made.
 
@@ -36,11 +36,11 @@ def distorted(
         known: names that the student has a number for.
         lengths: of these, those whose unit has a thousandfold that people use.
     """
-    if kind is Mistake.EFFICIENCY:
+    if kind is ForeignMistake.EFFICIENCY:
         return list(_rewritten(tree, _efficiency))
-    if kind is Mistake.RANGE_END:
+    if kind is ForeignMistake.RANGE_END:
         return list(_rewritten(tree, lambda node: _other_end(node, known)))
-    if kind is Mistake.INPUT_UNIT:
+    if kind is ForeignMistake.INPUT_UNIT:
         return list(_rewritten(tree, lambda node: _input_unit(node, lengths)))
     change = _CHANGES.get(kind)
     return [] if change is None else list(_rewritten(tree, change))
@@ -155,14 +155,14 @@ def _input_unit(node: ast.expr, lengths: AbstractSet[str]) -> Iterator[ast.expr]
 
 
 _CHANGES: Final = {
-    Mistake.DEGREES: _degrees,
-    Mistake.FACTOR: _factor,
-    Mistake.POWER: _power,
-    Mistake.SIGN: _sign,
-    Mistake.RADIUS: _radius,
-    Mistake.MEAN: _mean,
-    Mistake.TABLE_ROW: _row,
-    Mistake.FUNCTION: _function,
+    ForeignMistake.DEGREES: _degrees,
+    ForeignMistake.FACTOR: _factor,
+    ForeignMistake.POWER: _power,
+    ForeignMistake.SIGN: _sign,
+    ForeignMistake.RADIUS: _radius,
+    ForeignMistake.MEAN: _mean,
+    ForeignMistake.TABLE_ROW: _row,
+    ForeignMistake.FUNCTION: _function,
 }
 
 

@@ -16,7 +16,7 @@ from types import MappingProxyType
 from typing import Final
 
 
-class Mistake(StrEnum):
+class ForeignMistake(StrEnum):
     """What is done wrongly once in a work."""
 
     MISREAD_DIGITS = "misread_digits"  # a given with two digits exchanged, one wrong or lost
@@ -61,25 +61,25 @@ _ENTRY: Final = "kind: Wiseman et al. 2011; weight: own estimate"
 _TEN: Final = "kind: Thimbleby and Cairns 2010; weight: own estimate"
 _OWN: Final = "own estimate"
 
-MISTAKES: Final[Mapping[Mistake, MistakeKind]] = MappingProxyType(
+MISTAKES: Final[Mapping[ForeignMistake, MistakeKind]] = MappingProxyType(
     {
-        Mistake.MISREAD_DIGITS: _kind(9, "used", _ENTRY),
-        Mistake.MISREAD_ROW: _kind(4, "used", _ENTRY),
-        Mistake.MISTYPED: _kind(7, "", _ENTRY),
-        Mistake.MISCOPIED: _kind(6, "used", _ENTRY),
-        Mistake.WRONG_CELL: _kind(3, "", _ENTRY),
-        Mistake.DEGREES: _kind(4, "angle_unit", _OWN),
-        Mistake.EFFICIENCY: _kind(4, "multiplied_for_divided factor_left_out", _OWN),
-        Mistake.FACTOR: _kind(8, "number_left_out", _OWN),
-        Mistake.POWER: _kind(7, "power", _OWN),
-        Mistake.SIGN: _kind(6, "sign", _OWN),
-        Mistake.RADIUS: _kind(6, "radius_for_diameter", _OWN),
-        Mistake.RANGE_END: _kind(5, "wrong_end", _OWN),
-        Mistake.MEAN: _kind(2, "", _OWN),
-        Mistake.TABLE_ROW: _kind(4, "other_row", _OWN),
-        Mistake.FUNCTION: _kind(4, "wrong_function", _OWN),
-        Mistake.UNIT: _kind(7, "unit power_of_ten", _TEN),
-        Mistake.INPUT_UNIT: _kind(5, "input_unit unit power_of_ten", _TEN),
+        ForeignMistake.MISREAD_DIGITS: _kind(9, "used", _ENTRY),
+        ForeignMistake.MISREAD_ROW: _kind(4, "used", _ENTRY),
+        ForeignMistake.MISTYPED: _kind(7, "", _ENTRY),
+        ForeignMistake.MISCOPIED: _kind(6, "used", _ENTRY),
+        ForeignMistake.WRONG_CELL: _kind(3, "", _ENTRY),
+        ForeignMistake.DEGREES: _kind(4, "angle_unit", _OWN),
+        ForeignMistake.EFFICIENCY: _kind(4, "multiplied_for_divided factor_left_out", _OWN),
+        ForeignMistake.FACTOR: _kind(8, "number_left_out", _OWN),
+        ForeignMistake.POWER: _kind(7, "power", _OWN),
+        ForeignMistake.SIGN: _kind(6, "sign", _OWN),
+        ForeignMistake.RADIUS: _kind(6, "radius_for_diameter", _OWN),
+        ForeignMistake.RANGE_END: _kind(5, "wrong_end", _OWN),
+        ForeignMistake.MEAN: _kind(2, "", _OWN),
+        ForeignMistake.TABLE_ROW: _kind(4, "other_row", _OWN),
+        ForeignMistake.FUNCTION: _kind(4, "wrong_function", _OWN),
+        ForeignMistake.UNIT: _kind(7, "unit power_of_ten", _TEN),
+        ForeignMistake.INPUT_UNIT: _kind(5, "input_unit unit power_of_ten", _TEN),
     }
 )
 

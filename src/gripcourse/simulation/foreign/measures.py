@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, FlagCode, Report
 from gripcourse.grading.outcome import Outcome
-from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, Mistake
+from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, ForeignMistake
 from gripcourse.simulation.foreign.model import JudgedForeign
 from gripcourse.simulation.model import Mix
 from gripcourse.simulation.rates import Rate, added
@@ -57,7 +57,7 @@ class ForeignEvaluation:
 
     students: int
     rates: Mapping[str, Rate]
-    by_kind: Mapping[Mistake, MistakeRates]
+    by_kind: Mapping[ForeignMistake, MistakeRates]
     misses: tuple[tuple[str, JudgedForeign], ...]
     incidents: tuple[str, ...]
 
@@ -84,7 +84,9 @@ def evaluate_foreign(judged: Sequence[JudgedForeign], mix: Mix) -> ForeignEvalua
         judged: every student's work and report.
         mix: what the grader is held to, and which flags mean copying.
     """
-    kinds = {kind: [one for one in _mistaken(judged) if _kind(one) is kind] for kind in Mistake}
+    kinds = {
+        kind: [one for one in _mistaken(judged) if _kind(one) is kind] for kind in ForeignMistake
+    }
     tests: tuple[tuple[str, Callable[[JudgedForeign], bool]], ...] = (
         ("honest_refused", lambda one: _is_honest(one) and any(_refused(one))),
         ("charged_more", lambda one: one.work.done is not None and _charged(one) > 1),
@@ -183,7 +185,7 @@ def _by_kind(works: Sequence[JudgedForeign]) -> MistakeRates:
     )
 
 
-def _kind(one: JudgedForeign) -> Mistake | None:
+def _kind(one: JudgedForeign) -> ForeignMistake | None:
     return None if one.work.done is None else one.work.done.kind
 
 

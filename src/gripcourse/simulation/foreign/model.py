@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Report
-from gripcourse.simulation.foreign.kinds import ROUGH_GRAVITY, Doing, Mistake, Writing
+from gripcourse.simulation.foreign.kinds import ROUGH_GRAVITY, Doing, ForeignMistake, Writing
 from gripcourse.slips.model import SlipId
 
 
@@ -46,7 +46,7 @@ class Done:
         number: what is used or typed there instead, in the declared unit; NaN where none is.
     """
 
-    kind: Mistake
+    kind: ForeignMistake
     root: str
     tree: ast.expr | None = None
     number: float = math.nan

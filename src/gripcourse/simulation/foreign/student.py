@@ -20,7 +20,7 @@ from gripcourse.simulation.foreign.kinds import (
     PI,
     SEEN,
     WRITINGS,
-    Mistake,
+    ForeignMistake,
 )
 from gripcourse.simulation.foreign.model import Calculated, Done, Habits
 from gripcourse.simulation.foreign.practical import computed, parsed, size_of, tables_of
@@ -32,9 +32,14 @@ _SIZES_TRIED: Final = 6  # of a series, before the student takes what comes
 _CLOSE: Final = 1e-9
 _THOUSANDS: Final = (1000.0, 0.001)
 _HAVE_THOUSANDS: Final = frozenset({"mm", "m", "N", "kN", "N*m", "Pa", "kPa", "MPa", "W", "kW"})
-_MISREAD: Final = frozenset({Mistake.MISREAD_DIGITS, Mistake.MISREAD_ROW})
+_MISREAD: Final = frozenset({ForeignMistake.MISREAD_DIGITS, ForeignMistake.MISREAD_ROW})
 _OF_RESULTS: Final = frozenset(
-    {Mistake.MISTYPED, Mistake.MISCOPIED, Mistake.WRONG_CELL, Mistake.UNIT}
+    {
+        ForeignMistake.MISTYPED,
+        ForeignMistake.MISCOPIED,
+        ForeignMistake.WRONG_CELL,
+        ForeignMistake.UNIT,
+    }
 )
 
 
@@ -148,11 +153,11 @@ def _otherwise(done: Done, text: str, kept: float, habits: Habits) -> tuple[str,
     """Return what is written and what is gone on with, where one of them is wrong."""
     wrong = exactly(done.number)
     match done.kind:
-        case Mistake.MISCOPIED:
+        case ForeignMistake.MISCOPIED:
             return text, done.number
-        case Mistake.MISTYPED:
+        case ForeignMistake.MISTYPED:
             return wrong, done.number
-        case Mistake.UNIT if habits.seed % 2:
+        case ForeignMistake.UNIT if habits.seed % 2:
             return wrong, done.number
         case _:
             return wrong, kept
@@ -178,13 +183,13 @@ def draw_mistake(
 
 def reached(plan: Plan, done: Done) -> frozenset[str]:
     """Return the answers that a mistake itself is in."""
-    if done.kind not in {*_MISREAD, Mistake.MISCOPIED}:
+    if done.kind not in {*_MISREAD, ForeignMistake.MISCOPIED}:
         return frozenset({done.root})
     return frozenset(one.id for one in plan.answered if done.root in plan.inputs[one.id])
 
 
 def _ways(
-    plan: Plan, given: Mapping[str, float], right: Calculated, kind: Mistake,
+    plan: Plan, given: Mapping[str, float], right: Calculated, kind: ForeignMistake,
     rng: np.random.Generator,
 ) -> Iterator[Done]:  # fmt: skip
     """Yield ways to make a mistake, each at another place."""
@@ -192,7 +197,7 @@ def _ways(
         yield from _misread(plan, given, kind, rng)
         return
     answers = [one for one in plan.answered if one.kind in {Kind.FORMULA, Kind.PICK}]
-    if kind is Mistake.WRONG_CELL:
+    if kind is ForeignMistake.WRONG_CELL:
         for one, other in pairwise(answers):
             if one.section == other.section:
                 yield Done(kind, one.id, number=right.typed(other.id))
@@ -211,17 +216,19 @@ def _ways(
                 yield Done(kind, one.id, tree=tree)
 
 
-def _instead(one: Quantity, typed: float, kind: Mistake, rng: np.random.Generator) -> float | None:
+def _instead(
+    one: Quantity, typed: float, kind: ForeignMistake, rng: np.random.Generator
+) -> float | None:
     """Return the number that is typed or used instead of an answer; None where none can be."""
-    if kind is Mistake.UNIT:
+    if kind is ForeignMistake.UNIT:
         return typed * float(rng.choice(_THOUSANDS)) if one.unit in _HAVE_THOUSANDS else None
     return wrong_digits(typed, rng)
 
 
 def _misread(
-    plan: Plan, given: Mapping[str, float], kind: Mistake, rng: np.random.Generator
+    plan: Plan, given: Mapping[str, float], kind: ForeignMistake, rng: np.random.Generator
 ) -> Iterator[Done]:
-    if kind is Mistake.MISREAD_DIGITS:
+    if kind is ForeignMistake.MISREAD_DIGITS:
         for one in plan.givens:
             yield Done(kind, one.id, number=wrong_digits(given[one.id], rng))
         return
@@ -232,7 +239,7 @@ def _misread(
             yield Done(kind, other.id, number=given[one.id])
 
 
-def _trees(plan: Plan, one: Quantity, formula: Formula, kind: Mistake) -> list[ast.expr]:
+def _trees(plan: Plan, one: Quantity, formula: Formula, kind: ForeignMistake) -> list[ast.expr]:
     order = list(plan.quantities)
     known = set(order[: order.index(one.id)])
     if formula.units:
