@@ -153,7 +153,8 @@ class Asked:
 
 def read_item(item: SheetItem) -> Asked:
     """Take an item apart: name, unit and what decides it are one text."""
-    head, _, beside = item.text.partition("; ")
+    # The tables are read by the name of the series; their numbers are for a person's eye.
+    head, _, beside = re.sub(r"\s*\[app\.[^\]]*\]", "", item.text).partition("; ")
     parts = [re.sub(r"\s", " ", one.strip()) for one in head.split(",")]
     unit = next((one for one in reversed(parts[1:]) if one in UNITS), "")
     return Asked(item.symbol, unit, beside, "(yes or no)" in head)

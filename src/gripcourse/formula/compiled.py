@@ -39,7 +39,7 @@ def of_arrays(node: Node) -> OfArrays:
 
 
 @dataclass(frozen=True, slots=True)
-class _Piece:
+class _Factor:
     """A part of a formula of arrays.
 
     Attributes:
@@ -53,46 +53,46 @@ class _Piece:
     overflows: bool
 
 
-def _part(node: Node) -> _Piece:
+def _part(node: Node) -> _Factor:
     match node:
         case Number(value):
-            return _Piece(_constant(np.asarray(value)), overflows=False)
+            return _Factor(_constant(np.asarray(value)), overflows=False)
         case Name(id="pi"):
-            return _Piece(_constant(np.asarray(np.pi)), overflows=False)
+            return _Factor(_constant(np.asarray(np.pi)), overflows=False)
         case Name(name):
-            return _Piece(lambda values, _columns: values[name], overflows=False)
+            return _Factor(lambda values, _columns: values[name], overflows=False)
         case Negation(operand):
             inner = _part(operand)
-            return _Piece(
+            return _Factor(
                 lambda values, columns: np.negative(inner.compute(values, columns)), inner.overflows
             )
         case Operation():
             return _operation_part(node)
         case Call(name, arguments, column):
             call = _call(name, tuple(map(of_arrays, arguments)), column)
-            return _Piece(call, overflows=name not in _NEVER_INFINITE)
+            return _Factor(call, overflows=name not in _NEVER_INFINITE)
         case _:
             assert_never(node)
 
 
-def _operation_part(node: Operation) -> _Piece:
+def _operation_part(node: Operation) -> _Factor:
     match node:
         case Operation("+" | "-" | "*" as operator, left, right):
             first, second = _part(left).compute, _part(right).compute
-            return _Piece(_operation(_OF_ARRAYS[operator], first, second), overflows=True)
+            return _Factor(_operation(_OF_ARRAYS[operator], first, second), overflows=True)
         case Operation("/", left, right):
             first, second = _part(left).compute, of_arrays(right)
-            return _Piece(_operation(np.divide, first, second), overflows=True)
+            return _Factor(_operation(np.divide, first, second), overflows=True)
         case Operation("**", base, Number(exponent)) if exponent:
             # NaN to a power that is a number, and not 0, is NaN without our doing.
-            return _Piece(_power_of(of_arrays(base), exponent), overflows=True)
+            return _Factor(_power_of(of_arrays(base), exponent), overflows=True)
         case Operation(operator, left, right):
             first, second = of_arrays(left), of_arrays(right)
             both = _operation(_OF_ARRAYS[operator], first, second)
-            return _Piece(both, overflows=operator == "**")
+            return _Factor(both, overflows=operator == "**")
 
 
-def _sound(part: _Piece) -> OfArrays:
+def _sound(part: _Factor) -> OfArrays:
     """Make what comes out finite or NaN."""
     compute = part.compute
     if not part.overflows:

@@ -13,7 +13,8 @@ from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
-from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings, other_ends
+from gripcourse.slips.ends import other_ends
+from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
 from gripcourse.solver.plan import Plan
