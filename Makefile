@@ -28,6 +28,11 @@ help: ## print this list
 demo: .venv/run.stamp ## issue, grade and report a whole small course into out/
 	$(BIN)/python -m gripcourse demo --out $(OUT)
 
+.PHONY: serve
+serve: demo ## students' pages and the instructor's desk, on what the demo made
+	$(BIN)/gripcourse links --course $(OUT)/course --address http://127.0.0.1:8321 --out $(OUT)/links.csv
+	$(BIN)/gripcourse serve --course $(OUT)/course --assignments $(OUT)/assignments --graded $(OUT)/graded
+
 # All of them always run, so that one call shows everything; any failure is a failure of the whole.
 LINT = $(BIN)/ruff check || status=$$?; $(BIN)/ruff format --check || status=$$?; \
   $(BIN)/mypy || status=$$?
@@ -57,6 +62,10 @@ lint: .venv/dev.stamp ## only lint and types
 bench: .venv/dev.stamp ## measure what the documentation states
 	@for file in $(sort $(wildcard benchmarks/*.py)); do echo "# $$file"; $(BIN)/python "$$file" || exit; done
 
+.PHONY: fuzz
+fuzz: .venv/dev.stamp ## read 100 000 spoiled workbooks; RUNS=… for another number, FIRST=… for others
+	$(BIN)/python tests/hostile/fuzz.py $(or $(FIRST),3000) $(or $(RUNS),100000)
+
 .PHONY: gallery
 gallery: demo | test-packages ## pictures of every kind of page, in docs/gallery/
 	$(BIN)/python scripts/gallery.py $(OUT) docs/gallery
@@ -82,7 +91,7 @@ clean: ## remove everything that make made
 	@echo 'Installing Python packages into .venv: a minute or two, once'
 	@$(PYTHON) -m venv .venv
 	@$(PIP_INSTALL) pip
-	@$(PIP_INSTALL) --build-constraint constraints.txt --editable .
+	@$(PIP_INSTALL) --build-constraint constraints.txt --editable '.[web]'
 	@touch $@
 
 .venv/dev.stamp: .venv/run.stamp

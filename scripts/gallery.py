@@ -4,8 +4,8 @@
 
 OUT is the folder that the demo was made in. What the demo has no example of is made here by the
 same functions: the longest assignment under the longest name, a report after publication, a cohort
-of sixty, all kinematic diagrams, the certificate, the atlas; of every kind of document that has no
-picture yet, the first page of each of its samples.
+of sixty, the diagram and the general view of every scheme, the certificate, the atlas; of every
+kind of document that has no picture yet, the first page of each of its samples.
 """
 
 import subprocess
@@ -19,12 +19,15 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
-from gripcourse.documents.assignment_sheet import assignment_sheet, drawn_diagram
+from gripcourse.documents.assignment_sheet import assignment_sheet
 from gripcourse.documents.kind import DocumentKind
 from gripcourse.documents.pdf import pdf_from_html, render_pdf
 from gripcourse.documents.registry import document_kinds
 from gripcourse.documents.report.cohort import cohort_report
 from gripcourse.documents.report.student import student_report
+from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram
+from gripcourse.drawing.paper.title_block import variant_block
+from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.issuing.store import read_register
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy, Reveal
@@ -32,6 +35,7 @@ from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.mix import load_mix
 from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
 from gripcourse.usecases.atlas import draw_atlas
 from gripcourse.usecases.audit import audit_table
@@ -44,11 +48,12 @@ from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 
 DOTS_PER_INCH = 80
+SHADES = 16  # of grey, of drawings
+WIDE = 1200  # dots of a general view, whatever its sheet
 STUDENT, UKRAINIAN = "smirnova-ev", "shevchenko-ok"
 LONG_NAME = "Константинопольський-Верхньодніпровський Всеволод-Олександр"
 LONG_GROUP = "РТК-41мн, друга вища освіта, вечірня форма навчання"
 COHORT, SEED, WORKERS = 60, 1, 2
-WIDEST_DIAGRAM = 82.0  # mm, two in a row
 # Kinds of documents that have pictures with better data than a sample's; a browser shows one kind.
 PICTURED = frozenset({"assignment", "student", "cohort", "solution", "certificate", "atlas"})
 
@@ -66,6 +71,9 @@ def main(out: Path, pictures: Path) -> None:
         for name, document, page in _documents(course, out, Path(folder)):
             _show(document, page, pictures / name)
             print(pictures / f"{name}.png")
+        for name, document in _drawings(course, Path(folder)):
+            _show_drawing(document, pictures / name)
+            print(pictures / f"{name}.png")
 
 
 def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
@@ -77,6 +85,7 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     assigned = out / "assignments" / STUDENT / f"assignment_{STUDENT}.pdf"
     yield "assignment_1", assigned, 1
     yield "assignment_2", assigned, 2
+    yield "assignment_appendix", assigned, -1
     longest = _written(made / "longest.pdf", _longest_sheet(variants, policy, course))
     yield "assignment_longest_1", longest, 1
     yield "assignment_longest_2", longest, 2
@@ -96,9 +105,6 @@ def _documents(course: Course, out: Path, made: Path) -> Iterator[Shown]:
     solution = write_solution(solved, made / "solution.pdf", words)
     yield "solution", solution, 2
     yield "general_view", solution, -1
-    diagrams = _written(made / "diagrams.pdf", _diagrams(variants, course, words))
-    yield "kinematic_diagrams_1", diagrams, 1
-    yield "kinematic_diagrams_2", diagrams, 2
     audit_table(course, table, made / "audit", words, ISSUED_ON)
     yield "certificate", made / "audit" / "certificate.pdf", 1
     for path in draw_atlas(course, "lever-arms", made / "atlas", words):
@@ -141,23 +147,32 @@ def _cohort(course: Course, policy: Policy) -> bytes:
     return cohort_report(reports, policy, course, Words("en"), GRADED_ON)
 
 
-def _diagrams(variants: Sequence[Variant], course: Course, words: Words) -> bytes:
-    """Make a page with the kinematic diagram of the first variant of every scheme."""
-    first = {variant.scheme: variant for variant in reversed(variants)}
-    figures = []
-    for _, variant in sorted(first.items()):
+def _drawings(course: Course, made: Path) -> Iterator[tuple[str, Path]]:
+    """Draw the diagram and the general view of the first variant of every scheme, as PDF files."""
+    words, templates = Words(course.language), course.root / "templates"
+    variants = read_table(course.root / "variants" / "tables" / "main.csv", course)
+    for scheme, variant in sorted({one.scheme: one for one in reversed(variants)}.items()):
         plan = _plan(variant, course)
-        drawn = drawn_diagram(plan, variant.given, words, WIDEST_DIAGRAM)
-        if drawn is not None:
-            title = plan.scheme.title.of(words.language)
-            figures.append(
-                '<figure style="display: inline-block; width: 82mm; margin: 0 1.5mm 3mm; '
-                'break-inside: avoid; text-align: center; vertical-align: bottom">'
-                f'<img src="{drawn.address}" alt="" style="width: {drawn.width}mm; '
-                f'max-height: 55mm"><figcaption>{title}</figcaption></figure>'
-            )
-    page = f'<html lang="{words.language}"><title>–</title><body>{"".join(figures)}</body></html>'
-    return pdf_from_html(page, ("page.css",), course.root / "templates")
+        diagram = kinematic_diagram(plan, variant.given, words.language)
+        if diagram is not None:
+            page = _page(diagram.svg(), diagram.width, diagram.height, words)
+            document = pdf_from_html(page, (), templates)
+            yield f"diagram_{scheme}", _written(made / f"diagram_{scheme}.pdf", document)
+        if plan.scheme.view is not None:
+            block = variant_block(plan, variant.id, "", words)
+            values = solve_variant(plan, variant.given)
+            drawn = general_view(plan, plan.scheme.view, values, block, words)
+            sheet = drawn.arranged.sheet
+            page = _page(sheet_svg(drawn, block)[0], sheet.width, sheet.height, words)
+            document = pdf_from_html(page, (), templates)
+            yield f"view_{scheme}", _written(made / f"view_{scheme}.pdf", document)
+
+
+def _page(svg: str, width: float, height: float, words: Words) -> str:
+    """Return a page that is as large as a drawing."""
+    style = f"@page {{ size: {width}mm {height}mm; margin: 0 }} body {{ margin: 0 }}"
+    head = f"<title>–</title><style>{style}</style>"
+    return f'<html lang="{words.language}">{head}<body>{svg}</body></html>'
 
 
 def _plan(variant: Variant, course: Course) -> Plan:
@@ -184,6 +199,17 @@ def _show(document: Path, page: int, picture: Path) -> None:
         page += int(count.split()[1]) + 1
     places = ("-f", page, "-l", page, "-singlefile")
     _run("pdftoppm", "-png", "-r", DOTS_PER_INCH, *places, document, picture)
+
+
+def _show_drawing(document: Path, picture: Path) -> None:
+    """Draw a drawing as a PNG file of few greys, so that all of them take little room."""
+    from PIL import Image  # noqa: PLC0415 (as all other libraries of pictures, only here)
+
+    _run("pdftoppm", "-gray", "-r", 110, "-scale-to", WIDE, "-singlefile", document, picture)
+    plain = picture.with_suffix(".pgm")
+    with Image.open(plain) as image:
+        image.quantize(SHADES).save(picture.with_suffix(".png"), optimize=True)
+    plain.unlink()
 
 
 def _run(*command: object) -> str:

@@ -4,16 +4,16 @@
     scripts/messages.py missing    list what still has no translation
 
 A sentence is what stands first in `message("...")` or `translate("...")` in Python and in
-`_("...")` in a template; and what the help of the command line shows: what a command is documented
-with, and the texts of its options. Catalogues are sorted and carry no places and no dates, so that
-a change shows nothing but itself. A sentence that changed has lost its translation: nothing is
-guessed.
+`_("...")` in a template; the two forms of `counted("...", "...")`, one and many; and what the help
+of the command line shows: what a command is documented with, and the texts of its options.
+Catalogues are sorted and carry no places and no dates, so that a change shows nothing but itself. A
+sentence that changed has lost its translation: nothing is guessed.
 """
 
 import argparse
 import ast
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -99,7 +99,11 @@ SOURCES = (
 )
 
 
-def extracted(root: Path) -> Iterator[str]:
+# A sentence, or its forms for one and for many.
+Sentence = str | tuple[str, str]
+
+
+def extracted(root: Path) -> Iterator[Sentence]:
     """Read every sentence below `root`, as often as it occurs.
 
     Raises:
@@ -111,13 +115,11 @@ def extracted(root: Path) -> Iterator[str]:
                 yield from _sentences(stream, source)
 
 
-def _sentences(stream: BinaryIO, source: Source) -> Iterator[str]:
-    keywords = dict.fromkeys(source.functions)
+def _sentences(stream: BinaryIO, source: Source) -> Iterator[Sentence]:
+    keywords: dict[str, Any] = {**dict.fromkeys(source.functions), "counted": (1, 2)}
     options = dict(source.options)
     for _, text, _, _ in extract(source.method, stream, keywords=keywords, options=options):
-        if not isinstance(text, str):
-            raise TypeError(f"these functions take one sentence, not several forms: {text}")
-        yield text
+        yield text if isinstance(text, str) else (text[0], text[1])
 
 
 def read_catalogue(root: Path, language: str) -> Catalog:
@@ -129,7 +131,7 @@ def read_catalogue(root: Path, language: str) -> Catalog:
         return read_po(stream, locale=language, abort_invalid=True)
 
 
-def merged(catalogue: Catalog, sentences: Iterable[str]) -> Catalog:
+def merged(catalogue: Catalog, sentences: Iterable[Sentence]) -> Catalog:
     """Keep the translations of `sentences`, add what is new, drop what is gone."""
     result = Catalog(locale=catalogue.locale)
     for sentence in sentences:
@@ -156,14 +158,18 @@ def written(catalogue: Catalog) -> bytes:
     return header.encode() + body.getvalue()
 
 
-def untranslated(catalogue: Catalog, sentences: Iterable[str]) -> list[str]:
+def untranslated(catalogue: Catalog, sentences: Iterable[Sentence]) -> list[str]:
     """List the sentences without a translation that a person has looked at."""
     entries = {sentence: catalogue.get(sentence) for sentence in sentences}
     return sorted(
-        sentence
+        sentence if isinstance(sentence, str) else sentence[0]
         for sentence, entry in entries.items()
-        if entry is None or not entry.string or entry.fuzzy
+        if entry is None or not all(_forms(entry.string)) or entry.fuzzy
     )
+
+
+def _forms(string: str | Sequence[str] | None) -> Sequence[str]:
+    return (string or "",) if string is None or isinstance(string, str) else string
 
 
 def update(root: Path) -> None:

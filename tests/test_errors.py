@@ -1,10 +1,11 @@
 """A problem is said whole in the reader's language: place, fault, remedy."""
 
 import errno
+import pickle
 
 import pytest
 
-from gripcourse.errors import Problem, system_problem
+from gripcourse.errors import Problem, TableError, system_problem
 from gripcourse.text.words import LANGUAGES, Words, message
 
 
@@ -33,3 +34,10 @@ def test_what_the_system_refuses_is_said_in_every_language(code: int) -> None:
 def test_a_rare_refusal_stays_as_the_system_says_it() -> None:
     problem = system_problem(OSError(errno.EIO, "Input/output error", "a.csv"))
     assert "Input/output error" in problem.say(Words("en"))
+
+
+def test_an_error_of_a_worker_arrives_with_its_problems() -> None:
+    problem = Problem("t.csv", "", message("The table is empty."), message("Name a file."))
+    arrived = pickle.loads(pickle.dumps(TableError([problem])))  # noqa: S301 (our own)
+    assert isinstance(arrived, TableError)
+    assert arrived.problems == (problem,)

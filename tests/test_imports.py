@@ -29,7 +29,7 @@ LEVELS = (
     ("submission",),
     # What was issued and what is judged meet only in the values of `variants.model`.
     ("issuing", "grading"),
-    ("gradebook",),
+    ("gradebook", "desk"),
     ("likeness",),
     ("batch",),
     ("simulation",),
@@ -38,7 +38,7 @@ LEVELS = (
     ("proofs",),
     ("usecases",),
     ("api",),
-    ("demo",),
+    ("demo", "web"),
     ("cli",),
     # The bare package, and the program.
     ("", "__main__"),

@@ -76,7 +76,8 @@ def plain_name(requirement: str) -> str:
 
 def wished_for(project: Mapping[str, Any]) -> list[str]:
     """Every requirement that the project itself names: to run, to develop, to document."""
-    groups = project["dependency-groups"].values()
+    extras = project["project"]["optional-dependencies"].values()
+    groups = [*project["dependency-groups"].values(), *extras]
     return [*project["project"]["dependencies"], *(each for group in groups for each in group)]
 
 

@@ -15,6 +15,7 @@ import errno
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Self
 
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Words, message
@@ -27,6 +28,7 @@ class NextStep(StrEnum):
     command line the command or the option, a web page a button.
     """
 
+    ALLOW_LOWER = "allow_lower"
     CHECK_MACHINE = "check_machine"
     GRADE = "grade"
     LEAVE_WITHDRAWAL = "leave_withdrawal"
@@ -35,6 +37,7 @@ class NextStep(StrEnum):
     NAME_GRADEBOOK = "name_gradebook"
     NAME_TABLE = "name_table"
     OVERRULE = "overrule"
+    REGRADE = "regrade"
     SET_VALUES = "set_values"
     SIMULATE = "simulate"
 
@@ -101,6 +104,26 @@ _SYSTEM = {
         message("Nothing can be written to this disk."),
         message("Name another place."),
     ),
+    errno.EFBIG: (
+        message("The system does not allow files of this size."),
+        message("Lift the limit (ulimit -f), or name another place."),
+    ),
+    errno.EDQUOT: (
+        message("Your share of this disk is full."),
+        message("Make room, or name another place."),
+    ),
+    errno.EPIPE: (
+        message("The program that reads what is printed has ended."),
+        message("Write into a file first."),
+    ),
+    errno.ELOOP: (
+        message("This link leads to itself."),
+        message("Check the path."),
+    ),
+    errno.ENAMETOOLONG: (
+        message("This name is too long for the system."),
+        message("Name another place."),
+    ),
     errno.ENOSPC: (
         message("The disk is full."),
         message("Make room, or name another place."),
@@ -121,6 +144,10 @@ class GripcourseError(Exception):
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = tuple(problems)
         super().__init__("\n".join(problem.say(Words("en")) for problem in self.problems))
+
+    def __reduce__(self) -> tuple[type[Self], tuple[tuple[Problem, ...]]]:
+        # A worker sends it with its problems; an exception would send nothing but their text.
+        return type(self), (self.problems,)
 
 
 class CourseError(GripcourseError):

@@ -6,7 +6,7 @@ import pytest
 
 from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.grading.model import Flag, Report
+from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.grading.unjudged import rejected_report
 from gripcourse.submission.model import Rejected
 from gripcourse.text.words import message
@@ -50,6 +50,16 @@ def test_each_flag_names_the_other_files_and_students(blank_report: Report) -> N
     assert "s02" in flags[0]["same_bytes"]
     assert "s01" in flags[2]["same_bytes"]
     assert "same_bytes" not in flags[1]
+
+
+def test_the_owner_of_a_stolen_file_is_told_as_owner(blank_report: Report) -> None:
+    stolen = Flag(FlagCode.ISSUED_TO_OTHER, message("Empty."))
+    own = named(blank_report, "a.xlsx", "s01", "same")
+    thief = replace(named(blank_report, "b.xlsx", "s02", "same"), flags=(stolen,))
+    first, second = mark_doubles([own, thief])
+    assert first.flags[-1].code is FlagCode.COPIED_FROM
+    assert "s02" in str(first.flags[-1].message)
+    assert second.flags[-1].code is FlagCode.SAME_BYTES
 
 
 def test_files_of_nobody_and_files_that_could_not_be_read_are_no_doubles(

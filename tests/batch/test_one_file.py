@@ -86,7 +86,11 @@ def test_a_workbook_of_formulas_without_stored_results_is_not_judged(
     assert not report.judged
     assert "cannot be read" in str(report.remarks[0])
     some = dict(list(answers.items())[: len(answers) // 11])
-    assert judge_read(replace(raw, answers=some), issued, context).judged
+    number = replace(cell, value=1.0, formula="")
+    assert judge_read(
+        replace(raw, answers=dict.fromkeys(answers, number) | some), issued, context
+    ).judged
+    assert not judge_read(replace(raw, answers=some), issued, context).judged
 
 
 def test_a_workbook_handed_in_under_another_s_name_goes_to_a_person(

@@ -23,7 +23,7 @@ SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
 # Names of formats, ids and values that are typed as they stand, whatever the language.
 TYPED = frozenset(
     (
-        *("csv", "xlsx", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
+        *("csv", "xlsx", "zip", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
         *(
             "printed",
             "drive",
@@ -34,6 +34,9 @@ TYPED = frozenset(
             "private",
             "gradebook",
             "sqlite",
+            "raised",
+            "lowered",
+            "unchanged",
         ),
     )
 )

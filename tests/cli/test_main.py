@@ -6,9 +6,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
-from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -16,6 +14,7 @@ import pytest
 from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
 from gripcourse.machine.database.home import gradebook_path
+from support.command_line import Run, call
 
 SCHEME = "rack_parallelogram"
 ROSTER = """\
@@ -25,33 +24,7 @@ s02,Шевченко Оксана,РТК-41,,uk,007
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Run:
-    """What a call of the command line came to."""
-
-    code: int
-    out: str
-    err: str
-
-    @property
-    def problems(self) -> list[str]:
-        """The lines on the error stream, but for the progress bar."""
-        return [line for line in self.err.splitlines() if line.strip() and "━" not in line]
-
-
 Command = Callable[..., Run]
-
-
-def call(home: Path, *arguments: object, system: str = "C") -> Run:
-    """Call the command line in a folder."""
-    out, err = StringIO(), StringIO()
-    with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
-        patch.chdir(home)
-        patch.setenv("LC_ALL", system)
-        patch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
-        with pytest.raises(SystemExit) as left:
-            cli.main()
-    return Run(int(left.value.code or 0), out.getvalue(), err.getvalue())
 
 
 @pytest.fixture
@@ -513,7 +486,46 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     table.write_text(f'student,quantity,credit\ns01,{other},"0,5"\n', encoding="utf-8")
     assert gripcourse("mark", "--table", table, "--course", course).code == cli.DONE
     nothing = gripcourse("mark", "--list", "--course", course)
-    assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for a person.")
+    assert (nothing.code, nothing.out.strip()) == (cli.DONE, "Nothing waits for the instructor.")
+
+
+def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_path: Path) -> None:
+    """Change the policy, look, apply, publish, take back: the codes say what is left to do."""
+    story = term.again(tmp_path)
+    at = ("--course", story.folder / "course")
+    files = (story.own, "--workers", 0, *at)
+    assert gripcourse("regrade", *files).code == cli.DONE
+
+    policy = story.folder / "course" / "grader" / "policy.toml"
+    text = policy.read_text(encoding="utf-8")
+    policy.write_text(text.replace("kinematic_diagram = 4", "kinematic_diagram = 5"), "utf-8")
+    shown = gripcourse("regrade", *files)
+    assert shown.code == cli.NEEDS_PERSON
+    assert all(
+        one in shown.out for one in ("s01", "the policy", "kinematic_diagram", "1 unchanged")
+    )
+    assert "kinematic_diagram" not in gripcourse("regrade", *files, "--only", "raised").out
+
+    refused(gripcourse("regrade", *files, "--only", "raise"), "'raise'", "'raised'")
+    refused(gripcourse("regrade", *files, "--apply"), "needs a reason")
+    refused(gripcourse("undo", "--why", "no", *at), "No regrade stands")
+    refused(gripcourse("history", "s09", *at), "STUDENT", "'s09'")
+    refused(gripcourse("publish", "s09", *at), "STUDENT", "s09")
+
+    assert gripcourse("publish", *at).code == cli.DONE
+    signed = ("--by", "Петров", "--why", "диаграмма важнее")
+    assert gripcourse("regrade", *files, "--apply", *signed).code == cli.DONE
+    assert gripcourse("regrade", *files).code == cli.DONE
+    assert gripcourse("undo", "--why", "поспешили", *at).code == cli.DONE
+    told = gripcourse("history", "s01", *at).out
+    assert all(one in told for one in ("Attempt 1", "Петров", "диаграмма важнее", "поспешили"))
+
+    refused(gripcourse("waive", "s01", "--why", "болезнь", "--until", "soon", *at), "'soon'")
+    refused(gripcourse("waive", "s01", *at), "needs a reason")
+    assert gripcourse("waive", "s01", "--why", "болезнь", *at).code == cli.DONE
+    assert "болезнь" in gripcourse("history", "s01", *at).out
+    out = ("--out", tmp_path / "graded")
+    refused(gripcourse("grade", *files, *out, "--handed-in", "soon"), "--handed-in", "'soon'")
 
 
 def test_a_variant_is_drawn(gripcourse: Command, tmp_path: Path) -> None:

@@ -8,13 +8,13 @@ from pathlib import Path
 import openpyxl
 import pytest
 
+from gripcourse.machine.office import office_command
 from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.workbooks import (
     KeyFile,
     differing_cells,
     key_files,
     named_cells,
-    office_command,
     prove_workbooks,
     read_cells,
     recalculate,

@@ -21,9 +21,9 @@ PIN = "variants/catalogues/pin.csv"
         ("# mark:", "# work:", "mark", "where its numbers come from", "'# mark: …'"),
         ("\n3\n4\n", "\n4\n3\n", "column diameter", "do not grow", "Sort the rows"),
         ("\n3\n4\n", "\n3\n3\n", "column diameter", "do not grow", "remove doubled sizes"),
-        ("\n3\n4\n", "\n3\nfour\n", "row 2", "does not hold 1 numbers", "a number with a point"),
-        ("\n3\n4\n", "\n3\n4,5\n", "row 2", "does not hold 1 numbers", "in every column"),
-        ("\n3\n4\n", "\n3\nnan\n", "row 2", "does not hold 1 numbers", "in every column"),
+        ("\n3\n4\n", "\n3\nfour\n", "row 7", "does not hold 1 numbers", "a number with a point"),
+        ("\n3\n4\n", "\n3\n4,5\n", "row 7", "does not hold 1 numbers", "in every column"),
+        ("\n3\n4\n", "\n3\nnan\n", "row 7", "does not hold 1 numbers", "in every column"),
         (
             "diameter [mm]",
             "diameter [mmm]",
@@ -64,7 +64,8 @@ def test_blank_lines_are_no_rows(draft: "Draft") -> None:
 
 def test_sizes_are_kept_in_si_with_their_source(course: Course) -> None:
     catalogue = course.catalogues["bore_pneumatic"]
-    assert catalogue.units == {"bore": "mm", "rod": "mm", "ring_diameter": "mm"}
+    assert set(catalogue.units) == {"bore", "rod", "ring_diameter", "least_stroke"}
+    assert set(catalogue.units.values()) == {"mm"}
     assert catalogue.columns["bore"][0] == pytest.approx(0.008)
     assert catalogue.source.of("en").startswith("ISO 6432")
     assert catalogue.source.of("en").endswith("(handbook value, not read in the standard itself)")
@@ -84,3 +85,18 @@ def test_allowed_stresses_of_steels_follow_from_their_yield(course: Course) -> N
     # the guide's ranges: 0.4 to 0.5 in bending, 0.2 to 0.3 in shear, 0.4 to 0.6 in bearing
     for name, share in (("bending", 0.4), ("shear", 0.2), ("bearing", 0.4)):
         assert steel[f"{name}_allowed"] == pytest.approx(share * steel["yield"], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "key"),
+    [
+        (PIN, "# title: ", "title"),
+        ("variants/catalogues/bore_pneumatic.csv", "# column.rod: ", "column.rod"),
+    ],
+)
+def test_a_series_that_students_could_not_be_shown_is_named(
+    draft: "Draft", file: str, old: str, key: str
+) -> None:
+    problem = draft.edit(file, old, "# nothing: ").problem()
+    assert (problem.file, str(problem.key)) == (file, key)
+    assert f"'# {key}: …'" in str(problem.remedy)

@@ -12,6 +12,7 @@ from pypdf import PdfReader
 
 from gripcourse.course.model import Course, WorkedExample
 from gripcourse.course.quantity import Convention, Tolerance
+from gripcourse.documents.appendix import appendix_of
 from gripcourse.documents.assignment_sheet import TEMPLATE, assignment_sheet, sheet_values
 from gripcourse.documents.pdf import Document, render_html
 from gripcourse.policy.model import Policy
@@ -23,8 +24,8 @@ from gripcourse.variants.table import read_table
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
 UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
 ENGLISH = Words("en")
-# What more than a hundred and forty quantities take in a print that can still be read.
-LONGEST_PAGES = 3
+# What a hundred and forty quantities take, with the appendix, in a print that can still be read.
+LONGEST_PAGES = 4
 
 
 @pytest.fixture(scope="module")
@@ -92,14 +93,15 @@ def test_every_section_and_every_asked_quantity_is_named(
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])
-def test_it_is_one_sheet_of_paper_and_the_same_bytes_each_time(
+def test_it_is_one_sheet_of_paper_with_an_appendix_and_the_same_bytes_each_time(
     issued: Issued, plan: Plan, policy: Policy, course: Course, language: str
 ) -> None:
     words = Words(language)
     named = replace(issued, student=replace(issued.student, name=LONG_NAME))
     first = assignment_sheet(named, plan, policy, course, words)
     assert first == assignment_sheet(named, plan, policy, course, words)
-    assert len(pages(first)) <= 2
+    assert len(pages(first)) <= 3
+    assert words.translate("Series and tables") in pages(first)[-1]
     assert LONG_NAME in pages(first)[0].replace("- ", "-")  # a line may end at the hyphen
     assert all("3fa912bc77aa" in page for page in pages(first))
     assert not any("3fa912bc77aa0" in page for page in pages(first))
@@ -156,14 +158,14 @@ def test_it_shows_the_diagram_with_a_text_for_who_does_not_see_it(
     values = sheet_values(issued, plan, policy, course, ENGLISH)
     page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
     assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Kinematic')[2]
-    assert "Compute sizes, do not measure them" in page
+    assert "The diagram shows the type of the mechanism" in page
 
 
 def test_a_scheme_without_a_diagram_has_a_sheet_without_one(
     issued: Issued, plan: Plan, policy: Policy, course: Course
 ) -> None:
     bare = replace(plan, scheme=replace(plan.scheme, diagram=None))
-    assert "The diagram is drawn" not in read(issued, bare, policy, course, ENGLISH)
+    assert "The diagram shows" not in read(issued, bare, policy, course, ENGLISH)
 
 
 def test_every_sheet_carries_the_code_of_its_student(
@@ -219,17 +221,29 @@ def test_the_longest_assignments_fit_their_pages_too(
     assert not beyond_the_edge(sheet)
 
 
-def test_a_long_assignment_is_printed_smaller_and_a_short_one_is_not(
-    issued: Issued, plan: Plan, policy: Policy, course: Course
+@pytest.mark.parametrize(
+    ("scheme", "changed", "density"),
+    [
+        ("vacuum_cups", {}, ""),
+        ("plain_lever", {}, "dense running"),
+        ("wedge_slide", LONGEST, "dense long running"),
+    ],
+)
+def test_the_more_there_is_to_read_the_smaller_the_print(
+    issued: Issued,
+    policy: Policy,
+    course: Course,
+    scheme: str,
+    changed: dict[str, str],
+    density: str,
 ) -> None:
-    assert sheet_values(issued, plan, policy, course, ENGLISH)["density"] == ""
-    example = course.schemes["wedge_slide"].example
+    example = course.schemes[scheme].example
     assert example is not None
-    long = make_plan(course, "wedge_slide", {**example.options, **LONGEST})
-    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
-    variant = Variant("17", "wedge_slide", dict(long.options), given)
-    values = sheet_values(replace(issued, variant=variant), long, policy, course, ENGLISH)
-    assert values["density"] == "dense"
+    plan = make_plan(course, scheme, {**example.options, **changed})
+    given = {one.id: sum(one.bounds) / 2 for one in plan.givens}
+    variant = Variant("17", scheme, dict(plan.options), given)
+    values = sheet_values(replace(issued, variant=variant), plan, policy, course, ENGLISH)
+    assert values["density"] == density
 
 
 def test_a_unit_stands_in_its_column_and_degrees_with_their_number(
@@ -240,3 +254,19 @@ def test_a_unit_stands_in_its_column_and_degrees_with_their_number(
     units = {datum.unit for datum in values["data"]}
     assert "mm" in units
     assert not any(unit.startswith("°") for unit in units)
+
+
+def test_a_choice_cites_its_series_in_the_appendix(text: Callable[..., str], plan: Plan) -> None:
+    written = text()
+    appendix = appendix_of(plan, ENGLISH)
+    for one in (*appendix.series, *appendix.tables):
+        assert f"{one.number}. {one.title.partition('_')[0]}" in written
+    stroke = next(one for one in appendix.series if "strokes of cylinders" in one.title)
+    assert f"[app.\u00a0{stroke.number}]".replace("\u00a0", " ") in written
+
+
+def test_formulas_of_works_that_students_do_not_have_are_printed(plan: Plan) -> None:
+    at_hand = {work.title.of("en") for work in plan.course.works.values() if work.at_hand}
+    works = appendix_of(plan, ENGLISH).works
+    assert works
+    assert not at_hand.intersection(work.title for work in works)

@@ -180,10 +180,10 @@ def test_a_number_and_its_unit_stay_together() -> None:
     assert amount_text(0.15, "", Words("ru")) == "0,15"
 
 
-def test_a_day_is_written_with_its_month_in_words() -> None:
+def test_a_day_is_written_with_its_month_in_words_and_never_broken() -> None:
     day = date(2025, 5, 9)
     written = [day_text(day, Words(language)) for language in ("en", "ru", "uk")]
-    assert written == ["9 May 2025", "9 мая 2025", "9 травня 2025"]
+    assert written == ["9\u00a0May\u00a02025", "9\u00a0мая\u00a02025", "9\u00a0травня\u00a02025"]
 
 
 def test_what_is_drawn_after_an_unseen_sign_is_seen(course: Course) -> None:

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.exports.grades import grades_csv, grades_text
+from gripcourse.exports.grades import Called, grades_csv, grades_text
 from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
+from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
-from gripcourse.text.words import message
+from gripcourse.text.words import Words, message
+from gripcourse.variants.model import Student
 
 Change = Callable[..., Report]
 
@@ -29,6 +31,19 @@ def test_a_row_has_the_points_with_decimal_points(perfect: Report, wrong: Change
     assert float(row["max_score"]) == report.max_score
     assert row["open_points"] == "4"
     assert float(row["percent"]) == pytest.approx(100 * report.score / report.max_score, abs=1e-4)
+
+
+def test_each_scale_has_a_column_that_is_empty_while_points_that_wait_decide(
+    perfect: Report, policy: Policy
+) -> None:
+    called = Called(policy.scales, Words("ru"))
+    (row,) = rows(grades_text([perfect], {}, called))
+    assert (row["mark"], row["ects"]) == ("5", "A")
+    half = replace(perfect, score=83.0, max_score=96.0)
+    (row,) = rows(grades_text([half], {}, called))
+    assert (row["mark"], row["ects"]) == ("", "B")
+    (row,) = rows(grades_text([replace(perfect, judged=False)], {}, called))
+    assert (row["mark"], row["ects"]) == ("", "")
 
 
 def test_the_columns_of_the_sections_add_up_to_the_score(perfect: Report, wrong: Change) -> None:
@@ -60,9 +75,27 @@ def test_flags_are_listed_once_each(perfect: Report) -> None:
     assert row["flags"] == "a; b"
 
 
-def test_the_group_is_taken_from_the_roster(perfect: Report) -> None:
-    assert rows(grades_text([perfect], {"s017": "РТ-41"}))[0]["group"] == "РТ-41"
-    assert rows(grades_text([perfect]))[0]["group"] == ""
+def on_roster(*ids: str) -> dict[str, Student]:
+    return {id_: Student(id_, f"Имя {id_}", "РТ-41", f"{id_}@uni", "", "") for id_ in ids}
+
+
+def test_group_and_address_are_taken_from_the_roster(perfect: Report) -> None:
+    row = rows(grades_text([perfect], on_roster("s017")))[0]
+    assert (row["group"], row["email"]) == ("РТ-41", "s017@uni")
+    row = rows(grades_text([perfect]))[0]
+    assert (row["group"], row["email"]) == ("", "")
+
+
+def test_who_handed_nothing_in_has_a_row_without_points(perfect: Report) -> None:
+    _, missing = rows(grades_text([perfect], on_roster("s016", "s017")))
+    said = {name: cell for name, cell in missing.items() if cell}
+    assert said == {
+        "student": "s016",
+        "name": "Имя s016",
+        "group": "РТ-41",
+        "email": "s016@uni",
+        "flags": "not_handed_in",
+    }
 
 
 def test_a_carriage_return_is_shown_and_begins_no_cell(perfect: Report) -> None:
@@ -88,7 +121,7 @@ def test_commas_quotes_and_lines_in_names_stay_in_their_cell(perfect: Report) ->
 def test_excel_is_told_that_it_is_utf8(perfect: Report, tmp_path: Path) -> None:
     target = tmp_path / "grades.csv"
     grades_csv([perfect], target)
-    assert target.read_bytes().startswith(b"\xef\xbb\xbfstudent,name,group,variant,score")
+    assert target.read_bytes().startswith(b"\xef\xbb\xbfstudent,name,group,email,variant,score")
     assert [path.name for path in tmp_path.iterdir()] == ["grades.csv"]
 
 

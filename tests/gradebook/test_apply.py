@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gripcourse.gradebook.apply import with_marks
+from gripcourse.gradebook.apply import as_it_stands, with_marks
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.model import Finding, Flag, FlagCode, Outcome, Report
@@ -131,14 +131,13 @@ class TestLookAgain:
         after = with_marks(replace(report(), file="moved/s01.xlsx"), [enter()])
         assert FlagCode.MARK_OUTDATED not in codes(after)
 
-    @pytest.mark.parametrize("change", ["file", "another result", "points of another item"])
-    def test_a_change_of_the_automatic_part_is_flagged_and_the_mark_still_counts(
+    @pytest.mark.parametrize("change", ["file", "result of the item"])
+    def test_a_change_of_what_the_mark_rests_on_is_flagged_and_the_mark_still_counts(
         self, report: MakeReport, enter: Enter, change: str
     ) -> None:
         now = {
             "file": report(digest="b" * 64),
-            "another result": report(bore=(Outcome.CORRECT, 2.0, 2.0)),
-            "points of another item": report(bore=(Outcome.WRONG, 0.0, 3.0)),
+            "result of the item": report(drawing=(Outcome.NOT_JUDGED, 0.0, 10.0)),
         }[change]
         after = with_marks(now, [enter(credit=0.75)])
         assert codes(after) == [FlagCode.NOT_JUDGED, FlagCode.MARK_OUTDATED]
@@ -147,6 +146,32 @@ class TestLookAgain:
         assert drawing.points == 7.5
         assert drawing.decision is not None
         assert drawing.decision.outdated
+
+    @pytest.mark.parametrize(
+        "change",
+        [
+            {"bore": (Outcome.CORRECT, 2.0, 2.0)},
+            {"bore": (Outcome.WRONG, 0.0, 3.0)},
+            {"drawing": (Outcome.MANUAL, 0.0, 20.0)},
+        ],
+        ids=["result of another item", "points of another item", "points of the item"],
+    )
+    def test_what_a_mark_does_not_rest_on_outdates_nothing(
+        self, report: MakeReport, enter: Enter, change: dict[str, tuple[Outcome, float, float]]
+    ) -> None:
+        after = with_marks(report(**change), [enter(credit=0.75)])
+        assert codes(after) == [FlagCode.NOT_JUDGED]
+        drawing = item(after, "drawing")
+        assert drawing.points == 0.75 * drawing.max_points
+
+    def test_only_the_overruled_item_is_named_when_a_tolerance_changes(
+        self, report: MakeReport, enter: Enter
+    ) -> None:
+        now = report(bore=(Outcome.CORRECT, 2.0, 2.0))
+        after = with_marks(now, [enter(), enter("bore", 0.5, comment="другой каталог")])
+        (flag,) = [one for one in after.flags if one.code is FlagCode.MARK_OUTDATED]
+        assert "bore" in str(flag.message)
+        assert "drawing" not in str(flag.message)
 
     def test_a_mark_against_the_new_state_takes_the_flag_away(
         self, report: MakeReport, enter: Enter
@@ -165,6 +190,25 @@ class TestLookAgain:
         after = with_marks(without, [enter()])
         assert FlagCode.MARK_OUTDATED in codes(after)
         assert "no longer asks for drawing" in " ".join(str(one.message) for one in after.flags)
+
+
+class TestAPublishedWork:
+    def test_it_is_as_it_was_told_and_what_would_change_is_named(
+        self, report: MakeReport, attempts: MakeAttempts
+    ) -> None:
+        (told,) = attempts(report())
+        now = report(bore=(Outcome.CORRECT, 2.0, 2.0))
+        after = as_it_stands(now, told)
+        assert (item(after, "bore").outcome, item(after, "bore").points) == (Outcome.WRONG, 0.0)
+        assert after.score == report().score
+        assert codes(after) == [FlagCode.NOT_JUDGED, FlagCode.REGRADE_WAITS]
+        assert "bore" in str(after.flags[-1].message)
+
+    def test_it_is_left_alone_where_both_say_the_same(
+        self, report: MakeReport, attempts: MakeAttempts
+    ) -> None:
+        (told,) = attempts(report())
+        assert as_it_stands(report(), told) == report()
 
 
 def test_the_order_in_which_marks_are_read_does_not_matter(

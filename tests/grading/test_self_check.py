@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.course.quantity import Kind
-from gripcourse.grading.self_check import AnswerCheck, State, self_check
+from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.grading.self_check import AnswerCheck, SectionState, State, self_check
+from gripcourse.policy.model import Tells
 from gripcourse.submission.model import Answer
 from gripcourse.text.number_text import format_number
 from gripcourse.text.words import LANGUAGES, Words
@@ -18,10 +19,24 @@ JUDGED = {State.CONSISTENT, State.INCONSISTENT}
 
 
 def checks(
-    case: "Case", answers: "Mapping[str, Written]", **changes: object
+    case: "Case",
+    answers: "Mapping[str, Written]",
+    tells: Tells = Tells.ANSWERS,
+    **changes: object,
 ) -> dict[str, AnswerCheck]:
-    done = self_check(case.submission(answers, **changes), case.plan, case.policy)
-    return {one.quantity: one for one in done}
+    done = self_check(case.submission(answers, **changes), case.plan, case.policy, tells)
+    return {one.quantity: one for one in done.answers}
+
+
+def sections(case: "Case", answers: "Mapping[str, Written]") -> dict[str, SectionState]:
+    done = self_check(case.submission(answers), case.plan, case.policy, Tells.SECTIONS)
+    return {one.section: one.state for one in done.sections}
+
+
+def possible(quantity: Quantity, value: float) -> float:
+    """The nearest value that the cell lets through: every other one is named as impossible."""
+    low, high = quantity.bounds
+    return min(max(value, low), high)
 
 
 def states(case: "Case", answers: "Mapping[str, Written]", **changes: object) -> dict[str, State]:
@@ -92,7 +107,7 @@ def test_the_same_is_said_whatever_the_answer_is_worth(case: "Case") -> None:
     """A check of one answer alone says the same for the right number and for any other."""
     for quantity in case.plan.answered:
         value = case.reference[quantity.id]
-        other = 0.0 if quantity.kind is Kind.VERDICT else 1.3 * value + 1
+        other = 0.0 if quantity.kind is Kind.VERDICT else possible(quantity, 1.3 * value)
         right, wrong = checks(case, {quantity.id: value}), checks(case, {quantity.id: other})
         assert right[quantity.id].state not in JUDGED
         assert right[quantity.id].message == wrong[quantity.id].message
@@ -122,3 +137,63 @@ def test_the_workbooks_own_given_values_are_used(hydraulic: "Case") -> None:
     givens = {**hydraulic.given, "friction": 2 * hydraulic.given["friction"]}
     halved = {**hydraulic.answers, "grip_force": hydraulic.reference["grip_force"] / 2}
     assert states(hydraulic, halved, givens=givens)["grip_force"] is State.CONSISTENT
+
+
+def test_a_number_outside_what_is_possible_is_named(hydraulic: "Case") -> None:
+    low, high = hydraulic.plan.quantities["grip_force"].bounds
+    for value in (low - 1, 10 * high):
+        assert states(hydraulic, {"grip_force": value})["grip_force"] is State.IMPLAUSIBLE
+
+
+def test_reading_alone_tells_nothing_of_any_number(case: "Case") -> None:
+    """Not one bit: whatever is possible is read, whatever else stands in the workbook."""
+    wrong = {
+        one.id: possible(one, 1.37 * case.reference[one.id])
+        for one in case.plan.answered
+        if one.kind is Kind.FORMULA
+    }
+    right = checks(case, case.answers, Tells.READING)
+    changed = checks(case, {**case.answers, **wrong}, Tells.READING)
+    assert {one.state for one in right.values()} == {State.READ}
+    assert [one.message for one in right.values()] == [one.message for one in changed.values()]
+
+
+def test_a_section_is_told_as_a_whole(hydraulic: "Case") -> None:
+    found = sections(hydraulic, hydraulic.answers)
+    assert SectionState.FITS in found.values()
+    assert SectionState.DOES_NOT_FIT not in found.values()
+    wrong = {**hydraulic.answers, "grip_force": 1.2 * hydraulic.reference["grip_force"]}
+    own = hydraulic.plan.quantities["grip_force"].section
+    assert sections(hydraulic, wrong)[own] is SectionState.DOES_NOT_FIT
+    read = self_check(
+        hydraulic.submission(wrong), hydraulic.plan, hydraulic.policy, Tells.SECTIONS
+    ).answers
+    assert {one.state for one in read} == {State.READ}
+
+
+def test_a_section_with_a_blank_is_not_told(case: "Case") -> None:
+    for section, state in sections(case, case.answers).items():
+        if state is SectionState.OPEN:
+            continue
+        own = next(one.id for one in case.plan.answered if one.section == section)
+        left = {name: value for name, value in case.answers.items() if name != own}
+        assert sections(case, left)[section] is SectionState.OPEN
+
+
+def test_two_wrong_numbers_of_a_section_hide_each_other(hydraulic: "Case") -> None:
+    """Who knows all answers of a section but two cannot find them one after the other."""
+    fits = [one for one, state in sections(hydraulic, hydraulic.answers).items()
+            if state is SectionState.FITS]  # fmt: skip
+    for section in fits:
+        names = [
+            one.id
+            for one in hydraulic.plan.answered
+            if one.section == section and one.kind is Kind.FORMULA and earlier(hydraulic, one.id)
+        ][:2]
+        wrong = {
+            name: possible(hydraulic.plan.quantities[name], 1.4 * hydraulic.reference[name])
+            for name in names
+        }
+        for name in names:
+            tried = {**hydraulic.answers, **wrong, name: hydraulic.reference[name]}
+            assert sections(hydraulic, tried)[section] is SectionState.DOES_NOT_FIT

@@ -49,3 +49,9 @@ def test_the_picture_is_square_and_depends_on_the_student() -> None:
     _, _, width, height = picture.attrib["viewBox"].split()
     assert width == height
     assert seal_svg(replace(SEAL, student="s018")) != seal_svg(SEAL)
+
+
+def test_the_code_of_a_course_with_an_address_is_a_link_that_says_the_same() -> None:
+    text = seal_text(SEAL, "https://example.org/grippers")
+    assert text.startswith("https://example.org/grippers#gripcourse:1:")
+    assert read_seal(text) == SEAL

@@ -11,7 +11,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gripcourse.errors import RegisterError
-from gripcourse.issuing.signature import key_path, make_key, read_key, sign, verify
+from gripcourse.issuing.signature import (
+    key_path,
+    make_key,
+    read_key,
+    read_keys,
+    rotate_key,
+    sign,
+    verify,
+)
 from gripcourse.machine.files import write_text
 from gripcourse.variants.model import Variant
 
@@ -106,3 +114,19 @@ def test_a_damaged_key_says_what_to_do(tmp_path: Path, content: str) -> None:
 def test_a_missing_key_says_what_to_do(tmp_path: Path) -> None:
     with pytest.raises(RegisterError, match=r"missing.*backup"):
         read_key(tmp_path / "key")
+
+
+def test_a_new_key_signs_and_the_old_one_still_verifies(tmp_path: Path) -> None:
+    path = tmp_path / "private" / "key"
+    make_key(path, KEY)
+    assert rotate_key(path, bytes(32)) == 2
+    assert read_key(path) == bytes(32)
+    assert read_keys(path) == (bytes(32), KEY)
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert path.parent.stat().st_mode & 0o777 == 0o700
+
+
+def test_a_missing_key_is_not_replaced(tmp_path: Path) -> None:
+    with pytest.raises(RegisterError):
+        rotate_key(tmp_path / "key", bytes(32))
+    assert not list(tmp_path.iterdir())

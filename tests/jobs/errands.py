@@ -8,6 +8,8 @@ import sys
 import time
 from pathlib import Path
 
+from gripcourse.jobs.limits import Limits
+from gripcourse.jobs.warm import do_apart
 from gripcourse.jobs.workers import in_order, run_each
 
 
@@ -32,6 +34,13 @@ class Unwrappable:
 
 def _refuse(said: str) -> None:
     raise RuntimeError(said)
+
+
+def leave(item: int, _: object) -> int:
+    """End the program where a number is odd, as a library does that has nothing else to say."""
+    if item % 2:
+        raise SystemExit(item)
+    return item
 
 
 def double(item: int, add: int) -> int:
@@ -67,6 +76,40 @@ def report_and_sleep(folder: Path, _: object) -> None:
     time.sleep(60)
 
 
+def who(_: object, __: object) -> int:
+    return os.getpid()
+
+
+def spin(seconds: float, _: object) -> float:
+    until = time.process_time() + seconds
+    while time.process_time() < until:
+        pass
+    return seconds
+
+
+def nap(seconds: float, _: object) -> float:
+    time.sleep(seconds)
+    return seconds
+
+
+def write(path: Path, _: object) -> int:
+    return path.write_bytes(b"1")
+
+
+def grow(size: int, _: object) -> int:
+    assert len(b"1" * size) == size
+    return os.getpid()
+
+
+def vanish(_: object, __: object) -> None:
+    os._exit(9)
+
+
 if __name__ == "__main__":
     place = Path(sys.argv[1])
-    in_order(run_each(report_and_sleep, [place, place], None, workers=2, seconds=60))
+    if sys.argv[2:] == ["warm"]:
+        from errands import report_and_sleep  # it is found by its name
+
+        do_apart(report_and_sleep, place, None, limits=Limits(), seconds=60)
+    else:
+        in_order(run_each(report_and_sleep, [place, place], None, workers=2, seconds=60))

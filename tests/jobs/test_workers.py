@@ -3,8 +3,7 @@
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from multiprocessing import util
 from pathlib import Path
 from types import ModuleType
@@ -15,6 +14,7 @@ from gripcourse.jobs.limits import Limits, memory_notice
 from gripcourse.jobs.lost import JobLostError, Lost
 from gripcourse.jobs.pools import INLINE, PROCESSES, THREADS, Pool, pool_for
 from gripcourse.jobs.workers import all_done, in_order, run_each
+from support.processes import is_running, wait_for
 
 if sys.platform != "win32":
     import resource
@@ -73,6 +73,36 @@ def test_what_cannot_be_unpacked_is_said_by_each_job(errands: ModuleType) -> Non
     assert reasons == {"RuntimeError: lost on the way"}
 
 
+UNGUARDED = """
+from gripcourse.jobs.workers import in_order, run_each
+import errands
+if __name__ != "__main__":
+    raise SystemExit("this script is not for workers")
+jobs = run_each(errands.carry, range(9), bytes(1_000_000), workers=2, seconds=9)
+print(len(lost := in_order(jobs)), {one.reason for one in lost})
+"""
+
+
+def test_a_worker_that_cannot_start_is_said_by_each_job(tmp_path: Path) -> None:
+    """A script is imported by the workers that it starts, and may end them before they begin."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        f"import sys\nsys.path[:0] = {[*sys.path, str(Path(__file__).parent)]}\n{UNGUARDED}",
+        encoding="utf-8",
+    )
+    command = [sys.executable, str(script)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)  # noqa: S603
+    assert done.stdout.startswith("9 {'No worker could start;")
+    assert "not for workers" in done.stderr
+
+
+def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> None:
+    jobs = run_each(errands.leave, range(3), None, workers=1, seconds=9, pool=INLINE)
+    zero, one, two = in_order(jobs)
+    assert (zero, two) == (0, 2)
+    assert isinstance(one, Lost)
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="sleeps in a library of the system")
 def test_who_hangs_in_a_library_is_ended_and_the_others_are_done(errands: ModuleType) -> None:
     items = ["one", "deaf", "two"]
@@ -91,21 +121,6 @@ def test_no_worker_outlives_a_program_that_is_killed(errands: ModuleType, tmp_pa
         program.send_signal(signal.SIGKILL)
     workers = [int(one.name) for one in tmp_path.iterdir()]
     wait_for(lambda: not any(is_running(one) for one in workers))
-
-
-def wait_for(condition: Callable[[], bool], seconds: float = 30) -> None:
-    until = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < until
-        time.sleep(0.02)
-
-
-def is_running(process: int) -> bool:
-    try:
-        state = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-    except OSError:
-        return False
-    return state[0] != "Z"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems bound no memory")

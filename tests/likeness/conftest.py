@@ -125,7 +125,7 @@ class School:
         return [work for room in self.rooms for work in room.works(room.honest(rng))]
 
     def copying(
-        self, seed: int, share: float, of_them: float
+        self, seed: int, share: float, of_them: float, moved: float = 0.0
     ) -> tuple[list[ComparedWork], dict[str, str]]:
         """Let some students replace a share of their answers by a neighbour's.
 
@@ -133,6 +133,7 @@ class School:
             seed: of the cohort.
             share: of the answers that are copied.
             of_them: share of the students who copy.
+            moved: relative; how far each copied number is moved at most.
 
         Returns:
             The submissions, and whom each copier copied from.
@@ -147,7 +148,12 @@ class School:
             for row in np.flatnonzero(copies) if honest.size else ():
                 source = rng.choice(honest)
                 taken = (rng.random(typed.shape[1]) < share) & np.isfinite(typed[source])
-                typed[row] = np.where(taken, typed[source], typed[row])
+                theirs = typed[source]
+                if moved:
+                    away = theirs * (1 + rng.uniform(-moved, moved, theirs.shape))
+                    exact = [room.plan.quantities[name].exact for name in room.answered]
+                    theirs = np.where(exact, theirs, rounded(away, np.full(theirs.shape, 4)))
+                typed[row] = np.where(taken, theirs, typed[row])
                 sources[room.students[row]] = room.students[source]
             works += room.works(typed)
         return works, sources

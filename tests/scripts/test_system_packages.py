@@ -14,6 +14,7 @@ RUN = (
     "libpangoft2-1.0-0",
     "libharfbuzz-subset0",
     "fonts-paratype",
+    "fonts-liberation",
     "fonts-dejavu-core",
 )
 ROOT, SOMEBODY = 0, 1000
@@ -81,11 +82,13 @@ def test_anybody_else_is_told_the_exact_line(machine: Machine) -> None:
 def test_tests_need_more_than_a_run(machine: Machine) -> None:
     result = debian(machine, RUN, SOMEBODY).run("test")
     assert result.returncode == 1
-    assert "libreoffice-calc-nogui poppler-utils" in result.stderr
+    needed = "libreoffice-calc-nogui libreoffice-draw-nogui librecad poppler-utils"
+    assert needed in result.stderr
 
 
 def test_the_libreoffice_of_a_desktop_is_not_replaced(machine: Machine) -> None:
-    installed = (*RUN, "libreoffice-calc", "poppler-utils")
+    others = ("chromium", "chromium-driver", "librecad", "poppler-utils")
+    installed = (*RUN, "libreoffice-calc", "libreoffice-draw", *others)
     assert debian(machine, installed, SOMEBODY).run("test").returncode == 0
 
 

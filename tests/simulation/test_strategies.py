@@ -19,9 +19,11 @@ def scores(course: Course, policy: Policy) -> tuple[StrategyScore, ...]:
     return scores_of(room.context, 1, 3)
 
 
-def test_no_strategy_pays(scores: tuple[StrategyScore, ...]) -> None:
+def test_no_strategy_earns_more_than_a_twentieth(
+    course: Course, scores: tuple[StrategyScore, ...]
+) -> None:
     assert [one.strategy for one in scores] == list(Strategy)
-    assert missed(scores, 0.1) == ()  # two works each; the mix demands less of many
+    assert missed(scores, load_mix(course).required.strategy_earned) == ()
 
 
 def test_a_strategy_that_pays_is_named(course: Course) -> None:

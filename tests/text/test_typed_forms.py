@@ -3,7 +3,7 @@
 import pytest
 
 from gripcourse.text.number_reading import NumberRead, Unreadable, read_number
-from gripcourse.text.typed_forms import ALL_DIGITS, AMONG_DIGITS
+from gripcourse.text.typed_forms import ALL_DIGITS, AMONG_DIGITS, MARKED
 
 
 @pytest.mark.parametrize(
@@ -39,6 +39,11 @@ from gripcourse.text.typed_forms import ALL_DIGITS, AMONG_DIGITS
         ("16 (ГОСТ 6636-69)", 16.0, ""),
         ("16 мм (по ГОСТ 6636-69)", 16.0, "мм"),
         ("63 (ряд 1)", 63.0, ""),
+        ("α = 25°30'", 25.5, "°"),
+        ("ок. 25°30'", 25.5, "°"),
+        ("2 1/2 мм", 2.5, "мм"),
+        ("1½ мм", 1.5, "мм"),
+        ("50ᵍ", 50.0, "gon"),
     ],
 )
 def test_what_people_type_is_read(typed: str, value: float, unit: str) -> None:
@@ -49,7 +54,8 @@ def test_what_people_type_is_read(typed: str, value: float, unit: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "typed", ["39ОО", "1O5", "3o", "1l5", "12,O", "12 тыс", "1,5 млн", "2 тис."]
+    "typed",
+    ["39ОО", "1O5", "3o", "1l5", "12,O", "3б", "1З", "3З4", "2B4", "12 тыс", "1,5 млн", "2 тис."],
 )
 def test_nothing_is_guessed(typed: str) -> None:
     read = read_number(typed)
@@ -57,12 +63,21 @@ def test_nothing_is_guessed(typed: str) -> None:
     assert str(read.reason) in {str(AMONG_DIGITS), str(ALL_DIGITS)}
 
 
-@pytest.mark.parametrize("typed", ["32/12", "12/1", "1/0", "25°75'", "12-13", "12…13", "12,5±0,1"])
+@pytest.mark.parametrize(
+    "typed", ["32/12", "12/1", "1/0", "25°75'", "12-13", "12…13", "12,5±0,1", "25º30"]
+)
 def test_what_may_mean_two_things_is_asked_about(typed: str) -> None:
     assert isinstance(read_number(typed), Unreadable)
 
 
-@pytest.mark.parametrize("typed", ["12 l", "12 l/min", "12 об/мин", "5 Ом", "12 o'clock"])
+@pytest.mark.parametrize("typed", ['12.5"', "30'", "5''", "12 ′"])
+def test_a_mark_that_may_be_minutes_or_inches_is_asked_about(typed: str) -> None:
+    read = read_number(typed)
+    assert isinstance(read, Unreadable)
+    assert str(read.reason) == str(MARKED)
+
+
+@pytest.mark.parametrize("typed", ["12 l", "12 l/min", "12 об/мин", "12 В", "5 Ом", "12 o'clock"])
 def test_letters_of_units_are_no_digits(typed: str) -> None:
     assert isinstance(read_number(typed), NumberRead)
 

@@ -28,6 +28,7 @@ def test_a_table_that_was_drawn_by_the_rules_passes(course: Course, tmp_path: Pa
         "sizes.csv",
         "ends.csv",
         "slips.csv",
+        "alternatives.csv",
         "verdicts.csv",
         CERTIFICATE,
     }

@@ -1,6 +1,7 @@
 """A student's self-check: how the workbook is read, and nothing of the answers."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,12 +11,14 @@ from openpyxl import Workbook, load_workbook
 from gripcourse.cli.text import check_text
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
+from gripcourse.gradebook.checks import CheckLedger
 from gripcourse.grading.self_check import State
+from gripcourse.policy.model import CheckRule, Tells
 from gripcourse.simulation.write import fill
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.number_text import format_number
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.usecases.check import check_file
+from gripcourse.usecases.check import CheckedWorkbook, check_file
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
@@ -39,9 +42,45 @@ def refusal(issued: "Classroom", file: Path) -> str:
 def test_a_workbook_is_checked_without_register_and_key(issued: "Classroom", slipped: Path) -> None:
     checked = check_file(slipped, issued.course, issued.policy)
     states = {one.quantity: one.state for one in checked.checks}
-    assert states["lifting_load"] is State.READ
+    assert {states["lifting_load"], states["grip_force"]} == {State.READ}
+    assert (checked.sections, checked.left) == ((), None)
+
+
+def test_whether_numbers_fit_is_told_as_often_as_the_policy_says(
+    issued: "Classroom", slipped: Path, tmp_path: Path
+) -> None:
+    """Each student has their own questions; afterwards only the reading is told."""
+
+    def asked(who: str) -> CheckedWorkbook:
+        ledger = CheckLedger(tmp_path / "checks.sqlite", who)
+        return check_file(slipped, issued.course, issued.policy, ledger=ledger)
+
+    times = issued.policy.check.times
+    told = [asked("s01") for _ in range(times + 2)]
+    assert [bool(one.sections) for one in told] == [True] * times + [False] * 2
+    assert [one.left for one in told] == [*range(times - 1, -1, -1), 0, 0]
+    assert asked("s02").sections
+
+
+def test_answers_are_told_only_where_the_policy_wants_an_oracle(
+    issued: "Classroom", slipped: Path, tmp_path: Path
+) -> None:
+    policy = replace(issued.policy, check=CheckRule(Tells.ANSWERS, 1))
+    ledger = CheckLedger(tmp_path / "checks.sqlite", "s01")
+    checked = check_file(slipped, issued.course, policy, ledger=ledger)
+    states = {one.quantity: one.state for one in checked.checks}
     assert states["grip_force"] is State.INCONSISTENT
     assert states["drive_force"] is State.CONSISTENT
+
+
+def test_what_is_told_of_sections_is_printed(
+    issued: "Classroom", slipped: Path, tmp_path: Path
+) -> None:
+    ledger = CheckLedger(tmp_path / "checks.sqlite", "s01")
+    checked = check_file(slipped, issued.course, issued.policy, ledger=ledger)
+    shown = check_text(checked, Words("en"))
+    assert "At least one number does not follow" in shown
+    assert "left: 2." in shown
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

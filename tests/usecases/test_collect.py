@@ -1,10 +1,12 @@
 """Every file under a folder is graded or named with the reason why it is not."""
 
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 
 from gripcourse.errors import UsageError
+from gripcourse.machine.content import shown_name
 from gripcourse.usecases.collect import REASONS, WhyNot, collect
 
 
@@ -83,3 +85,22 @@ def test_a_folder_without_workbooks_is_refused_and_says_what_is_there(tmp_path: 
         collect([tmp_path])
     with pytest.raises(UsageError, match=r"work\.zip"):
         collect([made(tmp_path, "work.zip")])
+
+
+def zipped(path: Path, *names: str) -> Path:
+    with ZipFile(path, "w") as archive:
+        for name in names:
+            archive.writestr(name, b"")
+    return path
+
+
+def test_a_zip_that_is_named_is_looked_into(tmp_path: Path) -> None:
+    inside = "Иванова Анна_12_assignsubmission_file"
+    path = zipped(tmp_path / "РГР.zip", f"{inside}/s01.xlsx", f"{inside}/own.zip", "../evil.xlsx")
+    found = collect([path])
+    assert [shown_name(one) for one in found.files] == [f"{path}/{inside}/s01.xlsx"]
+    assert {(Path(one.file).name, one.why) for one in found.passed_over} == {
+        ("own.zip", WhyNot.ARCHIVE),
+        ("evil.xlsx", WhyNot.UNSAFE_PATH),
+    }
+    assert all(one.needs_person for one in found.passed_over)

@@ -125,7 +125,7 @@ class TestResults:
         self, graded: Path
     ) -> None:
         rows = grades(graded)
-        assert "s03" not in rows
+        assert (rows["s03"]["score"], rows["s03"]["flags"]) == ("", "not_handed_in")
         assert Path(rows[""]["file"]).name == "s03.xlsx"
         assert rows[""]["score"] == ""
         assert rows[""]["flags"] == "who_handed_in; same_bytes"

@@ -34,6 +34,7 @@ from gripcourse.usecases.grade import GradingOutcome, json_text
 from gripcourse.usecases.handout import Handout
 from gripcourse.usecases.issue import Issuing
 from gripcourse.usecases.samples import judged_sample, refused_sample, samples
+from gripcourse.variants.model import Student
 from gripcourse.workbook.write import answer_workbook
 
 REPOSITORY = Path(__file__).parents[2]
@@ -152,12 +153,13 @@ def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, tex
 
 
 def test_a_table_for_a_spreadsheet_runs_nothing(report: Report, text: str) -> None:
-    written = grades_text([replace(report, name=text)], {report.student: text})
+    student = Student(report.student, report.name, group=text, email=text, language="", variant="")
+    written = grades_text([replace(report, name=text)], {report.student: student})
     rows = list(csv.DictReader(io.StringIO(written, newline="")))
     (row,) = rows
     assert not UNSEEN.search(written.replace("\r\n", "\n"))
     written.encode()
-    for column in ("name", "group", "file"):
+    for column in ("name", "group", "email", "file"):
         assert row[column].removeprefix("'") == shown(text)
         assert not row[column].startswith(FORMULA_STARTS)
 

@@ -3,7 +3,6 @@
 import stat
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 
@@ -11,12 +10,10 @@ from gripcourse.errors import GripcourseError, RegisterError, TableError
 from gripcourse.issuing.register_file import old_register_path
 from gripcourse.issuing.signature import key_path, verify
 from gripcourse.machine.database.home import gradebook_path
+from gripcourse.policy.model import Policy
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-
-if TYPE_CHECKING:
-    from support.classroom import Classroom
-
+from support.classroom import ROSTER, Classroom, open_classroom
 
 STUDENTS = ("s01", "s02", "s03")
 
@@ -29,16 +26,27 @@ def contents(folder: Path) -> dict[str, bytes]:
     }
 
 
+ONE = ROSTER.partition("s02,")[0]
+
+
+@pytest.fixture(scope="module")
+def complete(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Classroom:
+    """One student, whose sheet is laid out too; nobody may change this course."""
+    classroom = open_classroom(tmp_path_factory.mktemp("complete"), policy, ONE)
+    classroom.issue()
+    return classroom
+
+
 class TestDocuments:
     def test_every_student_gets_a_folder_with_a_sheet_and_a_workbook(
-        self, issued: "Classroom"
+        self, issued: Classroom
     ) -> None:
         expected = {f"{one}/assignment_{one}.pdf" for one in STUDENTS}
         expected |= {f"{one}/{one}.xlsx" for one in STUDENTS}
         assert set(contents(issued.order.out)) == expected
 
     def test_a_workbook_carries_its_student_the_variant_and_the_signature(
-        self, issued: "Classroom"
+        self, issued: Classroom
     ) -> None:
         for student in STUDENTS:
             raw = read_workbook(issued.workbook(student))
@@ -50,28 +58,30 @@ class TestDocuments:
             key = bytes(range(32))
             assert verify(key, issued.course.id, student, entry.variant, entry.signature)
 
-    def test_the_roster_may_fix_a_variant(self, issued: "Classroom") -> None:
+    def test_the_roster_may_fix_a_variant(self, issued: Classroom) -> None:
         variants = {name: entry.variant.id for name, entry in issued.register.items()}
         assert variants == {"s01": "001", "s02": "007", "s03": "002"}
 
     def test_issuing_again_later_gives_the_same_bytes(
-        self, issued: "Classroom", tmp_path: Path
+        self, complete: Classroom, tmp_path: Path
     ) -> None:
         """The register keeps the day of issue, so that a lost sheet is made again as it was."""
-        again = issued.issue(out=tmp_path, today=issued.order.today.replace(day=30))
-        assert [one.student for one in again.handouts] == list(STUDENTS)
-        assert contents(tmp_path) == contents(issued.order.out)
+        again = complete.issue(out=tmp_path, today=complete.order.today.replace(day=30))
+        assert [one.student for one in again.handouts] == ["s01"]
+        assert len(contents(tmp_path)) == 2
+        assert contents(tmp_path) == contents(complete.order.out)
 
     def test_a_fresh_course_with_the_same_key_and_dates_gives_the_same_bytes(
-        self, issued: "Classroom", classroom: "Classroom"
+        self, complete: Classroom, policy: Policy, tmp_path: Path
     ) -> None:
-        classroom.issue()
-        assert contents(classroom.order.out) == contents(issued.order.out)
+        fresh = open_classroom(tmp_path, policy, ONE)
+        fresh.issue()
+        assert contents(fresh.order.out) == contents(complete.order.out)
 
 
 class TestLaterChanges:
     def test_a_student_added_later_changes_nobody_elses_numbers(
-        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         without_documents(monkeypatch)
         classroom.issue()
@@ -86,7 +96,7 @@ class TestLaterChanges:
         assert after["a00"].variant.id not in {one.variant.id for one in before.values()}
 
     def test_a_changed_table_changes_no_issued_numbers_and_is_said(
-        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         without_documents(monkeypatch)
         classroom.issue()
@@ -103,7 +113,7 @@ class TestLaterChanges:
         assert "s02" not in said
 
     def test_another_deadline_is_not_applied_silently(
-        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         without_documents(monkeypatch)
         classroom.issue()
@@ -115,20 +125,20 @@ class TestLaterChanges:
 
 
 class TestRefusals:
-    def test_nothing_is_written_where_the_roster_is_wrong(self, classroom: "Classroom") -> None:
+    def test_nothing_is_written_where_the_roster_is_wrong(self, classroom: Classroom) -> None:
         roster = classroom.order.roster
         text = roster.read_text(encoding="utf-8")
         roster.write_text(text + "s01,Иванов Пётр,РТК-42,,ru,\n", encoding="utf-8")
         refused(classroom, TableError, "s01", "row 5")
 
-    def test_nothing_is_written_where_variants_are_short(self, classroom: "Classroom") -> None:
+    def test_nothing_is_written_where_variants_are_short(self, classroom: Classroom) -> None:
         table = classroom.order.table
         rows = table.read_text(encoding="utf-8-sig").splitlines()
         table.write_text("\n".join([*rows[:2], rows[7]]) + "\n", encoding="utf-8")
         refused(classroom, TableError, "2 students need a variant and 1 variants are free")
 
     def test_nothing_is_written_where_a_fixed_variant_is_unknown(
-        self, classroom: "Classroom"
+        self, classroom: Classroom
     ) -> None:
         roster = classroom.order.roster
         text = roster.read_text(encoding="utf-8")
@@ -136,7 +146,7 @@ class TestRefusals:
         refused(classroom, TableError, "s02", "777")
 
     def test_nothing_more_is_issued_when_the_key_was_lost(
-        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         without_documents(monkeypatch)
         classroom.issue()
@@ -147,7 +157,7 @@ class TestRefusals:
         assert not key.exists()
 
     def test_the_first_issue_makes_a_key_that_only_its_owner_reads(
-        self, classroom: "Classroom", monkeypatch: pytest.MonkeyPatch
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:
         without_documents(monkeypatch)
         key = key_path(classroom.course.root)
@@ -157,7 +167,7 @@ class TestRefusals:
         assert stat.S_IMODE(key.stat().st_mode) == 0o600
         assert [note for note in classroom.issue().notes if str(key) in str(note)] == []
 
-    def test_a_damaged_register_is_never_overwritten(self, classroom: "Classroom") -> None:
+    def test_a_damaged_register_is_never_overwritten(self, classroom: Classroom) -> None:
         path = old_register_path(classroom.course.root)
         path.parent.mkdir(exist_ok=True)
         path.write_text('{"format": 1, "issued": [', encoding="utf-8")
@@ -166,12 +176,12 @@ class TestRefusals:
         assert path.read_text(encoding="utf-8") == '{"format": 1, "issued": ['
         assert not classroom.order.out.exists()
 
-    def test_a_table_of_a_wrong_kind_is_named(self, classroom: "Classroom") -> None:
+    def test_a_table_of_a_wrong_kind_is_named(self, classroom: Classroom) -> None:
         changed = replace(classroom, order=replace(classroom.order, table=classroom.order.roster))
         refused(changed, TableError, "roster.csv")
 
 
-def refused(classroom: "Classroom", kind: type[GripcourseError], *said: str) -> None:
+def refused(classroom: Classroom, kind: type[GripcourseError], *said: str) -> None:
     """Check that issuing is refused, says all of this, and leaves nothing behind."""
     with pytest.raises(kind) as caught:
         classroom.issue()

@@ -116,3 +116,18 @@ def test_a_candidate_is_let_through_exactly_when_no_pair_goes_above_a_limit(
         )
         assert accepted.take(answers, row) == within
         kept += [row] if within else []
+
+
+def test_what_is_drawn_keeps_apart_from_another_table(course: Course, policy: Policy) -> None:
+    (space,) = (one for one in load_spaces(course) if one.scheme == "screw")
+    sections = len(course.sections)
+    last_year = draw(course, [space], 3, 5, sifter(policy, sections)).variants
+    others = solve_groups(course, last_year)
+    this_year = draw(course, [space], 3, 5, sifter(policy, sections, None, others)).variants
+    both = (*last_year, *this_year)
+    items = items_of(solve_groups(course, both), policy, Kind.FORMULA)
+    found = measure(items, section_totals(items, len(both), sections), limits_of(policy))
+    assert found.whole.above == 0
+    assert not {tuple(one.given.items()) for one in last_year} & {
+        tuple(one.given.items()) for one in this_year
+    }

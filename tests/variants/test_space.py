@@ -137,6 +137,8 @@ def test_a_second_file_for_a_scheme_is_refused(small_with: Change) -> None:
         ("angle <= 60", "force <= mass", "constraint[1].formula", "like with like"),
         ('{ angle = "deg" }', '{ angle = "dge" }', "constraint[1].evaluated_in.angle", "'dge'"),
         ('evaluated_in = { angle = "deg" }', "", "constraint[1].formula", "or in SI"),
+        ("angle <= 60", "angle >= 100", "constraint[1].formula", "angle 0 … 90 deg"),
+        ("angle <= 60", "angle + angle < 0", "constraint[1].formula", "or loosen"),
         ("[[constraint]]", "[[constraints]]", "constraints", "Did you mean 'constraint'"),
     ],
 )

@@ -17,6 +17,7 @@ from gripcourse.api.documents import (
 )
 from gripcourse.api.marks import enter_mark, enter_marks, trace, what_waits
 from gripcourse.api.measuring import audit_tolerances, evaluate, evaluate_in_memory, simulate
+from gripcourse.api.regrading import apply_regrade, history, publish, regrade, undo_regrade, waive
 from gripcourse.api.results import (
     CheckResult,
     IssueResult,
@@ -45,6 +46,7 @@ __all__ = [
     "ReportResult",
     "SolutionResult",
     "VariantsResult",
+    "apply_regrade",
     "audit_tolerances",
     "audit_variants",
     "doctor",
@@ -53,13 +55,18 @@ __all__ = [
     "enter_marks",
     "evaluate",
     "evaluate_in_memory",
+    "history",
     "import_variants",
     "init_course",
+    "publish",
     "read_result",
+    "regrade",
     "schemas",
     "simulate",
     "trace",
+    "undo_regrade",
     "validate",
+    "waive",
     "what_waits",
     "write_general_view",
     "write_key",

@@ -238,21 +238,34 @@ class Course:
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
-    def check(self, workbook: FileLike) -> CheckResult:
-        """Say how a workbook is read and whether its numbers fit each other; never the answers.
+    def check(
+        self, workbook: FileLike, *, ledger: str | Path | None = None, who: str = ""
+    ) -> CheckResult:
+        """Say how a workbook is read, and by policy whether its numbers fit; never the answers.
 
         A file that is no answer workbook is no exception: the result says why in `refusal`.
 
+        Args:
+            workbook: path of a file, or bytes with their name.
+            ledger: file in which a server counts who was told how often whether numbers fit each
+                other; without it only the reading is told.
+            who: id of who is signed in, as the server knows it; the workbook could name anybody.
+
         Raises:
-            OSError: a file that is named cannot be read.
+            OSError: a file that is named cannot be read, or the ledger cannot be written.
+            ValueError: there is a ledger and nobody is named.
         """
+        from gripcourse.gradebook.checks import CheckLedger
         from gripcourse.usecases.check import check_file
 
+        if ledger is not None and not who:
+            raise ValueError(who)
+        counted = None if ledger is None else CheckLedger(Path(ledger), who)
         source = readable(workbook, "workbook")
         if not isinstance(source, NamedBytes):
             source = NamedBytes(str(source), source.read_bytes())
         try:
-            checked = check_file(source, self.definition, self.policy)
+            checked = check_file(source, self.definition, self.policy, ledger=counted)
         except UsageError as refused:
             return refused_check(refused.problems, self.words)
         return check_result(checked, self.words)
@@ -265,6 +278,7 @@ class Course:
         gradebook: str | Path | None = None,
         graded_on: date | None = None,
         whose: Mapping[str, str] | None = None,
+        handed_in: Iterable[str] = (),
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -277,6 +291,8 @@ class Course:
                 persons from; None for none.
             graded_on: day that documents bear; None for today.
             whose: ids of students by file, where a person says who handed it in.
+            handed_in: when files were handed in, as `file=2026-12-01 18:00`, or one moment for all;
+                files of which nothing is said have their own time, bytes none.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -285,8 +301,10 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
+        from gripcourse.policy.time_rules import zone_of
         from gripcourse.usecases.grade import batch_result, grade, write_results
         from gripcourse.usecases.gradebook import check_gradebook, keep
+        from gripcourse.usecases.handed_in import handed_in_times
         from gripcourse.usecases.opening import grading_of
         from gripcourse.usecases.whose import read_whose
 
@@ -298,7 +316,8 @@ class Course:
             check_gradebook(str(gradebook))
         graded = grade(sources, context, workers, on_done)
         if gradebook is not None:
-            graded = keep(graded, context, str(gradebook), datetime.now(UTC))
+            times = handed_in_times(handed_in, sources, zone_of(self.policy.late))
+            graded = keep(graded, context, str(gradebook), datetime.now(UTC), times)
         reports = tuple(one.report for one in graded)
         if out is not None:
             day = graded_on or _today()

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.api.results import (
     CheckedAnswerResult,
+    CheckedSectionResult,
     CheckResult,
     DrawingTallyResult,
     HandoutResult,
@@ -119,7 +120,15 @@ def check_result(checked: "CheckedWorkbook", words: Words) -> CheckResult:
                 remarks=_said(one.remarks, words),
             )
         )
-    return CheckResult("", tuple(answers), _said(checked.remarks, words))
+    titles = {one.id: one.title for one in checked.plan.course.sections}
+    sections = (
+        CheckedSectionResult(
+            one.section, titles[one.section].of(words.language), one.state, words.say(one.message)
+        )
+        for one in checked.sections
+    )
+    remarks = _said(checked.remarks, words)
+    return CheckResult("", tuple(answers), remarks, tuple(sections), checked.left)
 
 
 def refused_check(problems: Iterable[Problem], words: Words) -> CheckResult:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import NextStep
 from gripcourse.exports.plain import from_plain, to_plain
-from gripcourse.grading.self_check import State
+from gripcourse.grading.self_check import SectionState, State
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -270,6 +270,22 @@ class CheckedAnswerResult:
 
 
 @dataclass(frozen=True, slots=True)
+class CheckedSectionResult:
+    """What is said about the numbers of a section, all together.
+
+    Attributes:
+        section, title: id and name.
+        state: what is known about it.
+        message: the state in a sentence.
+    """
+
+    section: str
+    title: str
+    state: SectionState
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
 class CheckResult:
     """What is said about a workbook before the deadline.
 
@@ -277,6 +293,8 @@ class CheckResult:
         refusal: why the file cannot be used, in a sentence; empty where it can.
         answers: in the order of the assignment.
         remarks: about the workbook as a whole.
+        sections: whether numbers fit each other; none where only the reading is told.
+        left: how often that will be told again; null where nobody counts.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/check/1"
@@ -284,6 +302,8 @@ class CheckResult:
     refusal: str
     answers: tuple[CheckedAnswerResult, ...]
     remarks: tuple[str, ...]
+    sections: tuple[CheckedSectionResult, ...] = ()
+    left: int | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""

@@ -13,7 +13,7 @@ FileLike: TypeAlias = str | Path | bytes | tuple[str, bytes] | NamedBytes
 _SPREADSHEET = b"PK"  # how every .xlsx begins
 
 
-def readable(given: FileLike, stem: str) -> Readable:
+def readable(given: FileLike, stem: str) -> Path | NamedBytes:
     """Return what the readers take.
 
     Args:

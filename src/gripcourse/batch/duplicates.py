@@ -36,8 +36,25 @@ def _flags(
         )
     others = (one.student for one in by_digest.get(report.digest, ()))
     students = dict.fromkeys(one for one in others if one != report.student)
-    if students:
+    if not students:
+        return
+    alike = [one for one in by_digest.get(report.digest, ()) if one.student != report.student]
+    if not _is_anothers(report) and all(map(_is_anothers, alike)):
         yield Flag(
-            FlagCode.SAME_BYTES,
-            message("The same file came from: {students}.", students=", ".join(students)),
+            FlagCode.COPIED_FROM,
+            message(
+                "This student's own workbook was handed in by {students} too: the question goes to "
+                "them, not to the owner.",
+                students=", ".join(students),
+            ),
         )
+        return
+    yield Flag(
+        FlagCode.SAME_BYTES,
+        message("The same file came from: {students}.", students=", ".join(students)),
+    )
+
+
+def _is_anothers(report: Report) -> bool:
+    """Tell whether a workbook was issued to another than the student who handed it in."""
+    return any(flag.code is FlagCode.ISSUED_TO_OTHER for flag in report.flags)

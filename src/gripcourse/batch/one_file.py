@@ -11,6 +11,7 @@ from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
+from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.unjudged import (
     disputed_report,
     is_unreadable,
@@ -18,6 +19,7 @@ from gripcourse.grading.unjudged import (
     unknown_student_report,
     unreadable_report,
 )
+from gripcourse.machine.archive import UnreadableMemberError
 from gripcourse.machine.content import Readable, shown_name
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
@@ -27,6 +29,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
+from gripcourse.submission.second import lacks_results, read_again
 from gripcourse.variants.model import Issued, Variant
 
 # Compositions of a scheme and options that are remembered: about a megabyte each.
@@ -43,24 +46,38 @@ class GradingContext:
         course, policy: what is graded by.
         register: entries by student id.
         whose: by file, the id of the student who handed it in, where a person says so.
+        office: the command that starts LibreOffice, for files that need it; None for none.
+        pattern: how paths say whose a file is; None where only platforms' own ways count.
     """
 
     course: Course
     policy: Policy
     register: Mapping[str, Issued]
     whose: Mapping[str, str] = field(default_factory=dict)
+    office: str | None = None
+    pattern: PathPattern | None = None
 
 
-def grade_file(source: Readable, context: GradingContext) -> Report:
-    """Grade one file; the student's faults are in the report, only ours are exceptions."""
+def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
+    """Grade one file; the student's faults are in the report, only ours are exceptions.
+
+    Args:
+        source: the file.
+        context: the course, its policy, the register.
+        made: what LibreOffice made of the file; None where our reader is enough.
+    """
     file = shown_name(source)
     try:
-        raw = read_workbook(source)
+        raw = read_workbook(source) if made is None else read_again(source, made)
+    except UnreadableMemberError:
+        raw = Rejected.because(file, "", WhyRefused.DAMAGED)
     except OSError:  # it was there when the batch began
         raw = Rejected.because(file, "", WhyRefused.GONE)
     identity = None if isinstance(raw, Rejected) else raw.identity
     handed_in = handed_in_by(file, identity, context)
-    return replace(_report(raw, handed_in, context), known_by=handed_in.known_by)
+    lacking = isinstance(raw, RawWorkbook) and lacks_results(raw)
+    report = _report(raw, handed_in, context)
+    return replace(report, known_by=handed_in.known_by, lacks_results=lacking)
 
 
 def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:
@@ -68,7 +85,7 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     student = context.whose.get(file)
     if student is not None:
         return named_by_person(student, context.register)
-    return identify(file, identity, context.register)
+    return identify(file, identity, context.register, context.pattern)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:

@@ -10,6 +10,7 @@ from gripcourse.batch.copies import mark_likeness
 from gripcourse.batch.doubts import put_in_doubt
 from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
+from gripcourse.batch.second_look import made_by_office
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, in_order, run_each
@@ -67,9 +68,26 @@ def grade_files(
         _log.info("graded %s", shown(shown_name(files[number])))
         on_done(files[number])
 
-    reports = in_order(jobs, done)
+    alone = in_order(jobs, done)
+    reports = _looked_at_again(files, alone, context, workers, seconds)
     graded = (_graded(file, report, context) for file, report in zip(files, reports, strict=True))
     return compared(tuple(graded), context)
+
+
+def _looked_at_again(
+    files: Sequence[Readable],
+    reports: Sequence[Report | Lost],
+    context: GradingContext,
+    workers: int,
+    seconds: float,
+) -> Sequence[Report | Lost]:
+    """Grade those files again of which LibreOffice could make more; none without workers."""
+    office = context.office if workers else None
+    made = made_by_office(files, reports, office, context.course.language)
+    pairs = [(files[number], data) for number, data in made.items()]
+    jobs = run_each(_grade_again, pairs, context, workers=min(workers, len(pairs)), seconds=seconds)
+    again = dict(zip(made, in_order(jobs), strict=True))
+    return [again.get(number, report) for number, report in enumerate(reports)]
 
 
 def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
@@ -94,6 +112,11 @@ def incident_number(trace: str) -> str:
 
 def _grade(file: Readable, job: _Job) -> Report:
     return job.grade_one(file, job.context)
+
+
+def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:
+    file, made = pair
+    return grade_file(file, context, made)
 
 
 def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> Graded:

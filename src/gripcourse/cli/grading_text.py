@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from gripcourse.usecases.mark import Marking
 
 FLAGS = {
+    FlagCode.COPIED_FROM: message("copied by others"),
+    FlagCode.CELLS_MOVED: message("rows moved"),
     FlagCode.GIVENS_CHANGED: message("given values changed"),
     FlagCode.GIVENS_MISSING: message("given values missing"),
     FlagCode.IDENTITY_CHANGED: message("variant changed"),
@@ -29,6 +31,7 @@ FLAGS = {
     FlagCode.MARK_OUTDATED: message("mark outdated"),
     FlagCode.NOT_JUDGED: message("not judged"),
     FlagCode.OTHER_VARIANT: message("another's variant"),
+    FlagCode.REGRADE_WAITS: message("regrade waits"),
     FlagCode.REJECTED: message("file rejected"),
     FlagCode.REPORT_INCIDENT: message("no report"),
     FlagCode.SAME_ANSWERS: message("another's answers"),
@@ -116,7 +119,7 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
 def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
     """Return what waits for a person as a table."""
     if not waits:
-        return words.say(message("Nothing waits for a person."))
+        return words.say(message("Nothing waits for the instructor."))
     again = words.say(message("marked; look again"))
     rows = [
         (one.student, one.quantity, Path(one.file).name, again if one.again else "")
@@ -170,7 +173,7 @@ def demo_text(demo: "Demo", words: Words) -> str:
     lines = [table_text([words.say(head) for head in heads], rows, right={2}), ""]
     for item in demo.marking.items if demo.marking is not None else ():
         said = message(
-            "A person marked {item} of {student} from its rubric.",
+            "The instructor marked {item} of {student} from its rubric.",
             item=item.mark.quantity,
             student=item.mark.student,
         )

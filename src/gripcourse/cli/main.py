@@ -16,9 +16,13 @@ from typing import Annotated
 import typer
 
 from gripcourse.cli import course as cli_course
+from gripcourse.cli import desk as cli_desk
 from gripcourse.cli import draw as cli_draw
+from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
+from gripcourse.cli import key as cli_key
 from gripcourse.cli import mark as cli_mark
+from gripcourse.cli import regrade as cli_regrade
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
@@ -61,10 +65,12 @@ app = command_group(
     "Course assignments: issue variants, check, grade, report.",
     is_program=True,
 )
-for part in (cli_mark, cli_trace, cli_draw, cli_course, simulation):
+for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation, cli_desk):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
+app.add_typer(cli_export.app, name="export")
 app.add_typer(simulation.tolerance_app, name="tolerance")
+app.add_typer(cli_key.app, name="key")
 
 
 @app.command(cls=SpokenCommand)
@@ -146,6 +152,10 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     deadline: Annotated[
         datetime | None, typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in.")
     ] = None,
+    printed: Annotated[
+        Path | None,
+        typer.Option("--print", help="File for a printer: a list and all sheets, on both sides."),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
@@ -170,13 +180,19 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Issuing")), None)
         issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
     confirm(cli_text.issuing_text(issuing, out, words))
+    if printed is not None:
+        from gripcourse.usecases.printing import print_sheets
+
+        print_sheets(issuing.handouts, loaded, out, printed, order.today)
+        confirm(str(printed))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
 
 
 @app.command(cls=SpokenCommand)
 def grade(  # noqa: PLR0913 (one parameter per option)
     paths: Annotated[
-        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+        list[Path],
+        typer.Argument(metavar="file", help="Workbooks, or folders or zips with workbooks."),
     ],
     *,
     out: OutOption,
@@ -187,6 +203,22 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
         ),
     ] = None,
+    handed_in: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--handed-in",
+            metavar="file=time",
+            help="When a file was handed in, or all of them; default: the file's own time.",
+        ),
+    ] = None,
+    pattern: Annotated[
+        str | None,
+        typer.Option(
+            "--pattern",
+            metavar="pattern",
+            help="Where your own paths say whose a file is.",
+        ),
+    ] = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -194,9 +226,13 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.grading.path_pattern import path_pattern
+    from gripcourse.machine.files import make_private_folder
+    from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep
+    from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
     from gripcourse.usecases.whose import read_whose
 
@@ -205,16 +241,18 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     files = found.files
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
-    context = replace(context, whose=decided)
+    order = None if pattern is None else path_pattern(pattern, context.register)
+    context = replace(context, whose=decided, pattern=order)
+    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
-    out.mkdir(parents=True, exist_ok=True)
+    make_private_folder(out)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, workers, lambda _: tick())
-        graded = keep(graded, context, place, datetime.now(UTC))
+        graded = keep(graded, context, place, datetime.now(UTC), times)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
             graded,
@@ -237,17 +275,25 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 def check(
     file: Annotated[Path, typer.Argument(metavar="file", help="Your answer workbook.")],
     *,
+    ledger: Annotated[
+        Path | None, typer.Option("--ledger", help="Server: file that counts who asked how often.")
+    ] = None,
+    who: Annotated[str, typer.Option("--who", help="Server: id of who is signed in.")] = "",
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Show how a workbook is read and whether its numbers fit each other; never the answers."""
+    """Show how a workbook is read, and by policy whether its numbers fit; never the answers."""
     from gripcourse.course.load import load_course
+    from gripcourse.gradebook.checks import CheckLedger
     from gripcourse.policy.load import load_policy
     from gripcourse.submission.apart import read_apart
     from gripcourse.usecases.check import check_file
 
+    if (ledger is None) != (not who):
+        raise cli_text.misuse(message("Name both --ledger and --who, or neither."))
+    counted = None if ledger is None else CheckLedger(ledger, who)
     loaded = load_course(course_folder(course))
-    checked = check_file(file, loaded, load_policy(loaded), read_apart)
+    checked = check_file(file, loaded, load_policy(loaded), read_apart, counted)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 
@@ -294,8 +340,10 @@ def _guard(run: Callable[[], int | None]) -> int:
     except Exception:  # noqa: BLE001 (the last place that can say it kindly)
         trace = traceback.format_exc()
         log = cli_text.write_incident(trace)
-        if is_verbose():
+        if is_verbose() or log is None:
             typer.echo(trace, err=True)
         said = message("This is our mistake, not yours. The details are in {file}.", file=str(log))
+        if log is None:
+            said = message("This is our mistake, not yours. The details stand above.")
         typer.echo(chosen_words().say(said), err=True)
         return OUR_MISTAKE

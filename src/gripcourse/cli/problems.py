@@ -17,6 +17,7 @@ _OPTIONS: Final[Mapping[str, str]] = {
 }
 
 TYPED: Final[Mapping[NextStep, str]] = {
+    NextStep.ALLOW_LOWER: "--allow-lower",
     NextStep.CHECK_MACHINE: "gripcourse doctor",
     NextStep.GRADE: "gripcourse grade",
     NextStep.LEAVE_WITHDRAWAL: "--withdraw",
@@ -25,6 +26,7 @@ TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.NAME_GRADEBOOK: "--gradebook",
     NextStep.NAME_TABLE: "--table",
     NextStep.OVERRULE: "--override --comment",
+    NextStep.REGRADE: "gripcourse regrade",
     NextStep.SET_VALUES: "--set name=value",
     NextStep.SIMULATE: "gripcourse simulate",
 }

@@ -8,6 +8,8 @@ import typer
 
 from gripcourse.cli import simulation_text
 from gripcourse.cli import text as cli_text
+from gripcourse.cli.costs_text import paying_text
+from gripcourse.cli.foreign_text import markdown_table
 from gripcourse.cli.help import SpokenCommand, command_group
 from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
@@ -77,6 +79,9 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
     misses: Annotated[
         Path | None, typer.Option("--misses", help="With --in-memory: CSV file of every miss.")
     ] = None,
+    markdown: Annotated[
+        bool, typer.Option("--markdown", help="Print the tables for a Markdown file.")
+    ] = False,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -93,12 +98,14 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
     policy = load_policy(loaded)
     cohort = command.Cohort(count, seed, scheme)
     with cli_text.progress() as step:
-        tick = step(words.say(message("Grading")), count if folder is None else None)
+        works = command.works_in_memory(cohort) if folder is None else None
+        tick = step(words.say(message("Grading")), works)
         if folder is None:
             found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
         else:
             found = command.evaluate_folder(loaded, policy, folder, workers, tick)
-    typer.echo(simulation_text.evaluation_text(found, policy, words))
+    layout = markdown_table if markdown else cli_text.table_text
+    typer.echo(simulation_text.evaluation_text(found, policy, words, layout))
     if found.missed:
         raise typer.Exit(NEEDS_PERSON)
 
@@ -135,9 +142,11 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     if out is not None:
         command.write_audit(found, out)
     typer.echo(simulation_text.audit_text(found, policy, words))
+    paying = command.paying(loaded, policy, sample)
+    typer.echo(f"\n{paying_text(paying, words)}")
     if apply:
         changed = command.apply(found, loaded, policy)
         said = message("{count} tolerances were written into the policy.", count=changed)
         confirm(words.say(said))
-    elif found.refuses:
+    elif found.refuses or paying.problems:
         raise typer.Exit(NEEDS_PERSON)

@@ -1,9 +1,10 @@
 """What the commands that measure the grader print."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.cli.foreign_text import Layout, foreign_tables, percent, rate_cells, rates_table
 from gripcourse.cli.text import table_text
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from gripcourse.course.quantity import Tolerance
     from gripcourse.policy.model import Policy
     from gripcourse.simulation.confusion import GraderEvaluation
-    from gripcourse.simulation.rates import Rate
     from gripcourse.simulation.tolerance import AuditedBand, ToleranceAudit
 
 _RATES = {
@@ -82,14 +82,24 @@ def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
     )
 
 
-def evaluation_text(found: "GraderEvaluation", policy: "Policy", words: Words) -> str:
-    """Return the confusion table, the rates, and the share of each kind of slip that was named."""
+def evaluation_text(
+    found: "GraderEvaluation", policy: "Policy", words: Words, layout: Layout = table_text
+) -> str:
+    """Return the confusion table, the rates, and the share of each kind of slip that was named.
+
+    Args:
+        found: what was measured.
+        policy: that was measured.
+        words: language of the text.
+        layout: of the tables.
+    """
     lines = [
         words.say(message("{count} virtual students", count=found.students)),
-        _confusion(found, words),
-        _rates(found, words),
-        _kinds(found, policy, words),
-        *_strategies(found, words),
+        _confusion(found, words, layout),
+        rates_table(found.rates, _RATES, words, layout),
+        _kinds(found, policy, words, layout),
+        *_strategies(found, words, layout),
+        *foreign_tables(found.foreign, words, layout),
         words.say(
             message(
                 "Of {tried} places tried for slips {hidden} change the answer too little for "
@@ -102,7 +112,7 @@ def evaluation_text(found: "GraderEvaluation", policy: "Policy", words: Words) -
     return "\n\n".join([*lines, *dict.fromkeys(found.incidents)])
 
 
-def _confusion(found: "GraderEvaluation", words: Words) -> str:
+def _confusion(found: "GraderEvaluation", words: Words, layout: Layout) -> str:
     from gripcourse.simulation.confusion import Said
     from gripcourse.simulation.model import ActionKind
 
@@ -118,36 +128,21 @@ def _confusion(found: "GraderEvaluation", words: Words) -> str:
         for done in ActionKind
         if any(found.table.get((done, said)) for said in Said)
     ]
-    return table_text(heads, rows, right=set(range(1, len(heads))))
+    return layout(heads, rows, set(range(1, len(heads))))
 
 
-def _rates(found: "GraderEvaluation", words: Words) -> str:
-    heads = (
-        message("measured"), message("count"), message("of"), message("share, %"),
-        message("95 % interval"), message("required"), "",
-    )  # fmt: skip
-    rows = [
-        (words.say(_RATES[name]), *_numbers(rate, words), "✓" if rate.reached else "✗")
-        if rate.required
-        else (words.say(_RATES[name]), *_numbers(rate, words), "")
-        for name, rate in found.rates.items()
-    ]
-    named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return table_text(named, rows, right={1, 2, 3, 4, 5})
-
-
-def _kinds(found: "GraderEvaluation", policy: "Policy", words: Words) -> str:
+def _kinds(found: "GraderEvaluation", policy: "Policy", words: Words, layout: Layout) -> str:
     titles = {kind.value: slip.title for kind, slip in policy.slips.kinds.items()}
     own = words.say(message("declared beside the formula"))
     heads = (message("kind of slip"), message("named"), message("of"), message("share, %"))
     named = {
         kind: titles[kind].of(words.language) if kind in titles else own for kind in found.by_kind
     }
-    rows = [(named[kind], *list(_numbers(rate, words))[:3]) for kind, rate in found.by_kind.items()]
-    return table_text([words.say(one) for one in heads], rows, right={1, 2, 3})
+    rows = [(named[kind], *rate_cells(rate, words)[:3]) for kind, rate in found.by_kind.items()]
+    return layout([words.say(one) for one in heads], rows, {1, 2, 3})
 
 
-def _strategies(found: "GraderEvaluation", words: Words) -> Iterator[str]:
+def _strategies(found: "GraderEvaluation", words: Words, layout: Layout) -> Iterator[str]:
     """Yield the table of what works earn that compute nothing, where some were judged."""
     if not found.strategies:
         return
@@ -160,35 +155,15 @@ def _strategies(found: "GraderEvaluation", words: Words) -> Iterator[str]:
         (
             words.say(_STRATEGIES[one.strategy.value]),
             str(one.works),
-            _percent(one.mean, words),
-            _percent(one.most, words),
-            f"≤ {_percent(allowed, words)}",
+            percent(one.mean, words),
+            percent(one.most, words),
+            f"≤ {percent(allowed, words)}",
             "✓" if one.mean <= allowed else "✗",
         )
         for one in found.strategies
     ]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    yield table_text(named, rows, right={1, 2, 3, 4})
-
-
-def _numbers(rate: "Rate", words: Words) -> Iterator[str]:
-    low, high = rate.interval
-    yield str(rate.hits)
-    yield str(rate.total)
-    yield _percent(rate.share, words)
-    yield f"{_percent(low, words)} … {_percent(high, words)}"
-    yield "".join(_limits(rate, words))
-
-
-def _limits(rate: "Rate", words: Words) -> Iterable[str]:
-    if rate.at_most is not None:
-        yield f"≤ {_percent(rate.at_most, words)}"
-    if rate.at_least is not None:
-        yield f"≥ {_percent(rate.at_least, words)}"
-
-
-def _percent(share: float, words: Words) -> str:
-    return words.number(100 * share, 3)
+    yield layout(named, rows, {1, 2, 3, 4})
 
 
 def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
@@ -247,15 +222,15 @@ def _audited(one: "AuditedBand", words: Words) -> tuple[str, ...]:
         str(tally.answers),
         str(tally.refused),
         _band(one.now, one, words),
-        _percent(tally.accepted / tally.slips, words) if tally.slips else "",
+        percent(tally.accepted / tally.slips, words) if tally.slips else "",
         _band(one.proposed, one, words) if one.changes else "",
-        _percent(one.price, words) if tally.slips else "",
-        _percent(tally.widest, words),
+        percent(one.price, words) if tally.slips else "",
+        percent(tally.widest, words),
     )
 
 
 def _band(tolerance: "Tolerance", one: "AuditedBand", words: Words) -> str:
-    relative = f"{_percent(tolerance.relative, words)} %"
+    relative = f"{percent(tolerance.relative, words)} %"
     if not one.by_absolute:
         return relative
     unit = unit_text(one.quantity.unit, words.language)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli.loudness import is_quiet
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import write_text
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, Texts, Words, message
 
@@ -222,7 +223,28 @@ def check_text(checked: "CheckedWorkbook", words: Words) -> str:
     heads = ("", message("quantity"), message("your answer"), message("unit"), message("check"))
     lines = [words.say(remark) for remark in checked.remarks]
     named = [one if isinstance(one, str) else words.say(one) for one in heads]
-    return "\n".join([*lines, table_text(named, rows, right={2})])
+    return "\n".join([*lines, table_text(named, rows, right={2}), *_sections_text(checked, words)])
+
+
+def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
+    """Yield what is said of sections, or why nothing is."""
+    if not checked.sections:
+        yield words.say(
+            message(
+                "Whether numbers follow from each other is told by your department's server, a few "
+                "times to each student."
+            )
+            if checked.left is None
+            else message("Whether numbers follow from each other will not be told again.")
+        )
+        return
+    titles = {one.id: one.title for one in checked.plan.course.sections}
+    rows = [
+        (_title(titles[one.section], words), words.say(one.message)) for one in checked.sections
+    ]
+    heads = (message("section"), message("check"))
+    yield table_text([words.say(one) for one in heads], rows, right=set())
+    yield words.say(message("Checks of this kind that are left: {count}.", count=checked.left or 0))
 
 
 def json_text(plain: object) -> str:
@@ -242,11 +264,15 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
     return "\n".join(lines)
 
 
-def write_incident(trace: str) -> Path:
-    """Write a traceback where a user can find it, and return where."""
+def write_incident(trace: str) -> Path | None:
+    """Write a traceback where a user can find it, and return where; None where nothing can be."""
     number = hashlib.sha256(trace.encode()).hexdigest()[:8]
     path = Path(tempfile.gettempdir()) / f"gripcourse-incident-{number}.log"
-    path.write_text(trace, encoding="utf-8")
+    # The folder is everybody's: not through a link that somebody laid there, and for nobody else.
+    try:
+        write_text(path, trace, private=True)
+    except OSError:
+        return None
     return path
 
 

@@ -11,6 +11,7 @@ from gripcourse.cli.loudness import confirm
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
+    PROCESSORS,
     CountOption,
     CourseOption,
     DateOption,
@@ -20,6 +21,7 @@ from gripcourse.cli.options import (
     SchemeOption,
     SeedOption,
     TableOption,
+    WorkersOption,
     course_folder,
     day_of,
     document_language,
@@ -43,6 +45,10 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     freely: Annotated[
         bool, typer.Option("--freely", help="Do not keep the variants apart from each other.")
     ] = False,
+    apart_from: Annotated[
+        Path | None,
+        typer.Option("--apart-from", help="A table to keep apart from, as of last year."),
+    ] = None,
     out: OutTableOption = Path("variants.csv"),
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -51,9 +57,11 @@ def draw(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.course.load import load_course
     from gripcourse.usecases.variants import draw_table
 
+    if freely and apart_from is not None:
+        raise cli_text.misuse(message("--freely and --apart-from exclude each other."))
     words = words_for(language)
     loaded = load_course(course_folder(course))
-    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely)
+    drawn = draw_table(loaded, count, seed, scheme, out, freely=freely, apart_from=apart_from)
     confirm(cli_text.drawn_text(drawn, out, words))
 
 
@@ -112,6 +120,7 @@ def audit(  # noqa: PLR0913 (one parameter per option)
     scheme: SchemeOption = None,
     out: OutOption = Path("audit"),
     on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
@@ -124,9 +133,9 @@ def audit(  # noqa: PLR0913 (one parameter per option)
     loaded = load_course(course_folder(course))
     document = Words(document_language(language, loaded.language))
     audited = (
-        audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on))
+        audit_table(loaded, table or main_table(loaded.root), out, document, day_of(on), workers)
         if drawn is None
-        else audit_drawn(loaded, drawn, seed, scheme, out, document, day_of(on))
+        else audit_drawn(loaded, drawn, seed, scheme, out, document, day_of(on), workers)
     )
     confirm(cli_text.audit_text(audited, words_for(language)))
     raise typer.Exit(DONE if audited.audit.passed else NEEDS_PERSON)

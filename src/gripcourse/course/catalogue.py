@@ -1,7 +1,8 @@
 """Catalogues: CSV files of standard sizes, with their source and mark on top.
 
 Two lines `# source: …` and `# mark: …`, in other languages too if somebody translated them
-(`# source.ru: …`), a heading such as `size [mm],mass [kg]`, then the rows.
+(`# source.ru: …`); what students call it, `# title: …`, and its columns, `# column.mass: …`; a
+heading such as `size [mm],mass [kg]`, then the rows.
 """
 
 import csv
@@ -39,7 +40,16 @@ def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue
         name: values[:, number] * factor(unit) for number, (name, unit) in enumerate(units.items())
     }
     source = Texts({language: _source(remarks, language) for language in LANGUAGES})
-    return Catalogue(path.stem, columns, units, source, file)
+    named = {name: _written(remarks, f"column.{name}") for name in units}
+    return Catalogue(
+        id=path.stem,
+        columns=columns,
+        units=units,
+        source=source,
+        file=file,
+        title=_written(remarks, "title"),
+        headings={name: written for name, written in named.items() if written is not None},
+    )
 
 
 def _lines(path: Path, file: str, problems: list[Problem]) -> list[str] | None:
@@ -60,6 +70,13 @@ def _lines(path: Path, file: str, problems: list[Problem]) -> list[str] | None:
 def _source(remarks: Mapping[str, str], language: str) -> str:
     source, mark = (remarks.get(f"{name}.{language}", remarks[name]) for name in _REMARKS)
     return f"{source} ({mark})"
+
+
+def _written(remarks: Mapping[str, str], name: str) -> Texts | None:
+    """Return a remark in every language, in English where nobody translated it."""
+    if not remarks.get(name):
+        return None
+    return Texts({one: remarks.get(f"{name}.{one}", remarks[name]) for one in LANGUAGES})
 
 
 def columns_of(catalogues: Mapping[str, Catalogue]) -> dict[str, Column]:

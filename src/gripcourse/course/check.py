@@ -16,7 +16,9 @@ from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_options import check_option_names, check_option_rules
 from gripcourse.course.check_series import check_series
+from gripcourse.course.check_symbols import check_symbols
 from gripcourse.course.check_view import check_view
+from gripcourse.course.columns_read import check_titles
 from gripcourse.course.compose import all_part_ids, compose, declaring_files, part_ids, used_names
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.option_sets import option_sets, pair_option_sets
@@ -26,7 +28,7 @@ from gripcourse.formula.evaluate import Column
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.units import known as known_unit
-from gripcourse.text.words import LANGUAGES, message
+from gripcourse.text.words import message
 
 
 def check_course(
@@ -53,6 +55,7 @@ def check_course(
             found += _check_scheme(course, scheme, tables, seen, thorough=thorough)
     found += _check_used_parts(course)
     found += _check_columns(course)
+    found += check_titles(course)
     found += check_notes(course)
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
@@ -95,9 +98,9 @@ def _check_scheme(
         elif _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
             yield from check_graph(scheme, quantities)
         yield from check_series(new, tables.columns, tables.dimensions)
-        yield from _check_symbols(scheme, quantities, seen)
+        yield from check_symbols(scheme, quantities, seen)
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
-    yield from check_diagram_use(scheme)
+    yield from check_diagram_use(scheme, every)
     if _units_known(every.values()):
         yield from check_view(scheme, every, tables.dimensions, _view_parts(course))
     yield from check_example(course, scheme)
@@ -279,33 +282,3 @@ def _is_readable(quantities: Iterable[Quantity]) -> bool:
 
 def _rubric_exists(course: Course, rubric: str) -> bool:
     return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()
-
-
-def _check_symbols(
-    scheme: Scheme, quantities: Mapping[str, Quantity], told: set[object]
-) -> Iterator[Problem]:
-    """Yield every symbol that two quantities share; `told` are those of earlier compositions."""
-    doubled: dict[tuple[str, str, str], list[str]] = {}
-    for language in LANGUAGES:
-        seen: dict[str, str] = {}
-        for one in quantities.values():
-            symbol = one.symbol.of(language)
-            if symbol and symbol in seen:
-                doubled.setdefault((one.id, seen[symbol], symbol), []).append(language)
-            seen[symbol] = one.id
-    for (name, other, symbol), languages in doubled.items():
-        if (name, other, symbol, *languages) in told:
-            continue
-        told.add((name, other, symbol, *languages))
-        yield Problem(
-            quantities[name].file,
-            f"quantity.{name}.symbol",
-            message(
-                "'{symbol}' ({language}) is the symbol of {other} too, in {scheme}.",
-                symbol=symbol,
-                language=", ".join(languages),
-                other=other,
-                scheme=scheme.id,
-            ),
-            message("Give each quantity a symbol of its own."),
-        )

@@ -89,11 +89,19 @@ def _facts(
     return scheme, units, tuple(element.is_drawn(options) for element in diagram.elements)
 
 
-def check_diagram_use(scheme: Scheme) -> Iterator[Problem]:
-    """Yield points that no element uses, and options that the scheme does not have."""
+def check_diagram_use(scheme: Scheme, every: Mapping[str, Quantity]) -> Iterator[Problem]:
+    """Yield points that no element uses, options and quantities that the scheme does not have.
+
+    Args:
+        scheme: with its diagram, if it has one.
+        every: quantity that the scheme has with any options.
+    """
     diagram = scheme.diagram
     if diagram is None:
         return
+    for name in diagram.nominal.keys() - every.keys():
+        what = message("There is no quantity '{name}'.", name=name)
+        yield Problem(diagram.file, f"nominal.{name}", what, did_you_mean(name, every))
     used = {name for one in diagram.elements for names_ in one.points.values() for name in names_}
     for name in diagram.points:
         if name not in used:

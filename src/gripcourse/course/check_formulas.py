@@ -6,7 +6,7 @@ import numpy as np
 
 from gripcourse.course.check_bare import bare_numbers
 from gripcourse.course.check_guards import check_guard
-from gripcourse.course.check_slips import slip_faults
+from gripcourse.course.check_slips import alternative_faults, slip_faults
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
@@ -64,6 +64,7 @@ def check_formulas(
                     caret(formula.text, fault.span),
                 )
         yield from slip_faults(one, columns)
+        yield from alternative_faults(one, columns)
         yield from check_guard(one)
 
 
@@ -80,6 +81,8 @@ def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
     for printed in one.as_printed:
         if printed.formula is not None:
             yield f"as_printed.{printed.erratum}", printed.formula, False
+    for other in one.alternatives:
+        yield f"alternative.{other.id}", other.formula, False
 
 
 def _is_condition(formula: Formula) -> bool:

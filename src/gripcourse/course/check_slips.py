@@ -1,14 +1,19 @@
-"""Checking declared slips: one that computes the right value would punish the right answer."""
+"""Checking declared slips and alternatives: what differs in nothing from the formula is neither.
 
-from collections.abc import Iterator, Mapping
+A slip that computes the right value would punish the right answer, one that computes that of an
+accepted reading would never be named.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.quantity import Quantity, Slip
+from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column, evaluate
+from gripcourse.formula.tree import Formula
 from gripcourse.text.units import known
 from gripcourse.text.words import message
 
@@ -17,6 +22,16 @@ _WIDE_SAMPLES: Final = 48
 _DECADES: Final = (-1.0, 4.0)  # of SI units: what the columns of catalogues hold
 _ENOUGH: Final = 4  # samples at which both have a value
 _SAME: Final = 1e-9
+_NO_OWN_ID: Final = {
+    "slip": (
+        message("The slip has no id of its own."),
+        message("Give each slip of a quantity another id."),
+    ),
+    "alternative": (
+        message("The alternative has no id of its own."),
+        message("Give each alternative of a quantity another id."),
+    ),
+}
 
 
 def slip_faults(one: Quantity, columns: Mapping[str, Column]) -> Iterator[Problem]:
@@ -26,39 +41,64 @@ def slip_faults(one: Quantity, columns: Mapping[str, Column]) -> Iterator[Proble
         one: whose slips; its formulas have passed their own checks or are reported there.
         columns: catalogue columns, SI.
     """
-    seen: set[str] = set()
+    yield from _shared_ids(one, "slip", (slip.id for slip in one.slips))
     for slip in one.slips:
         key = f"quantity.{one.id}.slip.{slip.id}"
-        if _equals_formula(one, slip, columns):
+        if one.formula is not None and same_value(one, one.formula, slip.formula, columns):
             yield Problem(
                 one.file,
                 key,
                 message("The slip equals the right formula."),
                 message("Write the wrong method, or remove the slip."),
             )
-        if slip.id and slip.id in seen:
+
+
+def alternative_faults(one: Quantity, columns: Mapping[str, Column]) -> Iterator[Problem]:
+    """Yield the problems of the other readings of a quantity; see `slip_faults`."""
+    yield from _shared_ids(one, "alternative", (other.id for other in one.alternatives))
+    for other in one.alternatives:
+        key = f"quantity.{one.id}.alternative.{other.id}"
+        if one.formula is not None and same_value(one, one.formula, other.formula, columns):
             yield Problem(
                 one.file,
                 key,
-                message("The slip has no id of its own."),
-                message("Give each slip of a quantity another id."),
+                message("The alternative equals the formula."),
+                message("Write the other reading, or remove the alternative."),
             )
-        seen.add(slip.id)
+        for slip in one.slips:
+            if same_value(one, slip.formula, other.formula, columns):
+                yield Problem(
+                    one.file,
+                    key,
+                    message("The alternative equals the slip '{slip}'.", slip=slip.id),
+                    message("Remove one of them: an answer is a mistake or another reading."),
+                )
 
 
-def _equals_formula(one: Quantity, slip: Slip, columns: Mapping[str, Column]) -> bool:
-    """Tell whether a slip computes the right value, however it is written."""
-    if one.formula is None:
-        return False
-    if slip.formula.tree == one.formula.tree:
+def _shared_ids(one: Quantity, sort: str, ids: Iterable[str]) -> Iterator[Problem]:
+    """Yield a problem for each id that an earlier slip, or an earlier alternative, has too."""
+    seen: set[str] = set()
+    what, remedy = _NO_OWN_ID[sort]
+    for id_ in ids:
+        if id_ and id_ in seen:
+            yield Problem(one.file, f"quantity.{one.id}.{sort}.{id_}", what, remedy)
+        seen.add(id_)
+
+
+def same_value(
+    one: Quantity, first: Formula, second: Formula, columns: Mapping[str, Column]
+) -> bool:
+    """Tell whether two formulas of a quantity compute one value, however they are written."""
+    if first.tree == second.tree:
         return True
-    if not known(one.unit) or any(not known(unit) for unit in one.formula.units.values()):
+    units = (*first.units.values(), *second.units.values())
+    if not known(one.unit) or any(not known(unit) for unit in units):
         return False
     try:
-        names = {*one.formula.names, *slip.formula.names}
+        names = {*first.names, *second.names}
         values = {name: _scattered(name) for name in sorted(names)}
-        right = evaluate(one.formula, one.unit, values, columns)
-        wrong = evaluate(slip.formula, one.unit, values, columns)
+        right = evaluate(first, one.unit, values, columns)
+        wrong = evaluate(second, one.unit, values, columns)
     except KeyError:  # a name or a catalogue that does not exist is reported by itself
         return False
     both = np.isfinite(right) & np.isfinite(wrong)

@@ -74,10 +74,11 @@ def _unknown_parts(view: View, parts: Collection[str]) -> Iterator[Problem]:
     """Yield what is met but is not there; a shared part may meet what other views have."""
     own = {part.id for part in view.parts}
     for part in view.parts:
-        for name in part.meets:
+        named = [("meets", name) for name in part.meets]
+        for key, name in (*named, *(("touches", name) for name in part.touches)):
             if name not in (own if part.file == view.file else parts):
                 what = message("The view has no part '{name}'.", name=name)
-                yield Problem(part.file, f"{part.key}.meets", what, did_you_mean(name, own))
+                yield Problem(part.file, f"{part.key}.{key}", what, did_you_mean(name, own))
 
 
 def _reference_faults(
@@ -145,6 +146,8 @@ def _part_places(part: ViewPart) -> Iterator[Place]:
     yield from _lengths(part.file, f"{part.key}.mark", part.mark)
     if part.count is not None:
         yield part.file, f"{part.key}.count", part.count, _COUNT
+    if part.enters is not None:
+        yield part.file, f"{part.key}.enters", part.enters, "mm"
     yield from _lengths(part.file, f"{part.key}.depth", part.depth)
     for shape in part.shapes:
         for name, expressions in shape.needs.items():

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 
-from gripcourse.course.quantity import AsPrinted, Choice, Rounding, Slip
+from gripcourse.course.quantity import Alternative, AsPrinted, Choice, Rounding, Slip
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.course.written_formula import read_formula
@@ -89,6 +89,17 @@ def read_slips(table: Table, units: Mapping[str, str]) -> tuple[Slip, ...]:
 def read_versions(table: Table, units: Mapping[str, str]) -> tuple[AsPrinted, ...]:
     """Read the versions of a quantity that sources print."""
     return tuple(_as_printed(printed, units) for printed in table.tables("as_printed"))
+
+
+def read_alternatives(table: Table, units: Mapping[str, str]) -> tuple[Alternative, ...]:
+    """Read the other honest readings of a quantity."""
+    return tuple(_alternative(one, units) for one in table.tables("alternative"))
+
+
+def _alternative(table: Table, units: Mapping[str, str]) -> Alternative:
+    table.known_keys()
+    formula = _wrong_formula(table, units) or Formula("0", parse("0"), {})
+    return Alternative(table.text("id"), formula, table.texts("remark"))
 
 
 def _slip(table: Table, units: Mapping[str, str]) -> Slip:

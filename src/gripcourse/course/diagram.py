@@ -67,12 +67,15 @@ class Diagram:
         axis: the coordinate that runs along the axis, `x` or `y`.
         points: points that the kinematics does not have: along the axis, across it.
         elements: in the order in which they are drawn.
+        nominal: values of quantities in declared units, to which an assignment shows the type of
+            the mechanism; what is not among them is as in the worked example.
         file: for messages.
     """
 
     axis: str
     points: Mapping[str, tuple[Formula, Formula]]
     elements: tuple[Element, ...]
+    nominal: Mapping[str, float]
     file: str
 
 
@@ -102,6 +105,7 @@ def read_diagram(
         elements=tuple(
             _on_its_sides(one, symmetric=symmetric) for one in (*_elements(table), *shared)
         ),
+        nominal=table.numbers("nominal", {}),
         file=table.file,
     )
 
@@ -148,7 +152,11 @@ def _element(table: Table) -> Element | None:
     quantities = [table.text(name, role.default) for name, role in of[Sort.QUANTITY].items()]
     return Element(
         kind=kind,
-        points={name: (table.text(name),) for name in of[Sort.POINT]}
+        points={
+            name: (table.text(name),)
+            for name, role in of[Sort.POINT].items()
+            if table.has(name) or role.default is None
+        }
         | {name: _names(table, name) for name in of[Sort.POINTS]},
         sizes={name: _size(table, name, role) for name, role in written.items()},
         words={name: _one_of(table, name, role.words) for name, role in of[Sort.WORD].items()},

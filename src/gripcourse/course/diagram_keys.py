@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
-from gripcourse.course.shape import Key, Shape, by_name, flag, other, strings, tables, text
+from gripcourse.course.shape import Key, Shape, by_name, flag, number, other, strings, tables, text
 
 _POINT: Final = {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}
 _SIZE: Final = {"type": ["string", "number"]}
@@ -59,6 +59,11 @@ DIAGRAM: Final = Shape(
         "point": by_name(
             "Points that the kinematics does not have, by name.",
             other("Two formulas: along the axis, across it.", _POINT),
+        ),
+        "nominal": by_name(
+            "The mechanism as assignments show it, the same for all variants: values of "
+            "quantities, where they are not those of the worked example.",
+            number("In the declared unit."),
         ),
         **SHARED_DIAGRAM.keys,
     }

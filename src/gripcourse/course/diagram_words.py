@@ -29,7 +29,7 @@ class Role:
     Attributes:
         sort: what it holds.
         default: where it is not written; None where it must be, empty where it may be absent:
-            a size may then also name quantities that not all variants have.
+            a size may then also name quantities that not all variants have, and a point is none.
         words: of a WORD, the first is the default.
     """
 
@@ -146,6 +146,7 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "moment": _single(at=_POINT, quantity=_SYMBOL, radius=_number(5), start=_turn("-pi/3"),
                       sweep=_turn("1.5*pi")),
     "length": _single(through=_POINTS, quantity=_SYMBOL, shift=_number(0),
+                      past=_if_any(Sort.POINT),
                       along=Role(Sort.WORD, words=("line", "x", "y"))),
     "angle": _single(at=_POINT, start=_ANGLE, sweep=_ANGLE, quantity=_SYMBOL,
                      radius=_number(12)),
@@ -153,5 +154,6 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "diameter": _single(at=_POINT, diameter=_LENGTH, turn=_ANGLE, quantity=_SYMBOL,
                         long=_number(6)),
     "letter": _single(at=_POINT, quantity=_SYMBOL),
+    "joint_name": _single(at=_POINT, name=Role(Sort.WORD, words=("A", "B", "C", "D"))),
     "end_view": _single(count=_number(3), quantity=Role(Sort.QUANTITY, "")),
 }  # fmt: skip

@@ -11,6 +11,7 @@ from gripcourse.course.quantity_keys import CONSTANT, OVERRIDES, QUANTITIES, SOU
 from gripcourse.course.shape import (
     Shape,
     by_name,
+    flag,
     number,
     other,
     strings,
@@ -51,6 +52,7 @@ COURSE: Final = Shape(
         "id": text("Short name; it goes into signatures.", required=True),
         "language": text("Of students' documents, where the roster says no other.", *LANGUAGES,
                          required=True),
+        "address": text("Of its page in the web: where the code on an assignment leads to."),
         "convention": text("Whose version of a formula is the reference.", *Convention),
         "title": texts("Of the course or the assignment.", required=True),
         "section": tables(
@@ -66,7 +68,14 @@ COURSE: Final = Shape(
             "Works that declarations cite, by id.",
             table(
                 "A work.",
-                {"title": texts("As it is cited.", required=True), "equations": EQUATIONS},
+                {
+                    "title": texts("As it is cited.", required=True),
+                    "equations": EQUATIONS,
+                    "at_hand": flag(
+                        "Whether students have it; if not, the formulas that are cited from it are "
+                        "printed with their assignments. True where not written."
+                    ),
+                },
             ),
         ),
         "constant": by_name("Numbers of the course, by id.", table("A constant.", CONSTANT)),

@@ -25,7 +25,9 @@ from gripcourse.course.view import View
 from gripcourse.course.view_keys import SHARED_VIEW
 from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
+from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.kept import digest_of, keep, read_kept
+from gripcourse.machine.resources import COURSE_FOLDERS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
 
@@ -46,6 +48,9 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
+    strange = strange_files(root, COURSE_FOLDERS)
+    if strange:
+        raise CourseError(strange)
     digest = course_digest(root)
     kept = None if digest is None else _kept(digest)
     if kept is not None:
@@ -85,7 +90,9 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
         The course, None where a file could not be read at all (whoever checked a course with such a
         gap would report everything that uses what is missing); and all problems of single files.
     """
-    problems: list[Problem] = []
+    problems = strange_files(root, COURSE_FOLDERS)
+    if problems:
+        return None, problems
     folder = root / VARIANTS
     table = read_toml(folder / "course.toml", root, problems, COURSE)
     if table is None:
@@ -109,6 +116,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
             positions=read_positions(table),
             notes=read_notes(table),
             root=root,
+            address=table.text("address", ""),
         )
     )
     is_whole = errata is not None and _is_whole(course, folder)
@@ -231,7 +239,12 @@ def _section(table: Table) -> Section:
 
 def _works(table: Table) -> dict[str, Work]:
     return {
-        name: Work(name, inner.texts("title"), read_equations(inner.table("equations")))
+        name: Work(
+            name,
+            inner.texts("title"),
+            read_equations(inner.table("equations")),
+            at_hand=inner.flag("at_hand", default=True),
+        )
         for name, inner in table.named_tables("work").items()
     }
 

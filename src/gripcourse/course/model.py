@@ -146,11 +146,13 @@ class Work:
         id: short name in declarations.
         title: of a published work the same in every language, which is the work's own.
         equations: its numbered equations, none where the course does not list them.
+        at_hand: whether students have it; what is cited from another is printed for them.
     """
 
     id: str
     title: Texts
     equations: Equations
+    at_hand: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,6 +165,8 @@ class Catalogue:
         units: declared unit of each column.
         source: standard and edition, and how the numbers were obtained.
         file: where it was read.
+        title: what students call it, None where nobody wrote it.
+        headings: what students call its columns, by name; none for a column that is not theirs.
     """
 
     id: str
@@ -170,6 +174,8 @@ class Catalogue:
     units: Mapping[str, str]
     source: Texts
     file: str
+    title: Texts | None
+    headings: Mapping[str, Texts]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -190,6 +196,7 @@ class Course:
         positions: of the drive, that schemes may have, by id in order.
         notes: sentences that its documents print.
         root: the folder with `variants`, `templates` and `grader`.
+        address: of its page in the web, that the code on a sheet leads to; empty for none.
     """
 
     id: str
@@ -206,6 +213,7 @@ class Course:
     positions: Mapping[str, JointPosition]
     notes: tuple[CourseNote, ...]
     root: Path
+    address: str
 
     @property
     def conventions(self) -> tuple[Convention, ...]:

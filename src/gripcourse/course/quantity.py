@@ -100,6 +100,21 @@ class AsPrinted:
 
 
 @dataclass(frozen=True, slots=True)
+class Alternative:
+    """Another honest reading of a quantity: it earns full credit, with a remark.
+
+    Attributes:
+        id: its name, unique among those of the quantity.
+        formula: what that reading computes; of a CHOICE the value that the entry must not be below.
+        remark: for the student: how it was read, and how the sheet means it.
+    """
+
+    id: str
+    formula: Formula
+    remark: Texts
+
+
+@dataclass(frozen=True, slots=True)
 class Choice:
     """The rule of a design decision.
 
@@ -131,6 +146,11 @@ class Quantity:
         unit: declared unit in the spelling of `units`; empty for a plain number.
         title: its name in words.
         explain: a sentence on how to think about it, None where there is nothing to add.
+        decides: what decides the answer where title and symbol leave it open, for the sheet and
+            the workbook: position, convention, sign, rule; None where nothing is left open.
+        note_decides: whether the note of the source says it, or a part of it.
+        formula_decides: whether its formula is no task but a convention, as of an overall size,
+            and stands beside it.
         source: where it comes from.
         formula: computes a FORMULA or PICK; the condition of a VERDICT; for a CHOICE the value
             that the chosen entry must not be below; None for the others.
@@ -144,6 +164,7 @@ class Quantity:
         integer: whether only whole numbers make sense.
         slips: anticipated wrong methods.
         as_printed: errata of the sources.
+        alternatives: other honest readings.
         must_hold: of a VERDICT, whether a variant in which the answer is no is refused; False for
             the others.
         rubric: id of the rubric of a MANUAL item, empty for the others.
@@ -159,6 +180,9 @@ class Quantity:
     unit: str
     title: Texts
     explain: Texts | None
+    decides: Texts | None
+    note_decides: bool
+    formula_decides: bool
     source: Source
     formula: Formula | None
     choice: Choice | None
@@ -171,6 +195,7 @@ class Quantity:
     integer: bool
     slips: tuple[Slip, ...]
     as_printed: tuple[AsPrinted, ...]
+    alternatives: tuple[Alternative, ...]
     must_hold: bool
     rubric: str
     file: str
@@ -204,3 +229,5 @@ class Quantity:
         for printed in self.as_printed:
             if printed.formula is not None:
                 yield printed.formula
+        for other in self.alternatives:
+            yield other.formula

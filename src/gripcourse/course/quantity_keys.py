@@ -80,6 +80,16 @@ _AS_PRINTED: Final = Shape(
         "note": texts("What is wrong with it, for the remark.", required=True),
     }
 )
+_ALTERNATIVE: Final = Shape(
+    {
+        "id": text("Its name, unique among those of the quantity.", required=True),
+        "formula": text(
+            "What that reading computes; of a choice what the entry must not be below.",
+            required=True,
+        ),
+        "remark": texts("What the student reads beside the full points.", required=True),
+    }
+)
 
 _COMMON: Final = {
     "section": text("Id of the section of the assignment.", required=True),
@@ -88,6 +98,15 @@ _COMMON: Final = {
     "unit": text("Declared unit as in units.csv; empty for a plain number.", required=True),
     "title": texts("Its name in words.", required=True),
     "explain": texts("A sentence on how to think about it."),
+    "decides": texts(
+        "What decides the answer where its name leaves it open: position, convention, sign, rule. "
+        "Printed beside it on the sheet and in the workbook."
+    ),
+    "note_decides": flag("Whether the note of the source is printed there too."),
+    "formula_decides": flag(
+        "Whether the formula itself is printed there: it is a convention and no task, as that of "
+        "an overall size."
+    ),
     "source": table("Where it comes from.", SOURCE, required=True),
 }
 _BOUNDED: Final = {
@@ -103,6 +122,9 @@ _JUDGED: Final = {
     ),
     "slip": tables("Anticipated wrong methods.", _SLIP),
     "as_printed": tables("Versions that a source prints and that are not right.", _AS_PRINTED),
+    "alternative": tables(
+        "Other honest readings: full credit, a remark, carried on.", _ALTERNATIVE
+    ),
     "evaluated_in": by_name(
         "Of an empirical formula: the unit in which each name enters.",
         text("A unit.", required=True),

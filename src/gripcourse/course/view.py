@@ -125,8 +125,11 @@ class ViewPart:
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
+        touches: parts that it may press into by a fraction of a millimetre: what it holds.
+        enters: how much deeper than that it may, in millimetres; None for no deeper.
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
+        density: kg/m³ of what its outline holds; 0 for that of the view.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -141,9 +144,12 @@ class ViewPart:
     mark: tuple[Expression, ...]
     moves: bool
     meets: tuple[str, ...]
+    touches: tuple[str, ...]
+    enters: Formula | None
     positions: tuple[str, ...]
     placed_at: str
     depth: tuple[Expression, ...]
+    density: float
     shapes: tuple[ViewShape, ...]
     file: str
     key: str
@@ -199,6 +205,9 @@ class View:
         measures: by name.
         parts, dimensions, labels: in order.
         characteristics: quantities that stand beside the drawing.
+        requirements: sentences that stand there.
+        density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
+        around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
 
@@ -211,4 +220,7 @@ class View:
     dimensions: tuple[ViewDimension, ...]
     labels: tuple[ViewLabel, ...]
     characteristics: tuple[str, ...]
+    requirements: tuple[Texts, ...]
+    density: float
+    around: Formula | None
     file: str

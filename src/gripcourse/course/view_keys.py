@@ -8,6 +8,7 @@ from gripcourse.course.shape import (
     Shape,
     by_name,
     flag,
+    number,
     other,
     strings,
     tables,
@@ -73,8 +74,11 @@ _PART: Final = Shape(
         "mark": other("Where the leader of its position ends.", _TWO),
         "moves": flag("Whether the other position of the view shows it too."),
         "meets": strings("Parts that it may overlap: a pin in its hole, teeth in mesh."),
+        "touches": strings("Parts that it may press into by 0.2 mm: what it holds."),
+        "enters": text("Formula: how much deeper than that it may."),
         "body": flag("Whether its figures are solid: absent is true for those with an inside."),
         "depth": _DEPTH,
+        "density": number("kg/m³ of what its outline holds; absent: that of the view."),
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
@@ -99,6 +103,7 @@ _LABEL: Final = Shape(
         "face": _FACE,
     }
 )
+_REQUIREMENT: Final = Shape({"text": texts("A sentence.", required=True)})
 SHARED_VIEW: Final = Shape(
     {
         "length": by_name("Lengths of the drawing, by name.", _MEASURE),
@@ -107,6 +112,7 @@ SHARED_VIEW: Final = Shape(
         "part": tables("Parts, the later over the earlier.", _PART),
         "dimension": tables("Dimensions.", _DIMENSION),
         "label": tables("Words on leader lines.", _LABEL),
+        "requirement": tables("Technical requirements, beside the drawing.", _REQUIREMENT),
     }
 )
 VIEW: Final = Shape(
@@ -117,6 +123,8 @@ VIEW: Final = Shape(
         "upright": flag("Whether the axis stands upright."),
         "bodies": flag("Whether its parts are bodies that must not go through one another."),
         "other": text("Position that moving parts are shown in by thin lines too."),
+        "density": number("Of what its bodies are made of, kg/m³; absent: the mass is not told."),
+        "around": text("Formula: how many of what is mirrored stand round the axis; absent: two."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,
     }

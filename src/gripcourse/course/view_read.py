@@ -25,7 +25,7 @@ from gripcourse.course.view import (
 from gripcourse.formula.parse import FormulaFault, caret, parse
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, Texts, message
 
 
 def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
@@ -46,6 +46,9 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         dimensions=tuple(one for view in views for one in view.dimensions),
         labels=tuple(one for view in views for one in view.labels),
         characteristics=table.strings("characteristics"),
+        requirements=tuple(one for view in views for one in view.requirements),
+        density=table.number("density", 0.0),
+        around=_formula(table, "around", table.text("around")) if table.has("around") else None,
         file=table.file,
     )
     return view if len(views) == len(named) else None
@@ -78,6 +81,9 @@ def _read(table: Table) -> View:
         dimensions=tuple(_dimension(one) for one in table.tables("dimension")),
         labels=tuple(_label(one) for one in table.tables("label")),
         characteristics=(),
+        requirements=tuple(_requirement(one) for one in table.tables("requirement")),
+        density=0.0,
+        around=None,
         file=table.file,
     )
 
@@ -114,9 +120,12 @@ def _part(table: Table) -> ViewPart:
         mark=() if nameless else _expressions(table, "mark", Need.POINT),
         moves=table.flag("moves"),
         meets=table.strings("meets"),
+        touches=table.strings("touches"),
+        enters=_formula(table, "enters", table.text("enters")) if table.has("enters") else None,
         positions=table.strings("positions"),
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),
+        density=table.number("density", 0.0),
         shapes=shapes,
         file=table.file,
         key=table.key,
@@ -199,6 +208,11 @@ def _label(table: Table) -> ViewLabel:
         file=table.file,
         key=table.key,
     )
+
+
+def _requirement(table: Table) -> Texts:
+    table.known_keys()
+    return table.texts("text")
 
 
 def _expressions(table: Table, name: str, need: Need) -> tuple[Expression, ...]:

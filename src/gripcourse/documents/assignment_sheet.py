@@ -4,15 +4,18 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.model import Course, Section
-from gripcourse.course.note import NotedDocument, notes_of
-from gripcourse.course.quantity import Convention, Kind, Quantity, Tolerance
-from gripcourse.documents.pdf import Document, picture, render_fitting
+from gripcourse.course.quantity import Kind, Quantity, Tolerance
+from gripcourse.documents.appendix import appendix_of, cited_tables
+from gripcourse.documents.assignment_rules import course_notes, hand_in, judging_rules
+from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
+from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.issuing.seal import seal_of, seal_svg
 from gripcourse.policy.model import Policy
+from gripcourse.solver.asked import deciding
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import NO_BREAK_SPACE, day_text, percent_text, points_text
+from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, percent_text
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
@@ -24,11 +27,11 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 _CONTROL_LETTERS = 12
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
-_PAGES = 2  # one sheet of paper
-# Prints, the largest first; more quantities, or a diagram that takes more of the page's height, do
-# not fit in the first, so there is no need to try it. In the last a section may go on overleaf.
-_DENSITIES = ("", "dense", "dense long", "dense long torn")
-_CROWDED, _HIGH = 105, 58.0
+# Prints by how much there is to read, in letters. The first leaves the appendix a page of its own;
+# in the others, of more than two pages, it follows at once: no page stays half empty.
+_SOME, _MUCH = 6_000, 10_500
+_PRINTS = ("", "dense running", "dense long running")
+_LETTERS_OF_ROW = 8  # that a symbol and the gap beside it take
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
 
@@ -93,7 +96,10 @@ class SheetTask:
 def assignment_sheet(
     issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
 ) -> bytes:
-    """Make the assignment sheet of a student as a PDF file of one or two pages.
+    """Make the assignment sheet of a student as a PDF file.
+
+    The shortest assignments take two pages and an appendix with the series and tables; the others
+    three or four pages with it.
 
     Args:
         issued: the student, the frozen values and the dates.
@@ -103,9 +109,7 @@ def assignment_sheet(
         words: the language of the sheet.
     """
     values = sheet_values(issued, plan, policy, course, words)
-    tried = _DENSITIES[_DENSITIES.index(str(values["density"])) :]
-    prints = [Document(TEMPLATE, STYLES, values | {"density": density}) for density in tried]
-    return render_fitting(prints, _PAGES, course.root / "templates", words)
+    return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
 
 
 def sheet_values(
@@ -114,29 +118,44 @@ def sheet_values(
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
     listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
     widest = _NARROW if listed > _MANY else WIDEST
-    diagram = drawn_diagram(plan, issued.variant.given, words, widest)
+    diagram = drawn_diagram(plan, nominal_values(plan), words, widest)
+    data = given_data(plan.givens, issued.variant.given, words)
+    constants = given_data(plan.constants, issued.variant.given, words)
+    sections = list(_tasks(plan, policy, course, words))
+    rules = [*course_notes(plan, words), *map(words.say, judging_rules(plan, policy, words))]
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
         "variant": issued.variant.id,
         "control": issued.signature[:_CONTROL_LETTERS],
-        "seal": picture(seal_svg(seal_of(issued, course.id))),
+        "seal": picture(seal_svg(seal_of(issued, course.id), course.address)),
+        "address": course.address,
         "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
-        "data": given_data(plan.givens, issued.variant.given, words),
-        "constants": given_data(plan.constants, issued.variant.given, words),
-        "density": _density(listed, diagram),
-        "sections": list(_tasks(plan, policy, course, words)),
-        "hand_in": [words.say(sentence) for sentence in _hand_in(plan, words)],
-        "rules": [*_notes(plan, words), *map(words.say, _rules(plan, policy, words))],
+        "data": data,
+        "constants": constants,
+        "density": _density(_letters((*data, *constants), sections, rules)),
+        "sections": sections,
+        "hand_in": [words.say(sentence) for sentence in hand_in(plan, words)],
+        "appendix": appendix_of(plan, words),
+        "rules": rules,
     }
 
 
-def _density(listed: int, diagram: SheetDiagram | None) -> str:
-    """Name the largest print in which so many quantities, with the diagram, may fit."""
-    stacked = diagram is not None and not diagram.beside and diagram.height > _HIGH
-    return "dense" if listed > _CROWDED or stacked else ""
+def _letters(
+    data: Iterable[SheetDatum], sections: Iterable[SheetTask], rules: Iterable[str]
+) -> int:
+    """Count what a sheet gives to read."""
+    rows = [*(datum.title for datum in data)]
+    rows += (item.text for section in sections for item in section.items)
+    texts = [*rows, *rules, *(section.task for section in sections)]
+    return sum(map(len, texts)) + _LETTERS_OF_ROW * len(rows)
+
+
+def _density(letters: int) -> str:
+    """Name the print for so much to read; laying out a sheet to find out takes as long again."""
+    return _PRINTS[(letters > _SOME) + (letters > _MUCH)]
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
@@ -166,7 +185,7 @@ def option_pairs(plan: Plan, words: Words) -> Iterator[tuple[str, str]]:
 def drawn_diagram(
     plan: Plan, values: Mapping[str, float], words: Words, widest: float = WIDEST
 ) -> SheetDiagram | None:
-    """Return the diagram of a variant for a page; None where there is none.
+    """Return the diagram of a scheme for a page; None where there is none.
 
     Args:
         plan: of the variant's scheme and options.
@@ -213,32 +232,47 @@ def _tasks(plan: Plan, policy: Policy, course: Course, words: Words) -> Iterator
     for section in course.sections:
         asked = [q for q in (*plan.answered, *plan.manual) if q.section == section.id]
         if asked:
-            yield _task(section, asked, policy, words)
+            yield _task(section, asked, plan, policy, words)
 
 
-def _task(section: Section, asked: list[Quantity], policy: Policy, words: Words) -> SheetTask:
+def _task(
+    section: Section, asked: list[Quantity], plan: Plan, policy: Policy, words: Words
+) -> SheetTask:
     points = policy.section_points.get(section.id)
-    said = message("{points} points", points=points_text(points or 0.0, words))
     return SheetTask(
         title=section.title.of(words.language),
         task=section.task.of(words.language),
-        points="" if points is None else words.say(said),
-        items=tuple(_asked(quantity, policy, words) for quantity in asked),
+        points="" if points is None else counted_points(points, words),
+        items=asked_items(asked, plan, policy, words),
     )
 
 
-def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
+def asked_items(
+    quantities: Iterable[Quantity], plan: Plan, policy: Policy, words: Words
+) -> tuple[SheetItem, ...]:
+    """Return what is asked, as the sheet prints it: name, unit, and what decides the answer."""
+    cited = cited_tables(plan)
+    return tuple(_asked(one, cited.get(one.id), plan, policy, words) for one in quantities)
+
+
+def _asked(
+    quantity: Quantity, cited: Message | None, plan: Plan, policy: Policy, words: Words
+) -> SheetItem:
     text = quantity.title.of(words.language)
     if quantity.kind is Kind.VERDICT:
         text += f" ({words.say(message('yes or no'))})"
     elif quantity.kind is Kind.MANUAL:
-        text += f" ({words.say(message('marked by a person'))})"
+        text += f" ({words.say(message('marked by the instructor'))})"
     elif quantity.unit:
         text += f",{NO_BREAK_SPACE}{unit_text(quantity.unit, words.language)}"
     band = policy.tolerances.get(quantity.id) or quantity.tolerance
     unusual = band is not None and band.relative != policy.tolerance.relative
     if band is not None and unusual and not quantity.exact:
         text += f", {_band(band, words)}"
+    said = deciding(quantity, plan, words)
+    text += f"; {said}" if said else ""
+    if cited is not None:
+        text += f" [{words.say(cited)}]".replace(", ", f",{NO_BREAK_SPACE}")
     symbol = quantity.symbol.of(words.language)
     wide = quantity.kind is Kind.VERDICT or not symbol
     return SheetItem(symbol, text, wide)
@@ -246,75 +280,3 @@ def _asked(quantity: Quantity, policy: Policy, words: Words) -> SheetItem:
 
 def _band(band: Tolerance, words: Words) -> str:
     return f"±{NO_BREAK_SPACE}{percent_text(band.relative, words)}"
-
-
-def _hand_in(plan: Plan, words: Words) -> Iterator[Message]:
-    yield message(
-        "The workbook that was issued with this sheet, with your answers in its marked cells. "
-        "Do not change the given values: answers are judged against the values of this sheet."
-    )
-    if plan.manual:
-        titles = "; ".join(quantity.title.of(words.language) for quantity in plan.manual)
-        yield message("To be marked by a person from a rubric: {titles}.", titles=titles)
-
-
-def _notes(plan: Plan, words: Words) -> Iterator[str]:
-    """Yield what the course itself says about its quantities."""
-    for text in notes_of(
-        plan.course.notes, NotedDocument.ASSIGNMENT, plan.scheme.id, plan.quantities
-    ):
-        yield text.of(words.language)
-
-
-def _rules(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    yield message(
-        "An answer is right when it differs from the expected value by no more than {band}, unless "
-        "another band is printed beside the quantity.",
-        band=percent_text(policy.tolerance.relative, words),
-    )
-    yield from _carried(policy, words)
-    yield message(
-        "Sizes that you accept from a series are design decisions. They are judged by their rule: "
-        "an entry of the series, not below the required value and not wastefully above it. Your "
-        "own choice is used in everything that follows."
-    )
-    yield from _errata(plan, policy, words)
-    yield message(
-        "Write numbers with a decimal comma or a decimal point, in the unit beside the cell, and "
-        "keep at least four significant figures. An empty cell is no answer; it is not read as "
-        "zero."
-    )
-
-
-def _carried(policy: Policy, words: Words) -> Iterator[Message]:
-    if policy.carried_credit >= 1:
-        yield message(
-            "A mistake costs its points once: an answer that follows from your own earlier numbers "
-            "counts in full."
-        )
-    elif policy.carried_credit > 0:
-        yield message(
-            "A mistake is not charged twice: an answer that follows from your own earlier numbers "
-            "earns {share} of its points.",
-            share=percent_text(policy.carried_credit, words),
-        )
-
-
-def _errata(plan: Plan, policy: Policy, words: Words) -> Iterator[Message]:
-    if not any(one.as_printed for one in plan.quantities.values()):
-        return
-    if plan.convention is Convention.AS_PRINTED:
-        yield message("The reference follows the formulas as the sources print them.")
-    elif policy.printed_credit is None:
-        yield message("The sources have known misprints; only the corrected formulas count.")
-    elif policy.printed_credit >= 1:
-        yield message(
-            "The sources have known misprints. An answer computed exactly as they print a formula "
-            "counts in full, with a remark on what is right."
-        )
-    else:
-        yield message(
-            "The sources have known misprints. An answer computed exactly as they print a formula "
-            "earns {share} of its points, with a remark on what is right.",
-            share=percent_text(policy.printed_credit, words),
-        )

@@ -7,6 +7,8 @@ sheets. It offers to every template
     say(message)             a message that was made in Python
     language                 the reader's language
     value | points           points with at most two decimals
+    value | up_to            points as a limit: up to 25 points
+    value | out_of           points that could be had: of 25 points
     value | percent          a share of one as a percentage
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
@@ -16,14 +18,15 @@ sheets. It offers to every template
     box | plain              a formula as one line of text
     box | aside              the same, empty where its MathML can be read without being drawn
 
-and renders with what is expensive kept for the whole process: compiled templates, fonts, and parsed
-style sheets. A value that a template does not get is an error, never an empty place.
+in a sandbox, because a course may be a stranger's, and renders with what is expensive kept for the
+whole process: compiled templates, fonts, and parsed style sheets. A value that a template does not
+get is an error, never an empty place.
 """
 
 import re
 import traceback
 from base64 import b64encode
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -37,7 +40,13 @@ from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.resources import template_file, template_folders
-from gripcourse.text.amounts import day_text, percent_text, points_text
+from gripcourse.text.amounts import (
+    day_text,
+    percent_text,
+    points_out_of,
+    points_text,
+    points_up_to,
+)
 from gripcourse.text.shown import shown
 from gripcourse.text.words import LANGUAGES, Words, message
 
@@ -50,8 +59,8 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
-# In a sentence: one letter and its subscript.
-_SYMBOL = re.compile(r"(?<!\w)[^\W\d_]_[^\W_]{1,6}(?!\w)")
+# In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript.
+_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_]{1,8}(?!\w)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,29 +104,8 @@ def render_html(document: Document, templates: Path, words: Words) -> str:
     try:
         template = template_environment(templates, words.language).get_template(document.template)
         return template.render(document.values)
-    except TemplateError as error:
+    except (TemplateError, ArithmeticError) as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
-
-
-def render_fitting(
-    documents: Sequence[Document], pages: int, templates: Path, words: Words
-) -> bytes:
-    """Render the first document that has at most so many pages; the last where none has.
-
-    Args:
-        documents: the same in ever smaller print, at least one.
-        pages: that it may have.
-        templates: the folder of the course; see `render_pdf`, also for the errors.
-        words: the reader's language.
-    """
-    *roomy, tightest = documents
-    for document in roomy:
-        html = render_html(document, templates, words)
-        with few_collections():
-            laid_out = _laid_out(html, document.styles, templates)
-            if len(laid_out.pages) <= pages:
-                return bytes(laid_out.write_pdf(pdf_variant=_VARIANT))
-    return render_pdf(tightest, templates, words)
 
 
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
@@ -174,6 +162,7 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
         templates: the folder of the course with the templates.
     """
     from jinja2 import TemplateNotFound, TemplateSyntaxError, UndefinedError
+    from jinja2.exceptions import SecurityError
 
     found = traceback.extract_tb(error.__traceback__)
     places = [(step, _template_name(step.filename, templates)) for step in found]
@@ -187,6 +176,8 @@ def template_problem(error: Exception, name: str, templates: Path) -> Problem:
             remedy = message("Correct the name, or copy the file from the reference course.")
         case TemplateSyntaxError():
             place, line = error.name or name, error.lineno
+        case SecurityError():
+            remedy = message("Leave it out; a template shows the values that it gets, no more.")
         case UndefinedError():
             remedy = message("Correct the name; it may be only the name of what stands before it.")
     return Problem(
@@ -216,10 +207,12 @@ def _seen(value: object) -> object:
 @lru_cache(maxsize=4 * len(LANGUAGES))
 def template_environment(templates: Path, language: str) -> "Environment":
     """Return what every template of a folder gets whatever the document: see the list above."""
-    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from jinja2 import FileSystemLoader, StrictUndefined
+
+    from gripcourse.documents.sandbox import TemplateSandbox
 
     words = Words(language)
-    environment = Environment(
+    environment = TemplateSandbox(
         loader=FileSystemLoader(template_folders(templates)),
         autoescape=True,
         undefined=StrictUndefined,
@@ -230,6 +223,8 @@ def template_environment(templates: Path, language: str) -> "Environment":
     environment.globals.update({"_": words.translate, "say": words.say, "language": language})
     filters: Mapping[str, Callable[..., str]] = {
         "points": lambda value: points_text(value, words),
+        "up_to": lambda value: points_up_to(value, words),
+        "out_of": lambda value: points_out_of(value, words),
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
         "prose": _prose,

@@ -27,6 +27,7 @@ def audit_tables(audit: VariantAudit, sections: Sequence[str], words: Words) -> 
         "ends.csv": _ends(audit),
         "verdicts.csv": _verdicts(audit),
         "slips.csv": _slips(audit),
+        "alternatives.csv": _alternatives(audit),
     }
 
 
@@ -195,6 +196,21 @@ def _slips(audit: VariantAudit) -> str:
             _yes(one.kind in audit.rules.keep_apart and not one.is_size),
         )
         for one in audit.slips
+    ))  # fmt: skip
+
+
+def _alternatives(audit: VariantAudit) -> str:
+    header = ("scheme", "quantity", "alternative", "differs", "variants", "share")
+    return table_text(header, (
+        (
+            one.scheme,
+            one.quantity,
+            text_cell(one.alternative),
+            str(one.differs),
+            str(one.variants),
+            number_cell(one.share),
+        )
+        for one in audit.readings
     ))  # fmt: skip
 
 

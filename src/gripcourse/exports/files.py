@@ -75,4 +75,4 @@ def files_csv(accounts: Iterable[FileAccount], path: Path, words: Words) -> None
         for one in accounts
     )
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, table_text(header, rows).encode("utf-8-sig"))
+    write_bytes(path, table_text(header, rows).encode("utf-8-sig"), private=True)

@@ -1,24 +1,47 @@
-"""The table of grades: one row for each file, for a spreadsheet program or a learning platform.
+"""The table of grades: one row for each file and for each student without one.
 
 UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and commas between cells
 in every language, so that a program reads it the same everywhere.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC
 from pathlib import Path
 from types import MappingProxyType
 
 from gripcourse.documents.report.mistakes import mistakes_of
+from gripcourse.documents.report.standing import standing_of
 from gripcourse.documents.report.totals import section_totals
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_bytes
+from gripcourse.policy.scales import Scale, certain_grade
+from gripcourse.text.words import Words
+from gripcourse.variants.model import Student
 
-_NO_GROUPS: Mapping[str, str] = MappingProxyType({})
+_NOBODY: Mapping[str, Student] = MappingProxyType({})
+NOT_HANDED_IN = "not_handed_in"
+"""Stands for the flags of who handed nothing in."""
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """What grades are called: a column for each scale, in one language."""
+
+    scales: tuple[Scale, ...]
+    words: Words
+
+
+_TIMED = ("earned", "attempt", "counts", "handed_in", "days_late")
+_PLAIN = Called((), Words("en"))
 
 
 def grades_csv(
-    reports: Iterable[Report], path: Path, groups: Mapping[str, str] = _NO_GROUPS
+    reports: Iterable[Report],
+    path: Path,
+    students: Mapping[str, Student] = _NOBODY,
+    called: Called = _PLAIN,
 ) -> None:
     """Write the grades of a batch.
 
@@ -26,37 +49,78 @@ def grades_csv(
 
     Args:
         reports: of the batch, in the order of the rows.
-        path: file to write; it appears whole or not at all.
-        groups: group of each student by id, where the roster knows it.
+        path: file to write, whole or not at all; only its owner may read it.
+        students: everybody to whom something was issued, by id; who has no file among the reports
+            has a row all the same, without points.
+        called: the scales; a grade that points which wait for a person decide is left empty.
 
     Raises:
         OSError: the file cannot be written.
     """
     # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, grades_text(tuple(reports), groups).encode("utf-8-sig"))
+    text = grades_text(tuple(reports), students, called)
+    write_bytes(path, text.encode("utf-8-sig"), private=True)
 
 
-def grades_text(reports: Sequence[Report], groups: Mapping[str, str] = _NO_GROUPS) -> str:
+def grades_text(
+    reports: Sequence[Report],
+    students: Mapping[str, Student] = _NOBODY,
+    called: Called = _PLAIN,
+) -> str:
     """Return the table as text; see `grades_csv`."""
     sections = tuple(
         dict.fromkeys(finding.section for report in reports for finding in report.findings)
     )
+    timed = any(report.timing is not None for report in reports)
     header = (
-        *("student", "name", "group", "variant"),
+        *("student", "name", "group", "email", "variant"),
         *("score", "max_score", "percent", "open_points"),
+        *(one.id for one in called.scales),
+        *(_TIMED if timed else ()),
         *sections,
         *("slips", "flags", "file"),
     )
-    return table_text(header, (_row(report, sections, groups) for report in reports))
+    rows = [
+        _row(report, sections, students.get(report.student), called, timed=timed)
+        for report in reports
+    ]
+    handed_in = {report.student for report in reports}
+    rows += (
+        _missing_row(student, len(header))
+        for id_, student in students.items()
+        if id_ not in handed_in
+    )
+    return table_text(header, rows)
 
 
-def _row(report: Report, sections: tuple[str, ...], groups: Mapping[str, str]) -> tuple[str, ...]:
+def _missing_row(student: Student, width: int) -> tuple[str, ...]:
+    known = tuple(map(text_cell, (student.id, student.name, student.group, student.email)))
+    return (*known, *("",) * (width - len(known) - 2), NOT_HANDED_IN, "")
+
+
+def _row(
+    report: Report,
+    sections: tuple[str, ...],
+    student: Student | None,
+    called: Called,
+    *,
+    timed: bool,
+) -> tuple[str, ...]:
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
     return (
         *map(
-            text_cell, (report.student, report.name, groups.get(report.student, ""), report.variant)
+            text_cell,
+            (
+                report.student,
+                report.name,
+                "" if student is None else student.group,
+                "" if student is None else student.email,
+                report.variant,
+            ),
         ),
         *_points(report),
+        *_grades(report, called),
+        *(_timing(report) if timed else ()),
         *_section_points(report, sections),
         text_cell("; ".join(_slips(report))),
         text_cell(flags),
@@ -73,6 +137,28 @@ def _points(report: Report) -> tuple[str, str, str, str]:
         number_cell(report.max_score),
         percent,
         number_cell(report.open_points),
+    )
+
+
+def _grades(report: Report, called: Called) -> tuple[str, ...]:
+    """Return the grades that are certain: a platform takes a cell as it stands."""
+    if not report.judged:
+        return ("",) * len(called.scales)
+    standing = standing_of(report)
+    return tuple(text_cell(certain_grade(scale, standing, called.words)) for scale in called.scales)
+
+
+def _timing(report: Report) -> tuple[str, ...]:
+    """Return what lateness leaves of the points, and which attempt it is; times are in UTC."""
+    timing = report.timing
+    if timing is None:
+        return ("",) * len(_TIMED)
+    return (
+        number_cell(report.earned) if report.judged else "",
+        f"{timing.number}/{timing.of}",
+        "1" if timing.counts else "0",
+        "" if timing.handed_in is None else f"{timing.handed_in.astimezone(UTC):%Y-%m-%dT%H:%MZ}",
+        str(timing.days_late),
     )
 
 

@@ -6,6 +6,7 @@ operation of numpy on a single number takes fifty times as long as the arithmeti
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Final, TypeAlias, assert_never
 
 import numpy as np
@@ -18,30 +19,85 @@ OfArrays: TypeAlias = Callable[[Mapping[str, Array], Columns], Array]
 OfNumbers: TypeAlias = Callable[[Mapping[str, float], Columns], float]
 
 
+# What these make of numbers is a number or NaN.
+_NEVER_INFINITE: Final = frozenset(
+    {"sqrt", "cbrt", "sin", "cos", "asin", "acos", "atan", "abs", "min", "max"}
+)
+
+
 def finite(value: Array) -> Array:
     """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
+    if value.ndim == 0:  # a call of numpy on one number costs as much as on a thousand
+        return value if math.isfinite(value) else np.asarray(np.nan)
     known = np.isfinite(value)
     return value if known.all() else np.where(known, value, np.nan)
 
 
 def of_arrays(node: Node) -> OfArrays:
     """Make a function of arrays in SI, finite or NaN; so is what it returns."""
+    return _sound(_part(node))
+
+
+@dataclass(frozen=True, slots=True)
+class _Factor:
+    """A part of a formula of arrays.
+
+    Attributes:
+        compute: its function; the names' values are finite or NaN.
+        overflows: whether infinities may come out of it. Sums and products keep them infinite or
+            make them NaN, so that one look at the end of them is enough. Everything else must see
+            NaN: 1 / infinity would be 0.
+    """
+
+    compute: OfArrays
+    overflows: bool
+
+
+def _part(node: Node) -> _Factor:
     match node:
         case Number(value):
-            return _constant(np.asarray(value))
+            return _Factor(_constant(np.asarray(value)), overflows=False)
         case Name(id="pi"):
-            return _constant(np.asarray(np.pi))
+            return _Factor(_constant(np.asarray(np.pi)), overflows=False)
         case Name(name):
-            return lambda values, _columns: values[name]
+            return _Factor(lambda values, _columns: values[name], overflows=False)
         case Negation(operand):
-            inner = of_arrays(operand)
-            return lambda values, columns: np.negative(inner(values, columns))
-        case Operation(operator, left, right):
-            return _operation(_OF_ARRAYS[operator], of_arrays(left), of_arrays(right))
+            inner = _part(operand)
+            return _Factor(
+                lambda values, columns: np.negative(inner.compute(values, columns)), inner.overflows
+            )
+        case Operation():
+            return _operation_part(node)
         case Call(name, arguments, column):
-            return _call(name, tuple(map(of_arrays, arguments)), column)
+            call = _call(name, tuple(map(of_arrays, arguments)), column)
+            return _Factor(call, overflows=name not in _NEVER_INFINITE)
         case _:
             assert_never(node)
+
+
+def _operation_part(node: Operation) -> _Factor:
+    match node:
+        case Operation("+" | "-" | "*" as operator, left, right):
+            first, second = _part(left).compute, _part(right).compute
+            return _Factor(_operation(_OF_ARRAYS[operator], first, second), overflows=True)
+        case Operation("/", left, right):
+            first, second = _part(left).compute, of_arrays(right)
+            return _Factor(_operation(np.divide, first, second), overflows=True)
+        case Operation("**", base, Number(exponent)) if exponent:
+            # NaN to a power that is a number, and not 0, is NaN without our doing.
+            return _Factor(_power_of(of_arrays(base), exponent), overflows=True)
+        case Operation(operator, left, right):
+            first, second = of_arrays(left), of_arrays(right)
+            both = _operation(_OF_ARRAYS[operator], first, second)
+            return _Factor(both, overflows=operator == "**")
+
+
+def _sound(part: _Factor) -> OfArrays:
+    """Make what comes out finite or NaN."""
+    compute = part.compute
+    if not part.overflows:
+        return compute
+    return lambda values, columns: finite(compute(values, columns))
 
 
 def of_numbers(node: Node) -> OfNumbers:
@@ -75,7 +131,11 @@ def _constant(value: Array) -> OfArrays:
 def _operation(
     operation: Callable[[Array, Array], Array], left: OfArrays, right: OfArrays
 ) -> OfArrays:
-    return lambda values, columns: finite(operation(left(values, columns), right(values, columns)))
+    return lambda values, columns: operation(left(values, columns), right(values, columns))
+
+
+def _power_of(base: OfArrays, exponent: float) -> OfArrays:
+    return lambda values, columns: np.asarray(base(values, columns) ** exponent)
 
 
 def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfArrays:
@@ -83,7 +143,7 @@ def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfA
 
     def call(values: Mapping[str, Array], columns: Columns) -> Array:
         found = tuple(one(values, columns) for one in arguments)
-        return finite(compute(found, None if column is None else columns[column]))
+        return compute(found, None if column is None else columns[column])
 
     return call
 

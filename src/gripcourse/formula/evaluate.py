@@ -9,7 +9,6 @@ billionth (`functions.SLACK`) are the same number that came by two routes: 24.4 
 however each side was computed, and exactly one of `a < b` and `a >= b` holds.
 """
 
-import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -19,7 +18,7 @@ from gripcourse.formula.functions import Array, Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor
 
-__all__ = ["Array", "Column", "evaluate"]
+__all__ = ["Array", "Column", "evaluate", "evaluate_sound", "finite"]
 
 
 def evaluate(
@@ -36,11 +35,22 @@ def evaluate(
     Returns:
         The result in SI, shaped as the values are together; NaN where there is none.
     """
-    used = {name: np.asarray(values[name], np.float64) for name in formula.names}
+    return evaluate_sound(
+        formula,
+        unit,
+        {name: finite(np.asarray(values[name], np.float64)) for name in formula.names},
+        columns,
+    )
+
+
+def evaluate_sound(
+    formula: Formula, unit: str, values: Mapping[str, Array], columns: Mapping[str, Column]
+) -> Array:
+    """Compute a formula from float arrays that are finite or NaN already; see `evaluate`."""
+    used = {name: values[name] for name in formula.names}
     back = factor(unit) if formula.units else 1.0
     if all(value.ndim == 0 for value in used.values()):
-        single = {name: float(value) for name, value in used.items()}
-        known = {name: one if math.isfinite(one) else math.nan for name, one in single.items()}
+        known = {name: float(value) for name, value in used.items()}
         if formula.units:
             known = {name: one / factor(formula.units[name]) for name, one in known.items()}
         if "numbers" not in formula.made:
@@ -49,8 +59,7 @@ def evaluate(
     if "arrays" not in formula.made:
         formula.made["arrays"] = of_arrays(formula.tree)
     with np.errstate(all="ignore"):
-        sound = {name: finite(value) for name, value in used.items()}
         if formula.units:
-            sound = {name: one / factor(formula.units[name]) for name, one in sound.items()}
-        result = formula.made["arrays"](sound, columns)
+            used = {name: one / factor(formula.units[name]) for name, one in used.items()}
+        result = formula.made["arrays"](used, columns)
         return np.asarray(result * back if formula.units else result, np.float64)

@@ -63,6 +63,8 @@ _SIGNS: Final = {"<=": "≤", ">=": "≥", "==": "=", "<": "<", ">": ">", "+": "
 _RAISED_WORDS: Final = frozenset({"sin", "cos", "tan", "log"})
 _ALL_DIGITS: Final = 15
 _RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+|([,;])\s+")
+# A sign between symbols; a bracket, where what it holds has a subscript of its own.
+_SIGN: Final = re.compile(r"(\s*[·/−+]\s*|\[(?=[^\]]*_)|(?<=\w)\](?=$|\s*[·/−+]))")
 _RUN: Final = re.compile(r"[A-Za-z]+|[α-ωϑϕϰϱϵ]|[^A-Za-zα-ωϑϕϰϱϵ]+")
 
 
@@ -93,11 +95,20 @@ def symbol_box(symbol: str) -> Box:
 def declared_symbol(symbol: str) -> Box:
     """Lay out a declared symbol; that of a verdict, `σ ≤ [σ], w ≤ [w]`, is several of them."""
     first, *rest = _RELATION.split(symbol)
-    items = [symbol_box(first)]
+    items = [_side(first)]
     for relation, comma, part in zip(rest[::3], rest[1::3], rest[2::3], strict=True):
         between = Text("mark", f"{comma} ") if comma else Text("relation", relation)
-        items += [between, symbol_box(part)]
+        items += [between, _side(part)]
     return Row(tuple(items)) if rest else items[0]
+
+
+def _side(text: str) -> Box:
+    """Lay out a symbol, or several with signs and brackets between them, `D_max/2` or `[M_t]`."""
+    if not _SIGN.search(text):
+        return symbol_box(text)
+    parts = (part for part in _SIGN.split(text) if part)
+    laid = [Text("mark", part) if _SIGN.fullmatch(part) else symbol_box(part) for part in parts]
+    return Row(tuple(laid))
 
 
 def number_box(value: str, unit: str) -> Box:

@@ -1,9 +1,17 @@
-"""Letting the marks of persons enter a report: pure, over what the program found by itself."""
+"""Letting the gradebook enter a report: marks of persons, and results that were published. Pure."""
 
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from gripcourse.gradebook.model import GradebookEntry, is_outdated, latest_marks, results_of
+from gripcourse.gradebook.model import (
+    Attempt,
+    GradebookEntry,
+    Result,
+    is_outdated,
+    latest_marks,
+    results_of,
+    same_results,
+)
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import (
     Against,
@@ -21,8 +29,8 @@ from gripcourse.text.words import message
 def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     """Return the report with what persons decided.
 
-    The latest mark of each item counts, whatever was graded since. Where the file or the automatic
-    results are others than when it was entered, the report is flagged.
+    The latest mark of each item counts, whatever was graded since. Where the file or what the
+    program found about the item is another than when it was entered, the report is flagged.
 
     Args:
         report: as the program judged it, without any mark.
@@ -52,8 +60,72 @@ def with_marks(report: Report, entries: Iterable[GradebookEntry]) -> Report:
     )
 
 
+def as_it_stands(report: Report, attempt: Attempt) -> Report:
+    """Return the report of a published work as the gradebook keeps it, where it says otherwise.
+
+    The student was told a result. What today's course or policy would say instead is for a regrade
+    to show; until it is applied, no document may say anything else than was told.
+
+    Args:
+        report: as the program judges the work today, without any mark.
+        attempt: what stands for the same work.
+
+    Returns:
+        The report, where both say the same; else with the items that were asked for then, and a
+        flag that names them.
+    """
+    kept, now = attempt.by_quantity, {one.quantity: one for one in results_of(report)}
+    differ = [
+        name
+        for name in dict.fromkeys((*kept, *now))
+        if name not in kept or name not in now or not same_results([kept[name]], [now[name]])
+    ]
+    if not differ:
+        return report
+    findings = tuple(
+        _as_kept(one, kept[one.quantity]) if one.quantity in differ else one
+        for one in report.findings
+        if one.quantity in kept
+    )
+    sums = sums_of(findings)
+    said = message(
+        "By today's course and policy other results would come out for {names}. The work was "
+        "published: what was told stands until a regrade is applied.",
+        names=", ".join(differ),
+    )
+    return replace(
+        report,
+        score=sums.score,
+        max_score=sums.max_score,
+        open_points=sums.open_points,
+        flags=(*report.flags, Flag(FlagCode.REGRADE_WAITS, said)),
+        findings=findings,
+        causes=(),
+    )
+
+
+def _as_kept(finding: Finding, kept: Result) -> Finding:
+    return replace(
+        finding,
+        outcome=kept.outcome,
+        against=Against.NOTHING,
+        expected=None,
+        points=kept.points,
+        max_points=kept.max_points,
+        slip=None,
+        message=message(
+            "Counts as it was published: {meaning}.", meaning=kept.outcome.traits.meaning
+        ),
+        remarks=(),
+        tied=(),
+        roots=(),
+        low=None,
+        high=None,
+    )
+
+
 def _outdated(report: Report, entered: Mapping[str, GradebookEntry]) -> set[str]:
-    """Return the items whose file or automatic results are others than their marker saw."""
+    """Return the items whose file or automatic result is another than their marker saw."""
     results = results_of(report)
     return {name for name, entry in entered.items() if is_outdated(entry, report.digest, results)}
 
@@ -79,7 +151,7 @@ def _decided(finding: Finding, entry: GradebookEntry | None, outdated: Container
         outcome=Outcome.MANUAL,
         against=Against.NOTHING,
         points=credit * finding.max_points,
-        message=message("A person decided about this item."),
+        message=message("The instructor decided about this item."),
         decision=decision,
     )
 
@@ -92,8 +164,8 @@ def _flags(
         yield Flag(
             FlagCode.MARK_OUTDATED,
             message(
-                "Look again at {names}: the file or its other results have changed since a person "
-                "marked. The marks count.",
+                "Look again at {names}: the file or what the program found about them has changed "
+                "since the instructor marked. The marks count.",
                 names=", ".join(again),
             ),
         )

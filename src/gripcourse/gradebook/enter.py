@@ -145,7 +145,7 @@ def _no_item(draft: Draft, attempt: Attempt) -> EntryFault:
             student=draft.student,
             quantity=draft.quantity,
         ),
-        message("Items that a person marks: {names}.", names=", ".join(waiting))
+        message("Items that the instructor marks: {names}.", names=", ".join(waiting))
         if waiting
         else did_you_mean(draft.quantity, attempt.by_quantity),
     )
@@ -166,8 +166,8 @@ def _faults(
             "quantity",
             message("'{quantity}' was judged automatically.", quantity=draft.quantity),
             message(
-                "Items that a person marks: {names}. To overrule the automatic result say so, with "
-                "a comment.",
+                "Items that the instructor marks: {names}. To overrule the automatic result say "
+                "so, with a comment.",
                 names=", ".join(_waiting(attempt)) or "—",
             ),
             NextStep.OVERRULE,

@@ -1,7 +1,8 @@
-"""Which course and which policy graded: a fingerprint over their files."""
+"""What graded: fingerprints over the files of course, policy and engine."""
 
 import hashlib
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 
 from gripcourse.gradebook.model import Fingerprints
@@ -11,10 +12,16 @@ from gripcourse.gradebook.model import Fingerprints
 _COURSE = ("variants/*.toml", "variants/*/*.toml", "variants/schemes/*/*.toml", "variants/*/*.csv")
 _POLICY = ("grader/*.toml", "grader/*/*.toml")
 _NO_COURSE = {"spaces", "tables"}
+_ENGINE = Path(__file__).parents[1]
+# The parts that decide over results: what draws, prints and speaks does not.
+_DECIDING = (
+    *("text", "formula", "course", "solver", "policy", "slips"),
+    *("variants", "submission", "grading", "batch"),
+)
 
 
 def fingerprints(root: Path) -> Fingerprints:
-    """Return the fingerprints of a course's declarations and of its policy.
+    """Return the fingerprints of a course's declarations, of its policy and of this program.
 
     Args:
         root: folder of the course.
@@ -23,7 +30,18 @@ def fingerprints(root: Path) -> Fingerprints:
         OSError: a file cannot be read.
     """
     course = [path for path in _found(root, _COURSE) if path.parent.name not in _NO_COURSE]
-    return Fingerprints(_digest(root, course), _digest(root, _found(root, _POLICY)))
+    policy = _found(root, _POLICY)
+    return Fingerprints(_digest(root, course), _digest(root, policy), engine_fingerprint())
+
+
+@cache
+def engine_fingerprint() -> str:
+    """Return the fingerprint of the parts of this program that decide over results.
+
+    Raises:
+        OSError: a file of the program cannot be read.
+    """
+    return _digest(_ENGINE, _found(_ENGINE, [f"{part}/**/*.py" for part in _DECIDING]))
 
 
 def _found(root: Path, patterns: Iterable[str]) -> list[Path]:

@@ -12,10 +12,16 @@ _POINTS_DECIMALS = 6
 
 @dataclass(frozen=True, slots=True)
 class Fingerprints:
-    """Which course and which policy graded: SHA-256 over their files, hexadecimal."""
+    """What graded: SHA-256 over the files of each, hexadecimal.
+
+    Attributes:
+        course, policy: of the course's folder.
+        engine: of this program; empty where a program graded that did not keep it.
+    """
 
     course: str
     policy: str
+    engine: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +51,12 @@ class Attempt:
         file: path under which it was graded first.
         digest: SHA-256 of the file's bytes, hexadecimal.
         graded_at: when these results were found first.
-        fingerprints: of course and policy at that time.
+        fingerprints: of course, policy and engine at that time.
         judged: False for a file that could not be judged; it has no results.
         results: one for each item, in the order of the report.
+        regrade: number of the regrade that it belongs to; None where it was graded by itself.
+        handed_in: when, by the file or the platform, or as a person says; None where unknown.
+        handed_in_said: whether a person says so.
     """
 
     student: str
@@ -60,6 +69,9 @@ class Attempt:
     fingerprints: Fingerprints
     judged: bool
     results: tuple[Result, ...]
+    regrade: int | None = None
+    handed_in: datetime | None = None
+    handed_in_said: bool = False
 
     @property
     def by_quantity(self) -> Mapping[str, Result]:
@@ -140,6 +152,12 @@ def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
     return _comparable(some) == _comparable(others)
 
 
+def says_the_same(one: Attempt, other: Attempt) -> bool:
+    """Tell whether an attempt came to the same as an earlier one, and says no other time."""
+    same_time = not other.handed_in_said or other.handed_in == one.handed_in
+    return same_time and one.judged == other.judged and same_results(one.results, other.results)
+
+
 def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]:
     """Return the entry that counts for each quantity of one student; withdrawn ones are left out.
 
@@ -154,26 +172,30 @@ def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]
     return {name: entry for name, entry in latest.items() if entry.mark.credit is not None}
 
 
-def latest_judged(attempts: Iterable[Attempt]) -> dict[str, Attempt]:
-    """Return the last attempt of each student that could be judged, by student."""
-    latest: dict[str, Attempt] = {}
-    for attempt in attempts:
-        before = latest.get(attempt.student)
-        if attempt.judged and (before is None or before.number < attempt.number):
-            latest[attempt.student] = attempt
-    return latest
-
-
 def is_outdated(entry: GradebookEntry, digest: str, results: Sequence[Result]) -> bool:
-    """Tell whether the automatic part is another one than when the mark was entered.
+    """Tell whether what a mark rests on is another than when it was entered.
+
+    A mark rests on the file and on what the program found about its own item. What other items
+    came to, or how many points the item is worth, is no reason to look again: a mark is a share.
 
     Args:
         entry: the mark.
         digest: of the file that is graded now.
         results: automatic results of that file.
     """
-    attempt = entry.attempt
-    return attempt.digest != digest or not same_results(attempt.results, results)
+    if entry.attempt.digest != digest:
+        return True
+    name = entry.mark.quantity
+    now = next((one for one in results if one.quantity == name), None)
+    return now is not None and _finding_of(entry.attempt.by_quantity.get(name)) != _finding_of(now)
+
+
+def _finding_of(result: Result | None) -> tuple[Outcome, float] | None:
+    """Return what was found about an item, whatever it is worth."""
+    if result is None:
+        return None
+    share = result.points / result.max_points if result.max_points else 0.0
+    return result.outcome, round(share, _POINTS_DECIMALS)
 
 
 def _comparable(results: Sequence[Result]) -> frozenset[tuple[str, Outcome, float, float]]:

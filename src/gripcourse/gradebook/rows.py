@@ -22,9 +22,13 @@ def attempt_row(attempt: Attempt) -> Row:
         "scheme": attempt.scheme,
         "file": attempt.file,
         "digest": attempt.digest,
-        "graded_at": _stored(attempt.graded_at),
+        "graded_at": stored(attempt.graded_at),
         "course": attempt.fingerprints.course,
         "policy": attempt.fingerprints.policy,
+        "engine": attempt.fingerprints.engine or None,
+        "regrade": attempt.regrade,
+        "handed_in": None if attempt.handed_in is None else stored(attempt.handed_in),
+        "handed_in_said": attempt.handed_in_said,
         "judged": attempt.judged,
     }
 
@@ -53,7 +57,7 @@ def mark_row(mark: Mark) -> Row:
         "attempt": mark.attempt,
         "credit": mark.credit,
         "marker": mark.marker,
-        "marked_at": _stored(mark.marked_at),
+        "marked_at": stored(mark.marked_at),
         "comment": mark.comment,
     }
 
@@ -80,14 +84,17 @@ def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
         scheme=first["scheme"],
         file=first["file"],
         digest=first["digest"],
-        graded_at=_in_utc(first["graded_at"]),
-        fingerprints=Fingerprints(first["course"], first["policy"]),
+        graded_at=in_utc(first["graded_at"]),
+        fingerprints=Fingerprints(first["course"], first["policy"], first["engine"] or ""),
         judged=first["judged"],
         results=tuple(
             Result(row["quantity"], outcome_named(row["outcome"]), row["points"], row["max_points"])
             for row in rows
             if row["quantity"] is not None
         ),
+        regrade=first["regrade"],
+        handed_in=None if first["handed_in"] is None else in_utc(first["handed_in"]),
+        handed_in_said=bool(first["handed_in_said"]),
     )
 
 
@@ -102,15 +109,16 @@ def mark_of_rows(rows: Sequence[RowMapping]) -> Mark:
         credit=first["credit"],
         lines={row["line"]: row["line_credit"] for row in rows if row["line"] is not None},
         marker=first["marker"],
-        marked_at=_in_utc(first["marked_at"]),
+        marked_at=in_utc(first["marked_at"]),
         comment=first["comment"],
     )
 
 
-def _stored(moment: datetime) -> datetime:
+def stored(moment: datetime) -> datetime:
     """Return a moment in UTC without saying so: not every database keeps time zones."""
     return moment.astimezone(UTC).replace(tzinfo=None)
 
 
-def _in_utc(stored: datetime) -> datetime:
-    return stored.replace(tzinfo=UTC)
+def in_utc(moment: datetime) -> datetime:
+    """Return a stored moment with its time zone."""
+    return moment.replace(tzinfo=UTC)

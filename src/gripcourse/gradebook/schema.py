@@ -11,6 +11,7 @@ from sqlalchemy import (
     Column,
     DateTime,
     Double,
+    ForeignKey,
     ForeignKeyConstraint,
     Integer,
     MetaData,
@@ -33,6 +34,10 @@ attempts = Table(
     Column("course", String(64), nullable=False),  # fingerprint
     Column("policy", String(64), nullable=False),  # fingerprint
     Column("judged", Boolean, nullable=False),
+    Column("engine", String(64)),  # fingerprint; none before it was kept
+    Column("regrade", Integer),  # that it belongs to; none where it was graded by itself
+    Column("handed_in", DateTime),  # UTC; none where unknown
+    Column("handed_in_said", Boolean),  # whether a person says so
 )
 
 results = Table(
@@ -83,4 +88,44 @@ mark_lines = Table(
         ("student", "quantity", "mark"),
         ("gradebook_mark.student", "gradebook_mark.quantity", "gradebook_mark.number"),
     ),
+)
+
+# A regrade that was applied, or one that takes an earlier one back.
+regrades = Table(
+    "gradebook_regrade",
+    metadata,
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("undoes", Integer, ForeignKey("gradebook_regrade.number"), unique=True),
+    Column("person", String, nullable=False),
+    Column("done_at", DateTime, nullable=False),  # UTC
+    Column("why", String, nullable=False),
+)
+
+# What students were told: from then on only a regrade changes it.
+publications = Table(
+    "gradebook_publication",
+    metadata,
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("student", String, primary_key=True),
+    Column("attempt", Integer, primary_key=True, autoincrement=False),
+    Column("person", String, nullable=False),
+    Column("done_at", DateTime, nullable=False),  # UTC
+    Column("points", Double, nullable=False),
+    Column("max_points", Double, nullable=False),
+    ForeignKeyConstraint(
+        ("student", "attempt"), ("gradebook_attempt.student", "gradebook_attempt.number")
+    ),
+)
+
+# That somebody's lateness is not counted, at all or until a moment; the last one counts.
+waivers = Table(
+    "gradebook_waiver",
+    metadata,
+    Column("student", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("until", DateTime),  # UTC; none: lateness costs nothing
+    Column("withdrawn", Boolean, nullable=False),
+    Column("person", String, nullable=False),
+    Column("done_at", DateTime, nullable=False),  # UTC
+    Column("why", String, nullable=False),
 )

@@ -15,7 +15,7 @@ from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, same_results
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
 from gripcourse.machine.database.opening import (
     open_engine,
     refusals_named,
@@ -28,8 +28,9 @@ from gripcourse.text.words import message
 _TRIES = 50
 _ASKED_AT_ONCE = 500  # students in one question; databases bound how many
 
-_Kept = TypeVar("_Kept", Attempt, Mark)
-_Writing: TypeAlias = list[tuple[Table, list[rows.Row]]]
+_Kept = TypeVar("_Kept")
+Writing: TypeAlias = list[tuple[Table, list[rows.Row]]]
+"""Rows to add, by table, in the order in which they must be there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,12 +61,8 @@ class Gradebook:
             GradebookError: the database failed; nothing was kept.
         """
         students = {one.student for one in attempts}
-        return self._add(
-            lambda: _new_attempts(attempts, self.attempts(students)),
-            lambda fresh: [
-                (schema.attempts, [rows.attempt_row(one) for one in fresh]),
-                (schema.results, [row for one in fresh for row in rows.result_rows(one)]),
-            ],
+        return self.add(
+            lambda: new_attempts(attempts, self.attempts(students), self.undone()), attempt_rows
         )
 
     def add_marks(self, marks: Sequence[Mark]) -> tuple[Mark, ...]:
@@ -81,7 +78,7 @@ class Gradebook:
             GradebookError: the database failed; nothing was kept.
         """
         students = {one.student for one in marks}
-        return self._add(
+        return self.add(
             lambda: _new_marks(marks, [entry.mark for entry in self.entries(students)]),
             lambda fresh: [
                 (schema.marks, [rows.mark_row(one) for one in fresh]),
@@ -135,11 +132,32 @@ class Gradebook:
         kept = {(one.student, one.number): one for one in self.attempts(marked)}
         return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
 
-    def _add(
+    def undone(self) -> frozenset[int]:
+        """Return the numbers of the regrades that were taken back."""
+        column = schema.regrades.c.undoes
+        question = select(column).where(column.is_not(None))
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return frozenset(connection.execute(question).scalars())
+
+    def standing(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
+        """Return the attempts of these students but those of regrades that were taken back."""
+        undone = self.undone()
+        return tuple(one for one in self.attempts(students) if one.regrade not in undone)
+
+    def add(
         self,
         fresh: Callable[[], tuple[_Kept, ...]],
-        rows_of: Callable[[tuple[_Kept, ...]], _Writing],
+        rows_of: Callable[[tuple[_Kept, ...]], Writing],
     ) -> tuple[_Kept, ...]:
+        """Read what is new and add its rows; where somebody was faster, read again.
+
+        Args:
+            fresh: reads, and returns what is to be added, with its numbers.
+            rows_of: the rows of that.
+
+        Raises:
+            GradebookError: the database failed; nothing was kept.
+        """
         for _ in range(_TRIES):
             found = fresh()
             if not found:
@@ -169,7 +187,7 @@ def open_gradebook(place: str) -> Gradebook:
     return Gradebook(open_engine(place))
 
 
-def _insert(connection: Connection, wanted: _Writing) -> None:
+def _insert(connection: Connection, wanted: Writing) -> None:
     for table, values in wanted:
         if values:
             connection.execute(insert(table), values)
@@ -192,26 +210,39 @@ def _answers(
     ]
 
 
-def _new_attempts(attempts: Sequence[Attempt], known: Sequence[Attempt]) -> tuple[Attempt, ...]:
-    """Number the attempts that differ from the last one of the same bytes."""
+def attempt_rows(attempts: Sequence[Attempt]) -> Writing:
+    """Return the rows of attempts with their results."""
+    return [
+        (schema.attempts, [rows.attempt_row(one) for one in attempts]),
+        (schema.results, [row for one in attempts for row in rows.result_rows(one)]),
+    ]
+
+
+def new_attempts(
+    attempts: Sequence[Attempt], known: Sequence[Attempt], undone: Collection[int]
+) -> tuple[Attempt, ...]:
+    """Number the attempts that differ from what stands for the same bytes.
+
+    Args:
+        attempts: as they were graded.
+        known: all attempts of their students.
+        undone: numbers of the regrades that were taken back.
+    """
     last: dict[str, int] = {}
     last_of_bytes: dict[tuple[str, str], Attempt] = {}
     for one in known:
         last[one.student] = max(last.get(one.student, 0), one.number)
-        last_of_bytes[one.student, one.digest] = one
+        if one.regrade not in undone:
+            last_of_bytes[one.student, one.digest] = one
     fresh: list[Attempt] = []
     for one in attempts:
         before = last_of_bytes.get((one.student, one.digest))
-        if before is not None and _says_the_same(before, one):
+        if before is not None and says_the_same(before, one):
             continue
         last[one.student] = last.get(one.student, 0) + 1
         fresh.append(replace(one, number=last[one.student]))
         last_of_bytes[one.student, one.digest] = fresh[-1]
     return tuple(fresh)
-
-
-def _says_the_same(one: Attempt, other: Attempt) -> bool:
-    return one.judged == other.judged and same_results(one.results, other.results)
 
 
 def _new_marks(marks: Sequence[Mark], known: Sequence[Mark]) -> tuple[Mark, ...]:

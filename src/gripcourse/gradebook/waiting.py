@@ -7,9 +7,9 @@ from gripcourse.gradebook.model import (
     Attempt,
     GradebookEntry,
     is_outdated,
-    latest_judged,
     latest_marks,
 )
+from gripcourse.gradebook.works import latest_judged
 from gripcourse.grading.model import Outcome
 
 
@@ -35,7 +35,7 @@ def waiting(attempts: Iterable[Attempt], entries: Iterable[GradebookEntry]) -> t
     """Return what waits for a person, by student and in the order of the assignment.
 
     Args:
-        attempts: all that the gradebook keeps.
+        attempts: all that stand in the gradebook.
         entries: all marks that it keeps.
     """
     by_student: dict[str, list[GradebookEntry]] = {}

@@ -105,7 +105,7 @@ def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
 def _fault_up(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
     """Say what is wrong with a size that must not be below the required value."""
     if chosen < required * (1 - _SLACK):
-        return message("Rounded down: the size is below the required value.")
+        return message("The size is below the required value.")
     if choice.steps is None:
         return None
     first = int(np.searchsorted(series, required * (1 - _SLACK)))

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +19,6 @@ from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message
-
-_SAME: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,12 +117,11 @@ class Comparison:
         value = float(self._evaluate(formula, self.follow_through.evaluation.values))
         return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
 
-    def near_own(self, formula: Formula) -> ExpectedRange:
-        """Do the same; the range is only looked at where the answer may lie in it."""
+    def near_own(self, formula: Formula, furthest: float) -> ExpectedRange:
+        """Do the same; the range is only looked at where it may come so near to the answer."""
         value = float(self._evaluate(formula, self.follow_through.evaluation.values))
         declared = value / factor(self.quantity.unit)
-        most = 2 * self._widest(declared) + 2 * self.answer.half_unit
-        if not abs(self.value - declared) <= most:
+        if not abs(self.value - declared) <= self._widest(declared) + furthest:
             return ExpectedRange(declared, declared, declared)
         return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
 
@@ -149,13 +145,10 @@ class Comparison:
         """Return the half width of the band round an expected value, in the declared unit."""
         return band(self.quantity, expected, self.policy)
 
-    def has_own_inputs(self, formula: Formula) -> bool:
-        """Tell whether the student's numbers differ from the reference where a formula looks."""
-        values = self.follow_through.evaluation.values
-        return any(
-            not math.isclose(float(values[name]), self.reference_values[name], rel_tol=_SAME)
-            for name in formula.names
-        )
+    @property
+    def own_inputs(self) -> frozenset[str]:
+        """The quantities whose values at the student's numbers are not those of the reference."""
+        return self.follow_through.own
 
     def _range(self, value: float, moved: NDArray[np.float64]) -> ExpectedRange:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""

@@ -4,7 +4,7 @@ A slip may have been made in a step that the student did not write down; then it
 in the next answer that was.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,7 +24,7 @@ from gripcourse.grading.explain import (
 )
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.solve import choose, evaluate, reference_rounding
+from gripcourse.solver.solve import choose, compute, reference_rounding
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 
@@ -61,10 +61,7 @@ def diagnose(
         return other_size
     weighed = [
         with_later_answers(one, later)
-        for one in (
-            weigh(comparison, candidate) for candidate in candidates_of(comparison.quantity.id)
-        )
-        if one.weight > 0
+        for one in weigh(comparison, candidates_of(comparison.quantity.id))
     ]
     for earlier in _unwritten(comparison, Kind.FORMULA):
         weighed += _weigh_earlier(comparison, earlier, candidates_of(earlier))
@@ -193,18 +190,22 @@ def _with_other_size(comparison: Comparison, judgement: Judgement) -> Judgement 
     return None
 
 
-def _unwritten(comparison: Comparison, kind: Kind) -> Iterator[str]:
-    """Yield the quantities of a kind that lead to this one through no number of the student's."""
+def _unwritten(comparison: Comparison, kind: Kind) -> list[str]:
+    """Return the quantities of a kind that lead to this one through no number of the student's."""
+    quantities = comparison.plan.quantities
+    return [name for name in _unwritten_before(comparison) if quantities[name].kind is kind]
+
+
+def _unwritten_before(comparison: Comparison) -> Iterator[str]:
+    """Yield all that leads to an answer through no number of the student's."""
     waiting = list(comparison.plan.inputs[comparison.quantity.id])
     seen: set[str] = set()
     while waiting:
         name = waiting.pop()
-        if name in seen or name in comparison.follow_through.known:
-            continue
-        seen.add(name)
-        if comparison.plan.quantities[name].kind is kind:
+        if name not in seen and name not in comparison.follow_through.known:
+            seen.add(name)
             yield name
-        waiting += comparison.plan.inputs[name]
+            waiting += comparison.plan.inputs[name]
 
 
 def _weigh_earlier(
@@ -231,13 +232,24 @@ def _weigh_earlier(
 def _carried_here(
     comparison: Comparison, name: str, values: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Return what this answer would be, SI, for each value of an earlier quantity."""
-    known: Mapping[str, float | NDArray[np.float64]] = {
-        **comparison.follow_through.known,
-        name: values,
-    }
-    computed = evaluate(comparison.plan, known).computed[comparison.quantity.id]
-    return np.broadcast_to(computed, values.shape)
+    """Return what this answer would be, SI, for each value of an earlier quantity.
+
+    Only the steps between the two are computed again, which the student did not write down.
+    """
+    plan, evaluation = comparison.plan, comparison.follow_through.evaluation
+    asked = comparison.quantity.id
+    between = {*_unwritten_before(comparison), asked}
+    found = dict(evaluation.values)
+    found[name] = np.where(np.isnan(values), evaluation.computed[name], values)
+    changed = {name}
+    for step, quantity in plan.quantities.items():
+        if step in between and step != name and not changed.isdisjoint(plan.inputs[step]):
+            found[step] = compute(plan, quantity, found)
+            changed.add(step)
+        if step == asked:
+            break
+    here = found[asked] if asked in changed else evaluation.computed[asked]
+    return np.broadcast_to(here, values.shape)
 
 
 def _spread_as(follows: ExpectedRange, value: float) -> ExpectedRange:

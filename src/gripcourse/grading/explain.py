@@ -7,16 +7,15 @@ wrong number that nothing explains, which may be anywhere.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from gripcourse.formula.tree import Formula, Name, walk
 from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
+from gripcourse.grading.shortened import with_shortened
 from gripcourse.policy.slips import SlipPolicy
 from gripcourse.slips.model import Candidate
-from gripcourse.slips.rewrite import number, renamed
 
 # The last digits of a number differ by the route: 3.14159 for pi.
 _FINEST: Final = 5e-6
@@ -38,6 +37,7 @@ _CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
 # Few shorten a constant so much that the result shows it.
 _FROM_HABIT = 0.2
+_SLACK: Final = 1e-9  # relative: what floating point leaves of equal numbers
 _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
 
@@ -64,11 +64,23 @@ class Explanation:
     tied: tuple[Weighed, ...]
 
 
-def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
-    """Weigh a wrong method of the answer's own formula against what was typed."""
-    follow_through = comparison.near_own(candidate.formula)
+def weigh(comparison: Comparison, candidates: Sequence[Candidate]) -> list[Weighed]:
+    """Weigh wrong methods of the answer's own formula against what was typed.
+
+    Returns:
+        Those that meet it, in the order of the candidates.
+    """
+    furthest, own = _furthest(comparison), comparison.own_inputs
+    weighed = (_weigh(comparison, one, furthest, own) for one in candidates)
+    return [one for one in weighed if one.weight > 0]
+
+
+def _weigh(
+    comparison: Comparison, candidate: Candidate, furthest: float, own: Collection[str]
+) -> Weighed:
+    follow_through = comparison.near_own(candidate.formula, furthest)
     met = _FROM_OWN * _met(comparison, follow_through)
-    if comparison.has_own_inputs(candidate.formula):
+    if any(name in own for name in candidate.formula.names):
         reference = comparison.at_reference(candidate.formula)
         met += _FROM_REFERENCE * _met(comparison, ExpectedRange(reference, reference, reference))
     else:
@@ -78,12 +90,25 @@ def weigh(comparison: Comparison, candidate: Candidate) -> Weighed:
     ):
         met = _FROM_HABIT * max(
             (
-                _met(comparison, comparison.near_own(one))
-                for one in _with_habits(comparison, candidate.formula)
+                _met(comparison, comparison.near_own(one.formula, furthest))
+                for one in with_shortened(candidate.formula, comparison.policy.habits)
             ),
             default=0.0,
         )
     return Weighed(comparison.quantity.id, candidate, follow_through.value, candidate.prior * met)
+
+
+def _furthest(comparison: Comparison) -> float:
+    """Return how far from a result a typed number can be that it still speaks for."""
+    half_units = (
+        comparison.answer.half_unit,
+        typed_half_unit(comparison.answer, comparison.policy),
+        without_zeros(comparison.answer, comparison.policy),
+        _FINEST * abs(comparison.value),
+    )
+    return max(half_units) * max(1.0, 2 * comparison.policy.last_digit) + _SLACK * abs(
+        comparison.value
+    )
 
 
 def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
@@ -105,15 +130,6 @@ def with_later_answers(found: Weighed, later: Sequence[Comparison]) -> Weighed:
 
 def _met(comparison: Comparison, result: ExpectedRange) -> float:
     return density(comparison, result) if math.isfinite(result.value) else 0.0
-
-
-def _with_habits(comparison: Comparison, formula: Formula) -> Iterator[Formula]:
-    """Yield a formula with the constants that it uses as people shorten them, one at a time."""
-    for name, values in comparison.policy.habits.items():
-        if name in formula.names or any(part == Name(name) for part in walk(formula.tree)):
-            for value in values:
-                tree = renamed(formula.tree, {name: number(value)})
-                yield Formula("", tree, formula.units)
 
 
 def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation | None:
@@ -175,7 +191,7 @@ def _density(comparison: Comparison, result: ExpectedRange, half_unit: float) ->
     distance = abs(comparison.value - result.nearest(comparison.value))
     width = result.high - result.low
     cut = 2 * half_unit * comparison.policy.last_digit
-    slack = 1e-9 * abs(comparison.value)
+    slack = _SLACK * abs(comparison.value)
     if distance <= half_unit + slack:
         return _ROUNDED / (width + 2 * half_unit)
     if distance <= cut + slack:

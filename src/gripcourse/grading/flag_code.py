@@ -6,15 +6,18 @@ from enum import StrEnum
 class FlagCode(StrEnum):
     """Why a submission is flagged; the value stands in JSON, in tables and in the policy."""
 
+    COPIED_FROM = "copied_from"  # others handed in what is this student's own
     GIVENS_CHANGED = "givens_changed"
     GIVENS_MISSING = "givens_missing"
     IDENTITY_CHANGED = "identity_changed"
     IDENTITY_MISSING = "identity_missing"
     INCIDENT = "incident"  # grading failed on our side
     ISSUED_TO_OTHER = "issued_to_other"
+    CELLS_MOVED = "cells_moved"  # rows were sorted or inserted; answers were found by their titles
     MARK_OUTDATED = "mark_outdated"
     NOT_JUDGED = "not_judged"
     OTHER_VARIANT = "other_variant"
+    REGRADE_WAITS = "regrade_waits"  # published; today's course or policy would say otherwise
     REJECTED = "rejected"
     REPORT_INCIDENT = "report_incident"  # the report of a judged submission failed on our side
     SAME_ANSWERS = "same_answers"

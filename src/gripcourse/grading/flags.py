@@ -20,8 +20,19 @@ def flags_of(
     return (
         *_identity_flags(submission, issued),
         *_given_flags(submission, issued),
+        *_moved_flags(submission),
         *not_judged_flags(findings),
     )
+
+
+def _moved_flags(submission: Submission) -> Iterator[Flag]:
+    if submission.moved:
+        said = message(
+            "Rows were sorted or inserted: {count} answers were taken from the rows with their "
+            "titles. Compare them with the file.",
+            count=len(submission.moved),
+        )
+        yield Flag(FlagCode.CELLS_MOVED, said)
 
 
 def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
@@ -104,7 +115,7 @@ def not_judged_flags(findings: Sequence[Finding]) -> Iterator[Flag]:
     if not_judged:
         yield Flag(
             FlagCode.NOT_JUDGED,
-            message("A person must judge: {names}.", names=", ".join(not_judged)),
+            message("The instructor must judge: {names}.", names=", ".join(not_judged)),
         )
 
 

@@ -5,8 +5,10 @@ follows from it is computed with every typed number moved to both ends of its ra
 the moves add up to the range in which an honest continuation may lie.
 """
 
-from collections.abc import Collection, Iterable, Mapping
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +17,11 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, evaluate, to_si
+from gripcourse.solver.solve import Evaluation, Values, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.units import factor
+
+_SAME: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +39,7 @@ class FollowThrough:
             guard or are physically unthinkable.
         bridged: ids that could not be computed from the student's numbers; the reference stands in
             for them downstream.
+        own: ids of the quantities whose values are not those of the reference.
     """
 
     known: Mapping[str, float]
@@ -42,6 +47,7 @@ class FollowThrough:
     moved: Evaluation
     not_carried: frozenset[str]
     bridged: frozenset[str]
+    own: frozenset[str]
 
 
 def follow(
@@ -80,7 +86,14 @@ def follow(
         moved=_moved(plan, evaluation, known, _reaches(plan, answers, kept, policy)),
         not_carried=frozenset(read - set(kept)),
         bridged=frozenset(stand_in),
+        own=frozenset(_differing(evaluation.values, reference)),
     )
+
+
+def _differing(values: Values, reference: Mapping[str, float]) -> Iterator[str]:
+    for name, value in values.items():
+        if not math.isclose(float(value), reference.get(name, math.nan), rel_tol=_SAME):
+            yield name
 
 
 def _thinkable(

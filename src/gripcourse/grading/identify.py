@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from gripcourse.grading.known_by import KnownBy
+from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message, message
@@ -33,15 +34,21 @@ class HandedIn:
     doubt: Message | None = None
 
 
-def identify(file: str, identity: Identity | None, register: Mapping[str, Issued]) -> HandedIn:
+def identify(
+    file: str,
+    identity: Identity | None,
+    register: Mapping[str, Issued],
+    pattern: PathPattern | None = None,
+) -> HandedIn:
     """Tell who handed a file in.
 
     Args:
         file: path of the file.
         identity: what the workbook says; None where it could not be read.
         register: entries by student id, whose signatures were verified with the course's key.
+        pattern: of the instructor's own order of folders; None for none.
     """
-    by_path = _by_path(file, register)
+    by_path = _by_path(file, register, pattern)
     named = "" if identity is None else identity.student
     if identity is not None and named in register and _is_signed(identity, register[named]):
         said = _contradiction(file, register[named], by_path, register)
@@ -61,8 +68,12 @@ def _is_signed(identity: Identity, issued: Issued) -> bool:
     return hmac.compare_digest(identity.signature.encode(), issued.signature.encode())
 
 
-def _by_path(file: str, register: Mapping[str, Issued]) -> HandedIn:
+def _by_path(file: str, register: Mapping[str, Issued], pattern: PathPattern | None) -> HandedIn:
     """Tell whose a path says it is; a platform's part of it leaves the rest nothing to say."""
+    stated = None if pattern is None else pattern.part_of(file)
+    if stated is not None:
+        entry = _of_pattern(stated, register)
+        return HandedIn(entry, KnownBy.PLATFORM if entry else KnownBy.NOTHING)
     part = platform_part(file)
     if part is not None:
         entry = _of_platform(part, register)
@@ -75,6 +86,14 @@ def _by_path(file: str, register: Mapping[str, Issued]) -> HandedIn:
     if folder in register and not folder.isdecimal():
         return HandedIn(register[folder], KnownBy.FILE_NAME)
     return HandedIn(None, KnownBy.NOTHING)
+
+
+def _of_pattern(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:
+    """Return whom an instructor's own pattern names; a name only where one student has it."""
+    if part.identifier:
+        return register.get(part.identifier)
+    named = [one for one in register.values() if part.is_named(one.student.name)]
+    return named[0] if len(named) == 1 else None
 
 
 def _of_platform(part: PlatformPart, register: Mapping[str, Issued]) -> Issued | None:

@@ -9,6 +9,7 @@ as well as from the one that was written; the better counts.
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison
@@ -22,6 +23,9 @@ from gripcourse.grading.submission_case import (
 from gripcourse.policy.slips import OF_WRITING
 from gripcourse.solver.plan import Plan
 from gripcourse.submission.model import Answer
+
+# A work in which more of the computed answers are wrong was not calculated.
+_MOST_WRONG: Final = 0.5
 
 
 def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -37,15 +41,17 @@ def as_intended(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Judge
     outside = _impossible(case, judged)
     best = _from_impossible(case, judged, outside)
     seen, known, changed = list(best), dict[str, Answer](), set(outside)
-    while any(_may_be_better(one) for one in best if one.quantity.id not in known):
+    before = case
+    while _is_worth_while(best, known):
         new = _newly_intended(case, seen, known)
         if not new:
             break
         known |= new
-        changed |= new.keys()
-        seen = _again(with_answers(case, known), seen, known.keys(), changed)
+        after = with_answers(case, known)
+        changed |= new.keys() | _changed(before, after)
+        seen = _again(after, seen, known.keys(), changed)
         best = [_better(*pair) for pair in zip(best, seen, strict=True)]
-        changed = set()
+        before, changed = after, set()
     return best
 
 
@@ -69,7 +75,8 @@ def _from_impossible(
     """
     if not outside:
         return list(judged)
-    again = _again(with_answers(case, {}, outside), judged, (), outside)
+    after = with_answers(case, {}, outside)
+    again = _again(after, judged, (), _changed(case, after).union(outside))
     return [_better(*pair) for pair in zip(judged, again, strict=True)]
 
 
@@ -155,7 +162,7 @@ def _again(
     changed: Collection[str],
 ) -> list[JudgedAnswer]:
     """Judge and explain again what the changed numbers may lead to; the rest stays as it is."""
-    reached = _reached(case.plan, changed)
+    reached = _reached(case, changed)
     return explain(
         case,
         [
@@ -168,19 +175,57 @@ def _again(
     )
 
 
-def _reached(plan: Plan, changed: Collection[str]) -> set[str]:
-    """Return what is computed from changed numbers, and what is used together with them.
+def _is_worth_while(judged: Sequence[JudgedAnswer], known: Collection[str]) -> bool:
+    """Tell whether something may follow from what was meant, in a work that was calculated.
 
-    An answer is explained by those that use it, so that other inputs of theirs matter too.
+    Where most numbers are wrong nothing was meant: some seem written wrongly by chance, and each
+    would lead to others that do.
     """
-    moved = set(changed)
-    for name in plan.quantities:
-        if not moved.isdisjoint(plan.inputs[name]):
-            moved.add(name)
-    beside = (
-        plan.inputs[name] for name in plan.quantities if not moved.isdisjoint(plan.inputs[name])
+    wrong = [one for one in judged if _may_be_better(one)]
+    computed = [
+        one for one in judged if one.quantity.kind is Kind.FORMULA and one.comparison is not None
+    ]
+    mistaken = sum(one.quantity.kind is Kind.FORMULA for one in wrong)
+    return mistaken <= _MOST_WRONG * len(computed) and any(
+        one.quantity.id not in known for one in wrong
     )
-    return moved.union(*beside)
+
+
+def _changed(before: GradingCase, after: GradingCase) -> set[str]:
+    """Return what is followed with another number, or only before or after."""
+    one, other = before.follow_through.known, after.follow_through.known
+    return {name for name in one.keys() | other.keys() if one.get(name) != other.get(name)}
+
+
+def _reached(case: GradingCase, changed: Collection[str]) -> set[str]:
+    """Return what changed numbers may lead to, or what they may explain.
+
+    A number that the student wrote down passes nothing on. An answer is explained by wrong methods
+    with inputs of their own, in steps that were not written down too, and by the answers that use
+    it, so that other inputs of theirs matter.
+    """
+    plan, known = case.plan, case.follow_through.known
+    moved, tried = set(changed), set[str]()
+    reached = set(changed)
+    for name in plan.quantities:
+        inputs = plan.inputs[name]
+        is_moved = not moved.isdisjoint(inputs)
+        if is_moved or name in changed:
+            reached.update(inputs)
+        if is_moved or not tried.isdisjoint(inputs) or _is_tried_with(case, name, moved):
+            reached.add(name)
+            if name not in known:
+                tried.add(name)
+        if is_moved and name not in known:
+            moved.add(name)
+    return reached
+
+
+def _is_tried_with(case: GradingCase, name: str, moved: Collection[str]) -> bool:
+    """Tell whether a rule, an erratum or a wrong method of a quantity looks at what moved."""
+    used = case.plan.quantities[name].uses
+    tried = (one.formula.names for one in case.candidates_of(name))
+    return any(one in moved for names in (used, *tried) for one in names)
 
 
 def _may_be_better(judged: JudgedAnswer) -> bool:

@@ -4,6 +4,7 @@ import numpy as np
 
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
+from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.text.units import factor
 from gripcourse.text.words import message
@@ -54,13 +55,41 @@ def _judge_size(comparison: Comparison) -> Judgement:
         said = message("A sound decision for your own earlier numbers.")
         credit = comparison.policy.carried_credit
         return conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
-    return _judge_printed(comparison, chosen, own_required.value * scale) or conclude(
+    return (
+        _judge_alternative(comparison, chosen)
+        or _judge_printed(comparison, chosen, own_required.value * scale)
+    ) or conclude(
         comparison,
         Outcome.WRONG,
         Against.NOTHING,
         0.0,
         follow_through.fault or message("The required value cannot be told from your numbers."),
     )
+
+
+def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | None:
+    """Judge a size by the other readings of what is required, at the reference and at own."""
+    scale = factor(comparison.quantity.unit)
+    reference = {name: np.asarray(v) for name, v in comparison.reference_values.items()}
+    own = comparison.follow_through.evaluation.values
+    for other in comparison.quantity.alternatives:
+        required = (
+            (comparison.at_reference(other.formula), reference),
+            (comparison.at_own(other.formula).value, own),
+        )
+        if any(
+            judge_choice(comparison.plan, comparison.quantity, chosen, value * scale, values).sound
+            for value, values in required
+        ):
+            return conclude(
+                comparison,
+                Outcome.CORRECT,
+                Against.ALTERNATIVE,
+                1.0,
+                ANOTHER_READING,
+                remarks=(other_reading(other),),
+            )
+    return None
 
 
 def _judge_printed(comparison: Comparison, chosen: float, required: float) -> Judgement | None:

@@ -5,6 +5,7 @@ import math
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
 
 # Beyond this share of the value a rounded number says too little to earn anything.
@@ -23,13 +24,14 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
     """
     quantity, value = comparison.quantity, comparison.value
     half_unit = comparison.answer.half_unit
-    if quantity.exact or quantity.integer or value == 0 or half_unit == 0:
+    nearest = max(half_unit, _of_zeros(comparison.answer))
+    if quantity.exact or quantity.integer or value == 0 or nearest == 0:
         return None
     own = comparison.follows.nearest(value)
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
         off = abs(value - target)
         cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
-        if math.isfinite(target) and off <= max(half_unit, cut):
+        if math.isfinite(target) and off <= max(nearest, cut):
             earns = off <= ROUGHEST * abs(target)
             credit = comparison.policy.rough_credit if earns else 0.0
             said = message(
@@ -38,6 +40,13 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
             )
             return conclude(comparison, Outcome.ROUGH, against, credit, said)
     return None
+
+
+def _of_zeros(answer: Answer) -> float:
+    """Return half a unit of the last digit before the zeros: 190 for 194, 40 for 38."""
+    if answer.value is None or answer.figures is None:
+        return 0.0
+    return figure_half_unit(answer.value, answer.figures)
 
 
 def _figures(comparison: Comparison, target: float) -> int:

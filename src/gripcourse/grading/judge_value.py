@@ -3,19 +3,23 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Final
 
-from gripcourse.course.quantity import Kind
+from gripcourse.course.quantity import Alternative, Kind
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.shortened import judge_shortened
 from gripcourse.policy.bands import band
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
+ANOTHER_READING: Final = message("Accepted: another reading of what is asked.")
+
 
 def judge_value(comparison: Comparison) -> Judgement:
-    """Judge an answer: reference, own inputs, printed errata; what earns most counts.
+    """Judge an answer: reference, own inputs, other readings, errata; what earns most counts.
 
     Among those that earn the same, the first counts.
     """
@@ -29,6 +33,7 @@ def judge_value(comparison: Comparison) -> Judgement:
     return (
         best
         or judge_rough(comparison)
+        or judge_shortened(comparison)
         or _conclude(comparison, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(comparison))
     )
 
@@ -44,6 +49,7 @@ def _matches(comparison: Comparison) -> Iterator[Judgement]:
             comparison.policy.carried_credit,
             message("Follows from your own earlier numbers."),
         )
+    yield from _alternatives(comparison)
     yield from _printed(comparison)
 
 
@@ -58,7 +64,25 @@ def _follows(comparison: Comparison, expected: ExpectedRange) -> bool:
     return comparison.fits(expected.nearest(comparison.value))
 
 
-def _fits_printed(comparison: Comparison, formula: Formula) -> bool:
+def _alternatives(comparison: Comparison) -> Iterator[Judgement]:
+    for other in comparison.quantity.alternatives:
+        if _fits_formula(comparison, other.formula):
+            yield _conclude(
+                comparison,
+                Outcome.CORRECT,
+                Against.ALTERNATIVE,
+                1.0,
+                ANOTHER_READING,
+                remarks=(other_reading(other),),
+            )
+
+
+def other_reading(other: Alternative) -> Message:
+    """Say how an answer was read."""
+    return message("Read otherwise: {remark}", remark=other.remark)
+
+
+def _fits_formula(comparison: Comparison, formula: Formula) -> bool:
     return comparison.fits(comparison.at_reference(formula)) or _follows(
         comparison, comparison.at_own(formula)
     )
@@ -66,7 +90,7 @@ def _fits_printed(comparison: Comparison, formula: Formula) -> bool:
 
 def _printed(comparison: Comparison) -> Iterator[Judgement]:
     for printed in comparison.quantity.as_printed:
-        if printed.formula is None or not _fits_printed(comparison, printed.formula):
+        if printed.formula is None or not _fits_formula(comparison, printed.formula):
             continue
         remark = message(
             "As the source prints it (erratum {erratum}): {note}",

@@ -14,7 +14,7 @@ from gripcourse.text.words import Message
 
 __all__ = [
     "Against", "Cause", "Decision", "Finding", "Flag", "FlagCode", "KnownBy", "Outcome",
-    "PointSums", "Report", "sums_of",
+    "PointSums", "Report", "Timing", "sums_of",
 ]  # fmt: skip
 
 
@@ -24,6 +24,7 @@ class Against(StrEnum):
     REFERENCE = "reference"
     OWN_INPUTS = "own_inputs"
     PRINTED = "printed"  # an erratum of a source, accepted by policy
+    ALTERNATIVE = "alternative"  # another honest reading that the quantity declares
     NOTHING = "nothing"
 
 
@@ -149,6 +150,30 @@ class Flag:
 
 
 @dataclass(frozen=True, slots=True)
+class Timing:
+    """When a work was handed in, what lateness costs, and whether the work counts.
+
+    Attributes:
+        number, of: which of the student's works it is, and how many there are.
+        counts: whether it is the one that counts.
+        handed_in: None where nobody knows.
+        deadline: None for none.
+        days_late: days begun after the deadline; 0 within it or its grace.
+        deduction: share of the points that is taken off.
+        waived: why lateness is not counted, in the words of a person; empty where it is.
+    """
+
+    number: int
+    of: int
+    counts: bool
+    handed_in: datetime | None
+    deadline: datetime | None
+    days_late: int
+    deduction: float
+    waived: str
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
     """The judgement of one submission.
 
@@ -171,6 +196,8 @@ class Report:
         creator: the author that the workbook names; empty for none.
         known_by: what told whose file it is.
         refusal: code of the reason why the file cannot be read; empty for none.
+        timing: attempts and lateness; None where the policy has no rule for them.
+        lacks_results: whether answers are formulas whose results the file does not store.
     """
 
     file: str
@@ -193,6 +220,13 @@ class Report:
     creator: str = ""
     known_by: KnownBy = KnownBy.NOTHING
     refusal: str = ""
+    timing: Timing | None = None
+    lacks_results: bool = False
+
+    @property
+    def earned(self) -> float:
+        """Points that count, after what lateness takes off."""
+        return self.score * (1 - (self.timing.deduction if self.timing else 0.0))
 
     @property
     def composition(self) -> Composition:

@@ -72,7 +72,7 @@ class Outcome(StrEnum):
         OutcomeTraits(
             sign="✓",
             word=message("correct"),
-            meaning=message("equals the expected value within its band"),
+            meaning=message("equals the expected value within its tolerance"),
             style="correct",
             waits=False,
             by_rubric=False,
@@ -248,7 +248,7 @@ class Outcome(StrEnum):
         OutcomeTraits(
             sign="…",
             word=message("not judged"),
-            meaning=message("could not be judged automatically; a person decides"),
+            meaning=message("could not be judged automatically; the instructor decides"),
             style="waiting",
             waits=True,
             by_rubric=False,
@@ -269,8 +269,8 @@ class Outcome(StrEnum):
         "manual",
         OutcomeTraits(
             sign="✎",
-            word=message("by a person"),
-            meaning=message("marked or decided by a person"),
+            word=message("by the instructor"),
+            meaning=message("marked or decided by the instructor"),
             style="waiting",
             waits=True,
             by_rubric=True,

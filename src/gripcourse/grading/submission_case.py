@@ -98,6 +98,13 @@ def with_answers(
     return replace(case, answers=followed, follow_through=follow_through)
 
 
+def with_given(case: GradingCase, given: Mapping[str, float]) -> GradingCase:
+    """Return the case where these values, in declared units, stand in the place of issued ones."""
+    taken = {**case.given, **given}
+    follow_through = follow(case.plan, taken, case.answers, case.reference, case.policy)
+    return replace(case, given=taken, follow_through=follow_through)
+
+
 def judge_answer(case: GradingCase, quantity: Quantity, answer: Answer | None) -> JudgedAnswer:
     """Judge one answer by its value; a wrong one is not explained yet."""
     if quantity.kind is Kind.MANUAL:
@@ -162,7 +169,7 @@ def _viewed(case: GradingCase, quantity: Quantity, answer: Answer, value: float)
         follow_through=case.follow_through,
     )
     if not comparison.has_reference:
-        said = message("There is no reference value for this variant; a person decides.")
+        said = message("There is no reference value for this variant; the instructor decides.")
         return JudgedAnswer(quantity, answer, comparison, _without_value(Outcome.NOT_JUDGED, said))
     judgement = (
         judge_choice_answer(comparison) if quantity.kind is Kind.CHOICE else judge_value(comparison)

@@ -26,6 +26,8 @@ _SPAN: Final = np.geomspace(0.1, 10.0, 1601)
 _PRIOR: Final = 0.2
 _LEAST_ANSWERS: Final = 2
 _FINEST: Final = 5e-6
+# Rounded inputs that move a result further leave nothing to tell it by.
+_MOST_SPREAD: Final = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +37,7 @@ class Substitution:
     Attributes:
         quantity: id of the input that it was used for.
         value: what was used, in the declared unit.
-        explains: ids of the answers that follow from it, in order of calculation.
+        explains: ids of the answers that follow from it; the first is the one that it costs.
         odds: of it against chance.
         tied: another input whose number explains the same answers as well; empty for none.
     """
@@ -115,10 +117,24 @@ def _spans(comparison: Comparison, name: str) -> Iterator[_Span]:
     results = evaluate_formula(formula, comparison.quantity.unit, values, comparison.plan.columns)
     size = factor(comparison.quantity.unit)
     typed = comparison.value * size
-    half = max(typed_half_unit(comparison.answer, comparison.policy) * size, _FINEST * abs(typed))
+    half = _reach(comparison) * size
     away = np.broadcast_to(results, tried.shape) - typed
     for place in np.flatnonzero(np.sign(away[:-1]) * np.sign(away[1:]) < 0).tolist():
         yield _between(comparison, tried, away, place, half)
+
+
+def _reach(comparison: Comparison) -> float:
+    """Return how far a typed number may be from what the formula gives at the right input.
+
+    Digits may be cut off, and the other inputs stand for more digits than were typed.
+    """
+    answer, policy, follows = comparison.answer, comparison.policy, comparison.follows
+    half_unit = max(typed_half_unit(answer, policy), _FINEST * abs(comparison.value))
+    spread = (follows.high - follows.low) / 2
+    if not (math.isfinite(spread) and follows.value):
+        return 2 * policy.last_digit * half_unit
+    share = min(spread / abs(follows.value), _MOST_SPREAD)
+    return 2 * policy.last_digit * half_unit + share * abs(comparison.value)
 
 
 def _between(
@@ -165,11 +181,7 @@ def _substitution(name: str, spans: Sequence[_Span], prior: float) -> Substituti
         return None
     odds = prior * _scatter(value, right, comparison.policy.slips.spread) * (high - low)
     for span in spans:
-        half = max(
-            typed_half_unit(span.comparison.answer, comparison.policy),
-            _FINEST * abs(span.comparison.value),
-        )
-        odds *= 1 / (2 * half) / (unexplained(span.comparison) or math.inf)
+        odds *= 1 / (2 * _reach(span.comparison)) / (unexplained(span.comparison) or math.inf)
     certain = comparison.policy.slips.certain
     if odds < certain / (1 - certain) or math.isclose(value, right, rel_tol=1e-3):
         return None

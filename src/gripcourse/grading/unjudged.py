@@ -8,6 +8,7 @@ from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
 
 UNREADABLE_SHARE = 0.1  # of the answers; beyond it nothing is judged
+_OF_THE_FILLED = 0.5  # of the answers that are not blank, likewise
 _NAMED = 3  # cells and reasons that are told
 
 
@@ -24,10 +25,13 @@ def is_unreadable(submission: Submission) -> bool:
     """Tell whether so many answers cannot be read that a mark would say nothing of the work.
 
     One cell with a word in it is a mistake of the student's. A program that stored no results of
-    formulas, or a column of pictures, is none: whoever handed that in has to be asked.
+    formulas, or a column of pictures, is none: whoever handed that in has to be asked. So has to
+    be who filled in little, most of which cannot be read.
     """
     unread = sum(one.reading is Reading.UNREADABLE for one in submission.answers.values())
-    return unread > UNREADABLE_SHARE * len(submission.answers)
+    filled = sum(one.reading is not Reading.BLANK for one in submission.answers.values())
+    most = unread > _OF_THE_FILLED * filled
+    return most or unread > UNREADABLE_SHARE * len(submission.answers)
 
 
 def unreadable_report(submission: Submission, issued: Issued) -> Report:
@@ -65,7 +69,7 @@ def disputed_report(file: str, doubt: Message, digest: str) -> Report:
 def incident_report(file: str, number: str, issued: Issued | None) -> Report:
     """Report a file whose grading failed on our side."""
     said = message(
-        "Grading failed on our side (incident {number}); the file waits for a person.",
+        "Grading failed on our side (incident {number}); the file waits for the instructor.",
         number=number,
     )
     return unjudged(file, Flag(FlagCode.INCIDENT, said), issued, "")

@@ -1,6 +1,6 @@
 """The register: which student was issued which numbers, for good."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.errors import Problem, RegisterError
@@ -26,27 +26,39 @@ class Register:
         return {entry.student.id: entry for entry in self.entries}
 
 
-def changed_entries(register: Register, key: bytes) -> tuple[Issued, ...]:
-    """Return the entries whose numbers do not fit their signature: somebody changed them."""
+def changed_entries(
+    register: Register, key: bytes, former: Sequence[bytes] = ()
+) -> tuple[Issued, ...]:
+    """Return the entries whose numbers do not fit their signature: somebody changed them.
+
+    Args:
+        register: as it was read.
+        key: that signs now.
+        former: keys that signed before.
+    """
     return tuple(
         entry
         for entry in register.entries
-        if not verify(key, register.course_id, entry.student.id, entry.variant, entry.signature)
+        if not any(
+            verify(one, register.course_id, entry.student.id, entry.variant, entry.signature)
+            for one in (key, *former)
+        )
     )
 
 
-def verified(register: Register, key: bytes, place: str) -> Register:
+def verified(register: Register, key: bytes, place: str, former: Sequence[bytes] = ()) -> Register:
     """Return a register of which nobody has changed anything.
 
     Args:
         register: as it was read.
         key: of the signatures.
         place: where the register is, for a person.
+        former: keys that signed before.
 
     Raises:
         RegisterError: naming every student whose numbers are not those that were issued.
     """
-    changed = changed_entries(register, key)
+    changed = changed_entries(register, key, former)
     if len(changed) == len(register.entries) > 1:
         what = message("Not one entry of the register fits the key: it is another one.")
         remedy = message("Restore the key that the course was issued with from a backup.")

@@ -5,11 +5,13 @@ assignment.
 """
 
 import json
+import math
 from datetime import date
 from pathlib import Path
 
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing.register import Register
+from gripcourse.machine.enclosed import is_file_name
 from gripcourse.machine.files import write_text
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, Student, Variant
@@ -121,6 +123,9 @@ def _entry(written: object) -> Issued:
     entry = _mapping(written)
     student = _mapping(entry["student"])
     deadline = entry["deadline"]
+    for name in (student["id"], entry["variant"]):
+        if not is_file_name(_text(name)):
+            raise ValueError(f"{name!r} cannot name a file")
     return Issued(
         student=Student(
             id=_text(student["id"]),
@@ -157,10 +162,12 @@ def _text(written: object) -> str:
 def _number(written: object) -> float:
     if not isinstance(written, int | float) or isinstance(written, bool):
         raise TypeError(f"{written!r} is not a number")
+    if not math.isfinite(written):
+        raise ValueError(f"{written!r} is not a finite number")
     return float(written)
 
 
-_RESTORE = message("Restore the register from a backup; do not mend it by hand.")
+_RESTORE = message("Restore the register from a backup; do not edit it by hand.")
 
 
 def _failure(path: Path, key: str, what: Message, remedy: Message) -> RegisterError:

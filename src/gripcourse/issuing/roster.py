@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.made_ids import with_ids
 from gripcourse.machine.content import Readable
+from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import (
@@ -26,9 +27,6 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _ID = re.compile(r"[\w-][\w.-]*")
-# Names that Windows keeps for devices, whatever follows the dot: no folder can be called so.
-_DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-_LONGEST_ID = 64
 _PARTS_OF_NAME = ("surname", "first", "patronymic")
 """In the order in which they are printed."""
 
@@ -146,18 +144,13 @@ class _Reader:
                 )  # fmt: skip
 
     def _check_id(self, row: SheetRow, id_: str) -> None:
-        if (
-            not _ID.fullmatch(id_)
-            or id_.endswith(".")
-            or _DEVICE.fullmatch(id_)
-            or len(id_) > _LONGEST_ID
-        ):
+        if not _ID.fullmatch(id_) or not is_file_name(id_):
             self._add(
                 row,
                 "student",
                 message("The id '{student}' cannot name a folder.", student=id_),
                 message("Use at most {most} letters, digits and the signs - _ . inside.",
-                        most=_LONGEST_ID),
+                        most=LONGEST_NAME),
             )  # fmt: skip
 
     def _language(self, row: SheetRow) -> str:

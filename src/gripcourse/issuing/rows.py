@@ -1,6 +1,7 @@
 """The register as rows of its tables, and back again."""
 
 import json
+import math
 from collections.abc import Iterable
 from datetime import date
 from typing import Any, TypeAlias
@@ -10,6 +11,7 @@ from sqlalchemy import Connection, RowMapping, func, insert, select
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing import schema
 from gripcourse.issuing.register import Register
+from gripcourse.machine.enclosed import is_file_name
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued, Student, Variant
 
@@ -37,7 +39,7 @@ def read_rows(connection: Connection, course_id: str, place: str) -> Register:
         except (KeyError, TypeError, ValueError) as fault:
             key = message("student {student}", student=student)
             what = message("The entry is damaged: {fault}.", fault=repr(fault))
-            remedy = message("Restore the register from a backup; do not mend it by hand.")
+            remedy = message("Restore the register from a backup; do not edit it by hand.")
             raise RegisterError([Problem(place, key, what, remedy)]) from fault
     return Register(course_id, tuple(entries))
 
@@ -120,6 +122,9 @@ def _entry(row: RowMapping, person: RowMapping) -> Issued:
         TypeError, ValueError: a row is not as it was written.
     """
     deadline = row["deadline"]
+    for name in (row["student"], row["variant"]):
+        if not is_file_name(name):
+            raise ValueError(f"{name!r} cannot name a file")
     return Issued(
         student=Student(
             id=row["student"],
@@ -133,12 +138,19 @@ def _entry(row: RowMapping, person: RowMapping) -> Issued:
             id=row["variant"],
             scheme=row["scheme"],
             options={name: str(one) for name, one in _pairs(row["options"])},
-            given={name: float(one) for name, one in _pairs(row["given"])},
+            given={name: _finite(one) for name, one in _pairs(row["given"])},
         ),
         issued_on=date.fromisoformat(row["issued_on"]),
         deadline=None if deadline is None else date.fromisoformat(deadline),
         signature=row["signature"],
     )
+
+
+def _finite(written: Any) -> float:  # noqa: ANN401 (whatever stands in the row)
+    number = float(written)
+    if not math.isfinite(number):
+        raise ValueError(f"{written!r} is not a finite number")
+    return number
 
 
 def _pairs(written: str) -> Iterable[tuple[str, Any]]:

@@ -1,4 +1,8 @@
-"""The square code on a sheet: whose it is, with the signature, for a telephone or a scanner."""
+"""The square code on a sheet: whose it is, with the signature, for a telephone or a scanner.
+
+A course that has an address makes a link of it: a telephone opens the course's page, and what the
+code says stands behind the sign `#`, which is never sent to that page's server.
+"""
 
 import io
 import re
@@ -31,29 +35,35 @@ class Seal:
 
 
 def seal_of(issued: Issued, course_id: str) -> Seal:
-    """Return the seal of what was issued."""
+    """Return the seal of what was issued from a course."""
     return Seal(course_id, issued.student.id, issued.variant.id, issued.signature)
 
 
-def seal_text(seal: Seal) -> str:
-    """Write a seal as one line of ASCII; ids are quoted as in an address."""
+def seal_text(seal: Seal, address: str = "") -> str:
+    """Write a seal as one line of ASCII; ids are quoted as in an address.
+
+    Args:
+        seal: what the code says.
+        address: that it leads to; empty for a code that is no link.
+    """
     ids = (quote(one, safe="") for one in (seal.course, seal.student, seal.variant))
-    return ":".join((_MARK, *ids, seal.signature))
+    written = ":".join((_MARK, *ids, seal.signature))
+    return f"{address}#{written}" if address else written
 
 
 def read_seal(text: str) -> Seal | None:
     """Read what `seal_text` wrote; None for any other code."""
-    found = _TEXT.fullmatch(text.strip())
+    found = _TEXT.fullmatch(text.strip().rpartition("#")[2])
     if found is None:
         return None
     return Seal(**{name: unquote(part) for name, part in found.groupdict().items()})
 
 
-def seal_svg(seal: Seal) -> str:
-    """Return the code as an SVG element whose size is left to the page."""
+def seal_svg(seal: Seal, address: str = "") -> str:
+    """Return the code as an SVG element whose size is left to the page; see `seal_text`."""
     import segno  # noqa: PLC0415 (only who makes a sheet pays for it)
 
-    code = segno.make(seal_text(seal), error="m", micro=False)
+    code = segno.make(seal_text(seal, address), error="m", micro=False)
     stream = io.BytesIO()
     code.save(stream, kind="svg", border=_QUIET, omitsize=True, xmldecl=False, nl=False)
     return stream.getvalue().decode()

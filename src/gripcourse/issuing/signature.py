@@ -2,6 +2,9 @@
 
 The key is 32 random bytes in the course's private folder. Whoever has it can sign; losing it makes
 old signatures unverifiable, so it belongs into a backup and never into a repository.
+
+The first line of the file is the key that signs; below it stand those that signed before, so that
+what was issued with them stays verifiable.
 """
 
 import hashlib
@@ -11,13 +14,14 @@ import re
 from pathlib import Path
 
 from gripcourse.errors import Problem, RegisterError
-from gripcourse.machine.files import making, write_text
+from gripcourse.machine.files import make_private_folder, making, write_text
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Variant
 
 KEY_BYTES = 32
 
 _KEY = re.compile(rf"[0-9a-f]{{{2 * KEY_BYTES}}}")
+_MOST_KEYS = 100  # a file of more is no file of keys
 
 
 def key_path(root: Path) -> Path:
@@ -40,15 +44,14 @@ def make_key(path: Path, random_bytes: bytes) -> bytes:
         ValueError: not 32 bytes.
         OSError: the folder cannot be written.
     """
-    if len(random_bytes) != KEY_BYTES:
-        raise ValueError(f"a key has {KEY_BYTES} bytes, not {len(random_bytes)}")
+    _check_length(random_bytes)
     if path.exists():
         raise _failure(
             path,
             message("There is a key already; a new one would void all signatures."),
             message("Keep it. To start a new course, move it away together with the register."),
         )
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_private_folder(path.parent)
     with making(path) as unfinished:
         write_text(unfinished, random_bytes.hex() + "\n", private=True)
     return read_key(path)
@@ -69,13 +72,39 @@ def key_of(path: Path, *, issued: bool) -> bytes | None:
 
 
 def read_key(path: Path) -> bytes:
-    """Read the key.
+    """Read the key that signs; errors as in `read_keys`."""
+    return read_keys(path)[0]
+
+
+def rotate_key(path: Path, random_bytes: bytes) -> int:
+    """Put a new key on top: it signs from now on, the others still verify.
+
+    Args:
+        path: of the file.
+        random_bytes: 32 bytes from a source fit for secrets.
+
+    Returns:
+        How many keys there are now.
+
+    Raises:
+        RegisterError: there is no key that could be replaced, or it is damaged.
+        ValueError: not 32 bytes.
+        OSError: the folder cannot be written; the old key is untouched.
+    """
+    _check_length(random_bytes)
+    keys = (random_bytes, *read_keys(path))
+    write_text(path, "".join(f"{one.hex()}\n" for one in keys), private=True)
+    return len(keys)
+
+
+def read_keys(path: Path) -> tuple[bytes, ...]:
+    """Read the key that signs, and behind it those that signed before.
 
     Raises:
         RegisterError: the key is missing or damaged.
     """
     try:
-        text = path.read_text(encoding="ascii").strip()
+        lines = path.read_text(encoding="ascii").split()
     except FileNotFoundError:
         raise _failure(
             path,
@@ -83,15 +112,15 @@ def read_key(path: Path) -> bytes:
             message("Restore it from a backup; a new course gets one with its first issue."),
         ) from None
     except UnicodeDecodeError:
-        text = ""
-    if not _KEY.fullmatch(text):
+        lines = []
+    if not 0 < len(lines) <= _MOST_KEYS or not all(map(_KEY.fullmatch, lines)):
         raise _failure(
             path,
             message("The key of the signatures is damaged: it must be {digits} digits 0-9 a-f.",
                     digits=2 * KEY_BYTES),
             message("Restore it from a backup."),
         )  # fmt: skip
-    return bytes.fromhex(text)
+    return tuple(map(bytes.fromhex, lines))
 
 
 def sign(key: bytes, course_id: str, student_id: str, variant: Variant) -> str:
@@ -106,6 +135,11 @@ def verify(key: bytes, course_id: str, student_id: str, variant: Variant, signat
     """Tell whether a signature belongs to these numbers, in time that says nothing about it."""
     expected = sign(key, course_id, student_id, variant)
     return hmac.compare_digest(expected.encode(), signature.encode())
+
+
+def _check_length(random_bytes: bytes) -> None:
+    if len(random_bytes) != KEY_BYTES:
+        raise ValueError(f"a key has {KEY_BYTES} bytes, not {len(random_bytes)}")
 
 
 def _canonical(course_id: str, student_id: str, variant: Variant) -> bytes:

@@ -17,7 +17,7 @@ from gripcourse.issuing.allotment import Extended
 from gripcourse.issuing.register import Register, verified
 from gripcourse.issuing.register_file import old_register_path, read_register_file
 from gripcourse.issuing.rows import add_rows, other_courses, read_rows
-from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.issuing.signature import key_path, read_keys
 from gripcourse.machine.database.home import exists, gradebook_path, home_of
 from gripcourse.machine.database.opening import (
     open_engine,
@@ -106,7 +106,8 @@ def _read(connection: Connection, engine: Engine, root: Path, course_id: str) ->
     place = without_password(engine.url)
     register = read_rows(connection, course_id, place)
     if register.entries:
-        return verified(register, read_key(key_path(root)), place)
+        key, *former = read_keys(key_path(root))
+        return verified(register, key, place, former)
     _refuse_other(connection, engine, root, course_id)
     return register
 
@@ -141,7 +142,8 @@ def _refuse_other(connection: Connection, engine: Engine, root: Path, course_id:
 def _take_over(root: Path, course_id: str) -> None:
     """Take over the register that an earlier program kept as a file, which stays as a copy."""
     path = old_register_path(root)
-    old = verified(read_register_file(path, course_id), read_key(key_path(root)), str(path))
+    key, *former = read_keys(key_path(root))
+    old = verified(read_register_file(path, course_id), key, str(path), former)
     engine = open_engine(home_of(root))
     with refusals_named(without_password(engine.url)), writing(engine) as connection:
         before = read_rows(connection, course_id, without_password(engine.url))
@@ -164,7 +166,7 @@ def _joined(before: Register, old: Register, path: Path) -> Register:
             "The gradebook says of {students} that other numbers were issued than this file.",
             students=", ".join(differing),
         )
-        remedy = message("Move the one that is wrong away; do not mend either by hand.")
+        remedy = message("Move the wrong one away; do not edit either by hand.")
         raise RegisterError([Problem(str(path), "", what, remedy)])
     fresh = (entry for entry in old.entries if entry.student.id not in known)
     return Register(before.course_id, (*before.entries, *fresh))

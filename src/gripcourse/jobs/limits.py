@@ -6,15 +6,18 @@ it a watchdog outside of Python that ends the process.
 """
 
 import faulthandler
+import math
 import multiprocessing
 import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.process import BaseProcess
+from pathlib import Path
 from types import FrameType
 
 from gripcourse.text.words import Message, message
@@ -32,10 +35,15 @@ class Limits:
         memory: bytes of address space; what we do with a file or a page takes a tenth of it.
         grace: seconds after the time of a job until its process is ended. An alarm is heard between
             two steps of Python; who is deep inside a library does not hear it.
+        processor: seconds of processor time that a job may take, whatever else the machine does
+            meanwhile; None for no other bound than that by the clock.
+        writes: whether it may write files.
     """
 
     memory: int = 3 * 1024**3
     grace: float = 5.0
+    processor: float | None = None
+    writes: bool = True
 
 
 class TookTooLongError(BaseException):
@@ -51,6 +59,9 @@ def bind_worker(limits: Limits) -> None:
     if sys.platform != "win32":
         import resource  # noqa: PLC0415 (exists on Unix only)
 
+        if not limits.writes:
+            # Python ignores the signal that comes with it: writing a file is a plain error.
+            _lower(resource.RLIMIT_FSIZE, 0)
         _, hard = resource.getrlimit(resource.RLIMIT_AS)
         wanted = min(limits.memory, system_memory_limit() or limits.memory)
         try:
@@ -94,8 +105,30 @@ def memory_notice(limits: Limits, platform: str = sys.platform) -> Message | Non
     )
 
 
+def peak_memory() -> int:
+    """Return how many bytes of memory this process has had at most; 0 where nobody counts.
+
+    On Linux `getrusage` counts what the process that started this one had, too.
+    """
+    if sys.platform == "linux":
+        with suppress(OSError, StopIteration):
+            lines = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
+            peak = next(line for line in lines.splitlines() if line.startswith("VmHWM:"))
+            return int(peak.split()[1]) * 1024
+    return 0
+
+
+def _lower(kind: int, wanted: int) -> None:
+    """Lower a soft limit of this process; what the system bounds more stays."""
+    import resource  # noqa: PLC0415 (exists on Unix only)
+
+    soft, hard = resource.getrlimit(kind)
+    bounds = [one for one in (soft, hard) if one != resource.RLIM_INFINITY]
+    resource.setrlimit(kind, (min([wanted, *bounds]), hard))
+
+
 @contextmanager
-def time_limit(seconds: float, grace: float) -> Iterator[None]:
+def time_limit(seconds: float, grace: float, processor: float | None = None) -> Iterator[None]:
     """Bound what happens inside, in the main thread of a worker process.
 
     Where the system has an alarm, it raises when the time is over and the worker goes on with other
@@ -108,7 +141,7 @@ def time_limit(seconds: float, grace: float) -> Iterator[None]:
         # A thread that needs nothing of Python, on every system.
         faulthandler.dump_traceback_later(seconds + grace, exit=True, file=nowhere)
         try:
-            with _alarm(seconds):
+            with _alarm(seconds), _processor_limit(processor, grace):
                 yield
         finally:
             faulthandler.cancel_dump_traceback_later()
@@ -132,6 +165,29 @@ def _alarm(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
+@contextmanager
+def _processor_limit(seconds: float | None, grace: float) -> Iterator[None]:
+    """Bound processor time: a signal that Python hears, behind it the system that ends us."""
+    if seconds is None or sys.platform == "win32":
+        yield
+        return
+    import resource  # noqa: PLC0415 (exists on Unix only)
+
+    def ring(_signal: int, _frame: FrameType | None) -> None:
+        raise TookTooLongError(seconds)
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    before = signal.signal(signal.SIGPROF, ring)
+    _lower(resource.RLIMIT_CPU, math.ceil(time.process_time() + seconds + grace))
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+        resource.setrlimit(resource.RLIMIT_CPU, (soft, hard))
+
+
 def _die_with_parent() -> None:
     """End this process as soon as the one that started it is gone, however that ended.
 
@@ -139,9 +195,8 @@ def _die_with_parent() -> None:
     library holds Python's lock, so that on Linux the kernel is asked as well.
     """
     parent = multiprocessing.parent_process()
-    if parent is None:
-        return
-    threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
+    if parent is not None:
+        threading.Thread(target=_end_after, args=(parent,), daemon=True).start()
     if sys.platform == "linux":
         import ctypes  # noqa: PLC0415 (for this alone)
 

@@ -5,11 +5,14 @@ them does first. Another kind of workers, on other machines for example, is anot
 who has jobs to do has to know.
 """
 
+import pickle
 import sys
+import weakref
 from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
+from multiprocessing.shared_memory import SharedMemory
 from typing import Any, Final, TypeAlias
 
 from gripcourse.jobs.limits import Limits
@@ -38,8 +41,38 @@ class Pool:
 
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:
     most = _MOST_ON_WINDOWS if sys.platform == "win32" else workers
+    # What a worker is started with goes through a pipe that nobody empties if it ends too early:
+    # more than fits in there would be waited for in vain.
+    packed = pickle.dumps((first, arguments))
+    memory = SharedMemory(create=True, size=len(packed))
+    _content(memory)[: len(packed)] = packed
     # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.
-    return ProcessPoolExecutor(min(workers, most), get_context("spawn"), first, arguments)
+    executor = ProcessPoolExecutor(
+        min(workers, most), get_context("spawn"), _begin, (memory.name, len(packed))
+    )
+    weakref.finalize(executor, _give_back, memory)
+    return executor
+
+
+def _begin(name: str, size: int) -> None:
+    """Fetch what a worker does first, in the worker, and do it."""
+    memory = SharedMemory(name)
+    packed = bytes(_content(memory)[:size])
+    memory.close()
+    first, arguments = pickle.loads(packed)  # noqa: S301 (packed by the program that started this)
+    first(*arguments)
+
+
+def _content(memory: SharedMemory) -> memoryview:
+    content = memory.buf
+    if content is None:
+        raise ValueError(memory.name)  # it was closed
+    return content
+
+
+def _give_back(memory: SharedMemory) -> None:
+    memory.close()
+    memory.unlink()
 
 
 def _threads(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:

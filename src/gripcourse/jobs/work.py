@@ -41,7 +41,7 @@ def install(name: str, packed: bytes, limits: Limits | None) -> None:
         if limits is not None:
             bind_worker(limits)
         _KNOWN[name] = pickle.loads(packed)  # noqa: S301 (packed by the program that started this)
-    except Exception:  # noqa: BLE001 (a worker that cannot start would be started again and again)
+    except (Exception, SystemExit):  # noqa: BLE001 (a worker that cannot start comes again and again)
         _KNOWN[name] = Lost(traceback.format_exc())
 
 
@@ -66,7 +66,7 @@ def do(task: Task, item: object) -> Any | Lost:  # noqa: ANN401 (as above)
     try:
         if task.limits is None:
             return task.work(item, task.shared)
-        with time_limit(task.seconds, task.limits.grace):
+        with time_limit(task.seconds, task.limits.grace, task.limits.processor):
             return task.work(item, task.shared)
-    except (Exception, TookTooLongError):  # noqa: BLE001 (ours: one job's, never the batch's)
+    except (Exception, SystemExit, TookTooLongError):  # noqa: BLE001 (one job's, never the batch's)
         return Lost(traceback.format_exc())

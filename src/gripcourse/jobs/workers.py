@@ -2,7 +2,7 @@
 
 A library below us can hang, swallow memory or abort its process. When a worker dies, its executor
 is of no use any more: the few jobs that were on their way to a worker are done again one by one,
-and only the one that ends its worker again is lost.
+and only the one that ends its worker again is lost. Where no worker can even start, all are lost.
 """
 
 import pickle
@@ -116,6 +116,11 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int) -> _Done:
         count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
         suspects = yield from _until_worker_dies(waiting, crew, count, count * _AHEAD)
+        if suspects and not _can_start(crew):
+            lost = Lost("No worker could start; what it wrote to its error output says why.\n")
+            left = sorted((*suspects, *(number for number, _ in waiting)))
+            yield from ((number, lost) for number in left)
+            return
         alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
         while alone:
             for number in (yield from _until_worker_dies(alone, crew, 1, 1)):
@@ -155,6 +160,18 @@ def _until_worker_dies(
     finally:
         executor.shutdown(cancel_futures=True)
     return taken_along
+
+
+def _can_start(crew: _Crew) -> bool:
+    """Tell whether a worker that is given nothing to do lives."""
+    executor = crew.open(1)
+    try:
+        executor.submit(_nothing).result()
+    except BrokenExecutor:
+        return False
+    finally:
+        executor.shutdown(cancel_futures=True)
+    return True
 
 
 def _nothing(*_: object) -> None:

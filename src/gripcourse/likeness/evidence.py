@@ -9,14 +9,15 @@ over how much may have been taken, and divided by the number of comparisons.
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import same_as_issued, same_as_typed
+from gripcourse.likeness.matches import Floats, same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
-from gripcourse.likeness.odds import compare, rests_on
+from gripcourse.likeness.odds import Compared, compare, rests_on
 from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, where_right_is_shared
 from gripcourse.policy.model import LikenessRule
 
@@ -48,25 +49,72 @@ def find_evidence(
         return creators
     pooled = pool(usable, issued)
     chosen = chances or Chances()
-    variants = other_variants(pooled, rule, chosen)
-    return (*variants, *same_answers(pooled, rule, chosen), *creators)
+    fits = _fits(pooled, rule, chosen)
+    alike = tuple(same_answers(pooled, rule, chosen))
+    return (
+        *other_variants(pooled, rule, fits),
+        *owners_of_copies(pooled, rule, fits, alike),
+        *creators,
+    )
 
 
-def other_variants(
-    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
-) -> Iterator[Evidence]:
-    """Yield for each submission the variant of another student that it fits beyond chance."""
-    hits = same_as_issued(pooled.numbers, pooled.issued.values)
-    chance = chance_of(pooled, hits, chances)
-    found = compare(pooled, hits, chance, np.isfinite(pooled.issued.values), rule.answers)
-    logs = found.logs.copy()
+@dataclass(frozen=True, slots=True)
+class _Fit:
+    """How well each submission fits each other student's variant: exactly, and moved a little.
+
+    Attributes:
+        found: the comparisons of each reach.
+        logs: (submissions, owners); of the odds over both; −∞ for a student's own variant.
+    """
+
+    found: tuple[Compared, ...]
+    logs: Floats
+
+
+def _fits(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> _Fit:
+    found = []
+    present = np.isfinite(pooled.issued.values)
+    for moved in chances.moved:
+        hits = same_as_issued(pooled.numbers, pooled.issued.values, moved)
+        chance = chance_of(pooled, hits, chances)
+        found.append(compare(pooled, hits, chance, present, rule.answers))
+    # Nobody knows beforehand whether numbers were moved: both count alike.
+    logs = np.logaddexp.reduce([one.logs for one in found]) - math.log(len(found))
     logs[np.arange(len(logs)), pooled.own] = -np.inf
-    best = np.argmax(logs, axis=1)
-    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
+    return _Fit(tuple(found), logs)
+
+
+def other_variants(pooled: ComparisonPool, rule: LikenessRule, fits: _Fit) -> Iterator[Evidence]:
+    """Yield for each submission the variant of another student that it fits beyond chance."""
+    best = np.argmax(fits.logs, axis=1)
+    for row in np.flatnonzero(np.max(fits.logs, axis=1) >= _least(pooled, rule)):
         students = (pooled.students[row], pooled.issued.owners[best[row]])
-        names = rests_on(pooled, found, int(row), int(best[row]))
-        odds = _odds(pooled, float(logs[row, best[row]]))
+        nearest = max(fits.found, key=lambda one: float(one.logs[row, best[row]]))
+        names = rests_on(pooled, nearest, int(row), int(best[row]))
+        odds = _odds(pooled, float(fits.logs[row, best[row]]))
         yield Evidence(NumberKind.OTHER_VARIANT, students, odds, names)
+
+
+def owners_of_copies(
+    pooled: ComparisonPool, rule: LikenessRule, fits: _Fit, alike: Iterable[Evidence]
+) -> Iterator[Evidence]:
+    """Tell who has the same answers as another, and whose own they are.
+
+    Where the other's numbers are those of this student's variant, and not the other way round,
+    this student is the owner and no suspect.
+    """
+    told = np.argwhere(fits.logs >= _least(pooled, rule))
+    taken = {(pooled.students[row], pooled.issued.owners[owner]) for row, owner in told}
+    for one in alike:
+        student, *others = one.students
+        copies = [
+            other for other in others if (other, student) in taken and (student, other) not in taken
+        ]
+        rest = [other for other in others if other not in copies]
+        if copies:
+            yield replace(one, kind=NumberKind.COPIED_FROM, students=(student, *copies))
+        if rest:
+            yield replace(one, students=(student, *rest))
 
 
 def same_answers(

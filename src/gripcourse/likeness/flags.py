@@ -56,6 +56,15 @@ def _said(evidence: Evidence) -> Message:
             odds=odds,
             names=names,
         )
+    if evidence.kind is NumberKind.COPIED_FROM:
+        return message(
+            "This student's own numbers stand in the work of {others} too, whose variant does not "
+            "explain them: {odds}, all comparisons counted. This rests on: {names}. The question "
+            "goes to them, not to the owner.",
+            others=others,
+            odds=odds,
+            names=names,
+        )
     if evidence.kind is NumberKind.SAME_ANSWERS:
         return message(
             "Numbers that the student's own variant does not explain are the same in the work of "

@@ -58,9 +58,18 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
     return np.minimum(2 * half_unit, third)
 
 
-def same_as_issued(numbers: ComparedNumbers, values: Floats) -> Matches:
-    """Find the variants whose right values the numbers are, within one unit of the last digit."""
-    reach = np.maximum(numbers.unit, _OWN_ROUNDING * np.abs(numbers.value))
+def same_as_issued(
+    numbers: ComparedNumbers, values: Floats, moved: float = _OWN_ROUNDING
+) -> Matches:
+    """Find the variants whose right values the numbers are.
+
+    Args:
+        numbers: to find.
+        values: (owners, quantities), the right ones.
+        moved: relative; how far a taken number may be from the right one, where that is more than
+            one unit of its last digit.
+    """
+    reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
     return _matches(numbers, values, reach * (1 + _SAME), 1)
 
 

@@ -11,6 +11,7 @@ class NumberKind(StrEnum):
 
     OTHER_VARIANT = "other_variant"  # answers or given values are those of another's variant
     SAME_ANSWERS = "same_answers"  # answers equal what another student typed
+    COPIED_FROM = "copied_from"  # others typed this student's own numbers
     SAME_CREATOR = "same_creator"  # the workbooks name the same author
 
 
@@ -76,9 +77,12 @@ class Chances:
         shared: likewise where both students have the same right value: the same wrong method gives
             the same wrong value.
         slip: that it comes from the method that was recognised in it, at least.
+        moved: relative; how far taken numbers may lie from the right ones: as rounding on the way
+            moves them, and as far as somebody moves them who hides where they come from.
     """
 
     least: float = 0.002
     discrete: float = 0.1
     shared: float = 0.1
     slip: float = 0.05
+    moved: tuple[float, ...] = (0.002, 0.011)

@@ -1,4 +1,4 @@
-"""A file to be read: one on the disk, or bytes that somebody sent under a name."""
+"""A file to be read: one on the disk, one inside a zip, or bytes sent under a name."""
 
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -18,22 +18,41 @@ class NamedBytes:
     data: bytes
 
 
-Readable: TypeAlias = Path | NamedBytes
+@dataclass(frozen=True, slots=True)
+class PackedFile:
+    """A file inside a zip; its content is read only when it is wanted.
+
+    Attributes:
+        archive: the zip.
+        place: number of the member in it; see `machine.archive`.
+        name: of the member, with its folders.
+    """
+
+    archive: Path
+    place: int
+    name: str
+
+
+Readable: TypeAlias = Path | NamedBytes | PackedFile
 """What a reader takes."""
 
 
 def shown_name(source: Readable) -> str:
     """Return what a file is called in a sentence: its path, or the name it came under."""
+    if isinstance(source, PackedFile):
+        return f"{source.archive}/{source.name}"
     return source.name if isinstance(source, NamedBytes) else str(source)
 
 
 def pure_path(source: Readable) -> PurePath:
     """Return a file's name for a look at its last part or its suffix; nothing is on the disk."""
-    return PurePath(source.name) if isinstance(source, NamedBytes) else source
+    return source if isinstance(source, Path) else PurePath(source.name)
 
 
 def is_there(source: Readable) -> bool:
     """Tell whether there is such a file; bytes always are."""
+    if isinstance(source, PackedFile):
+        return source.archive.is_file()
     return isinstance(source, NamedBytes) or source.is_file()
 
 
@@ -41,6 +60,10 @@ def content_of(source: Readable) -> bytes:
     """Return the whole content.
 
     Raises:
-        OSError: there is no such file, or it may not be read.
+        OSError: there is no such file, it may not be read, or it is damaged inside its zip.
     """
+    if isinstance(source, PackedFile):
+        from gripcourse.machine.archive import read_member  # noqa: PLC0415 (few files are packed)
+
+        return read_member(source.archive, source.place)
     return source.data if isinstance(source, NamedBytes) else source.read_bytes()

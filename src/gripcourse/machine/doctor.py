@@ -3,7 +3,6 @@
 `look` observes, `assess` is a pure function of what was observed, `checks` does both.
 """
 
-import shutil
 import sys
 import tempfile
 from collections.abc import Iterable
@@ -19,6 +18,7 @@ from gripcourse.machine.fonts import (
     load_pango,
     missing_font,
 )
+from gripcourse.machine.office import office_command
 from gripcourse.text.conventions import is_english
 from gripcourse.text.translations import TranslationFault, catalogue_file, read_translations
 from gripcourse.text.words import LANGUAGES, Message, message
@@ -92,7 +92,7 @@ def look(folder: Path) -> Machine:
             for language in LANGUAGES
             if not is_english(language)
         ),
-        office=shutil.which("soffice") or shutil.which("libreoffice"),
+        office=office_command(),
         folder=folder,
         writable=_writable(folder),
     )

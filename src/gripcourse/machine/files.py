@@ -8,12 +8,13 @@ import os
 import re
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 _TOKEN_BYTES = 4
 _PUBLIC = 0o666  # narrowed by the user's umask, as for any new file
 _PRIVATE = 0o600
+_PRIVATE_FOLDER = 0o700
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
 
 
@@ -71,8 +72,14 @@ def replacing(path: Path) -> Iterator[Path]:
     try:
         yield temporary
         temporary.replace(path)
+    except OSError as error:
+        # Nobody knows the temporary name, and what fails while it is written has no name at all.
+        if error.filename in (None, str(temporary), temporary):
+            error.filename, error.filename2 = str(path), None
+        raise
     finally:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
 
 
 @contextmanager
@@ -112,6 +119,15 @@ def make_private(path: Path) -> None:
         OSError: there is one already, or the folder cannot be written.
     """
     os.close(os.open(path, _NEW, _PRIVATE))
+
+
+def make_private_folder(path: Path) -> None:
+    """Make a folder that only its owner may open; one that is there stays as it is.
+
+    Raises:
+        OSError: it cannot be made, or is a file.
+    """
+    path.mkdir(mode=_PRIVATE_FOLDER, parents=True, exist_ok=True)
 
 
 def _temporary(path: Path) -> Path:

@@ -5,7 +5,7 @@ Whoever asks for a font that is not there silently gets another one, or none.
 
 from collections.abc import Iterable
 from contextlib import redirect_stdout
-from io import StringIO
+from io import BytesIO, StringIO
 from typing import Any
 
 from gripcourse.machine.process_wide import without_warnings
@@ -15,9 +15,13 @@ from gripcourse.text.words import Message, message
 FONT_PACKAGES = {
     "PT Serif": "fonts-paratype",
     "PT Sans": "fonts-paratype",
+    "Liberation Serif": "fonts-liberation",
     "DejaVu Serif": "fonts-dejavu-core",
     "DejaVu Sans": "fonts-dejavu-core",
 }
+
+
+_GREEK = "αβγδηθλμπρστφψωΔΣ"
 
 
 def fonts_used(families: Iterable[str]) -> dict[str, str]:
@@ -27,6 +31,12 @@ def fonts_used(families: Iterable[str]) -> dict[str, str]:
     """
     library = load_pango()[1]
     return {one: _family_used(library, one) for one in families} if library else {}
+
+
+def without_greek(families: Iterable[str]) -> tuple[str, ...]:
+    """Return those families that have no Greek letters: formulas take them from another font."""
+    library = load_pango()[1]
+    return tuple(one for one in families if library and not _has_greek(library, one))
 
 
 def missing_font(family: str, used: str) -> Message:
@@ -63,6 +73,34 @@ def load_pango() -> tuple[str, Any]:
 
 def _family_used(library: Any, family: str) -> str:  # noqa: ANN401 - WeasyPrint ships no types
     """Ask Pango which font family a document gets that asks for `family`; empty for none at all."""
+    ffi, pango = library.ffi, library.pango
+    font = _loaded(library, family)
+    if font is None:
+        return ""
+    free = pango.pango_font_description_free
+    used = ffi.gc(pango.pango_font_describe_with_absolute_size(font), free)
+    return str(ffi.string(pango.pango_font_description_get_family(used)).decode())
+
+
+def _has_greek(library: Any, family: str) -> bool:  # noqa: ANN401 - WeasyPrint ships no types
+    """Look into the file of a font whether it has Greek letters, small and capital."""
+    # A fifth of a second that only who checks a course pays for; it comes with WeasyPrint.
+    from fontTools.ttLib import TTFont  # noqa: PLC0415
+
+    ffi, harfbuzz = library.ffi, library.harfbuzz
+    font = _loaded(library, family)
+    if font is None:
+        return False
+    face = harfbuzz.hb_font_get_face(library.pango.pango_font_get_hb_font(font))
+    blob = ffi.gc(harfbuzz.hb_face_reference_blob(face), harfbuzz.hb_blob_destroy)
+    length = ffi.new("unsigned int *")
+    data = harfbuzz.hb_blob_get_data(blob, length)
+    file = TTFont(BytesIO(ffi.unpack(data, int(length[0]))), fontNumber=0, lazy=True)
+    return all(ord(letter) in file.getBestCmap() for letter in _GREEK)
+
+
+def _loaded(library: Any, family: str) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
+    """Return the font that Pango takes for a family; None where the machine has none at all."""
     ffi, pango, gobject = library.ffi, library.pango, library.gobject
     fonts = ffi.gc(library.pangoft2.pango_ft2_font_map_new(), gobject.g_object_unref)
     context = ffi.gc(pango.pango_font_map_create_context(fonts), gobject.g_object_unref)
@@ -70,8 +108,9 @@ def _family_used(library: Any, family: str) -> str:  # noqa: ANN401 - WeasyPrint
     wanted = ffi.gc(pango.pango_font_description_new(), free)
     pango.pango_font_description_set_family(wanted, family.encode())
     loaded = pango.pango_font_map_load_font(fonts, context, wanted)
-    if loaded == ffi.NULL:
-        return ""
-    font = ffi.gc(loaded, gobject.g_object_unref)
-    used = ffi.gc(pango.pango_font_describe_with_absolute_size(font), free)
-    return str(ffi.string(pango.pango_font_description_get_family(used)).decode())
+    # The map goes before the font otherwise.
+    return None if loaded == ffi.NULL else ffi.gc(loaded, lambda one: _unref(gobject, one, fonts))
+
+
+def _unref(gobject: Any, font: Any, _fonts: Any) -> None:  # noqa: ANN401 - as above
+    gobject.g_object_unref(font)

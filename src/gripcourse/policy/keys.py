@@ -17,8 +17,9 @@ from gripcourse.course.shape import (
     text,
     texts,
 )
-from gripcourse.policy.model import Reveal
+from gripcourse.policy.model import Reveal, Tells
 from gripcourse.policy.slips import SlipKind
+from gripcourse.policy.time_rules import Counts
 
 _SHARE: Final = {"type": "number", "minimum": 0, "maximum": 1}
 _PAIRS: Final = {
@@ -119,10 +120,49 @@ POLICY: Final = Shape(
                 "same_creator": number("Students who share an author's name, at most."),
             },
         ),
+        "check": table(
+            "What a student's self-check tells before the deadline.",
+            {
+                "tells": text("The most that is told.", *Tells, required=True),
+                "times": number("How often each student is told more than the reading."),
+            },
+        ),
         "report": table(
             "What a student's report shows.",
             {"reveal": text("Of the reference solution.", *Reveal, required=True)},
             required=True,
+        ),
+        "late": table(
+            "What lateness costs.",
+            {
+                "per_day": number("Share of the points that each day begun takes off.", 0, 1,
+                                  required=True),
+                "most": number("Share that lateness takes off at most.", 0, 1),
+                "grace": number("Hours after the deadline that cost nothing.", 0, 10_000),
+                "zone": text("Time zone of the course, such as Europe/Kyiv."),
+            },
+        ),
+        "attempts": table(
+            "Which of several works of a student counts.",
+            {
+                "counts": text("Of those that may count.", *Counts, required=True),
+                "most": number("How many may; 0 for any number.", 0, 1000),
+            },
+        ),
+        "scale": tables(
+            "What shares of the points are called.",
+            {
+                "id": text("Unique name; its column in the table of grades.", required=True),
+                "title": texts("For documents.", required=True),
+                "step": tables(
+                    "Its steps; none for the plain percentage.",
+                    {
+                        "from": number("Percentage of the points that it begins at.", 0, 100,
+                                       required=True),
+                        "text": texts("What it is called.", required=True),
+                    },
+                ),
+            },
         ),
         "variants": table(
             "When variants may be handed out side by side.",

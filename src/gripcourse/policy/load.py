@@ -15,8 +15,10 @@ from gripcourse.policy.keys import POLICY
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.policy.points import main_points_by_section
 from gripcourse.policy.rubric_load import read_rubrics
-from gripcourse.policy.rules import read_figure_rule, read_likeness_rule
+from gripcourse.policy.rules import read_check_rule, read_figure_rule, read_likeness_rule
+from gripcourse.policy.scales import read_scales
 from gripcourse.policy.slips_load import read_slip_policy
+from gripcourse.policy.time_rules import read_attempt_rule, read_late_rule
 from gripcourse.policy.variant_rules import read_variant_rules
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import factor
@@ -76,7 +78,11 @@ def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
         variants=read_variant_rules(table.required_table("variants")),
         figure_rule=read_figure_rule(table.table("figures")),
         likeness=read_likeness_rule(table.table("likeness")),
+        check=read_check_rule(table.table("check")),
         rubrics=rubrics,
+        scales=read_scales(table, points.numbers("section", {})),
+        late=read_late_rule(table.table("late")),
+        attempts=read_attempt_rule(table.table("attempts")),
     )
     credit.known_keys()
     rounding.known_keys()

@@ -9,7 +9,9 @@ from enum import StrEnum
 
 from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.rubric import Rubric
+from gripcourse.policy.scales import Scale
 from gripcourse.policy.slips import SlipPolicy
+from gripcourse.policy.time_rules import AttemptRule, LateRule
 
 
 class Reveal(StrEnum):
@@ -84,6 +86,28 @@ class LikenessRule:
     same_creator: int
 
 
+class Tells(StrEnum):
+    """What a self-check tells before the deadline, each with all before it."""
+
+    READING = "reading"  # how each answer was read, its unit and magnitude
+    SECTIONS = "sections"  # whether the numbers of a section fit each other, all of them or not
+    ANSWERS = "answers"  # whether each answer fits those before it
+
+
+@dataclass(frozen=True, slots=True)
+class CheckRule:
+    """How much a student may learn from self-checks.
+
+    Attributes:
+        tells: the most that is told.
+        times: how often each student may be told more than the reading; who asks again learns the
+            reading alone.
+    """
+
+    tells: Tells
+    times: int
+
+
 @dataclass(frozen=True, slots=True)
 class Policy:
     """How answers become points.
@@ -113,7 +137,11 @@ class Policy:
         variants: when variants may be handed out side by side.
         figure_rule: how many figures answers should be typed with.
         likeness: when copying is suspected.
+        check: what a self-check tells.
         rubrics: by which a person marks manual items, by id.
+        scales: what shares of the points are called, in the order of the documents.
+        late: what lateness costs; None for nothing.
+        attempts: which of several works counts; None where each is reported for itself.
     """
 
     total: float
@@ -138,4 +166,8 @@ class Policy:
     variants: VariantRules
     figure_rule: FigureRule
     likeness: LikenessRule
+    check: CheckRule
     rubrics: Mapping[str, Rubric]
+    scales: tuple[Scale, ...] = ()
+    late: LateRule | None = None
+    attempts: AttemptRule | None = None

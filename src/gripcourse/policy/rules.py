@@ -1,7 +1,8 @@
 """Loading the policy's rules on figures and on likeness; a policy may be silent about either."""
 
 from gripcourse.course.toml_table import Table
-from gripcourse.policy.model import FigureRule, LikenessRule
+from gripcourse.policy.model import CheckRule, FigureRule, LikenessRule, Tells
+from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 
@@ -36,6 +37,21 @@ def read_likeness_rule(table: Table | None) -> LikenessRule:
         )
     answers, same_creator = _whole(table, "answers"), _whole(table, "same_creator")
     return LikenessRule(odds, answers, same_creator)
+
+
+def read_check_rule(table: Table | None) -> CheckRule:
+    """Read what a self-check tells; a policy that says nothing has our defaults."""
+    if table is None:
+        return CheckRule(Tells.SECTIONS, 3)
+    table.known_keys()
+    written, levels = table.text("tells"), list(Tells)
+    if written not in levels:
+        table.add(
+            "tells",
+            message("There is no level '{level}'.", level=written),
+            did_you_mean(written, levels),
+        )
+    return CheckRule(Tells(written) if written in levels else Tells.READING, _whole(table, "times"))
 
 
 def _whole(table: Table, name: str) -> int:

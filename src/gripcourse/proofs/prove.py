@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.model import Course
+from gripcourse.machine.office import office_command
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import (
     PrintedCalculation,
@@ -24,7 +25,7 @@ from gripcourse.proofs.printed_lines import prove_printed_lines
 from gripcourse.proofs.published_cases import load_published_cases
 from gripcourse.proofs.samples import SampleSource, Trial, trials_of
 from gripcourse.proofs.survivors import ProofGround, prove_operators
-from gripcourse.proofs.workbooks import office_command, prove_workbooks
+from gripcourse.proofs.workbooks import prove_workbooks
 from gripcourse.proofs.wrong_methods import prove_wrong_methods
 from gripcourse.variants.space import load_spaces
 

@@ -5,7 +5,6 @@ All files go through one call: starting the program costs more than a hundred fi
 
 import math
 import re
-import shutil
 import subprocess
 import tempfile
 import zipfile
@@ -47,11 +46,6 @@ class KeyFile:
     name: str
     plan: Plan
     variant: Variant
-
-
-def office_command() -> str | None:
-    """Return the command that starts LibreOffice, None where there is none."""
-    return shutil.which("soffice") or shutil.which("libreoffice")
 
 
 def prove_workbooks(

@@ -1,12 +1,14 @@
-"""Every declared slip and erratum can be met: its value differs, and the grader names it.
+"""Every declared slip, erratum and alternative can be met: its value differs, the grader says so.
 
-A wrong method that gives the right number is useless: nobody would be told.
+A wrong method that gives the right number is useless: nobody would be told. Another reading that
+always gives it is none.
 """
 
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
+from enum import StrEnum
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
@@ -15,7 +17,7 @@ from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Array, evaluate
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.judge import judge
-from gripcourse.grading.model import Finding
+from gripcourse.grading.model import Against, Finding
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded, short_name
@@ -29,7 +31,16 @@ from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued, Student
 
 Method: TypeAlias = tuple[str, str, str]
-"""File, quantity and id of a slip or an erratum."""
+"""File, quantity and id of a slip, an erratum or an alternative."""
+
+
+class MethodSort(StrEnum):
+    """What declares a method."""
+
+    SLIP = "slip"  # the grader must name it
+    ERRATUM = "erratum"  # a course may accept it: it needs no name
+    ALTERNATIVE = "alternative"  # the grader must accept it with a remark
+
 
 _DAY = date(2026, 1, 1)
 _TRIED = 3  # variants in which the grader may name a wrong method, before it counts as not named
@@ -42,9 +53,9 @@ class WrongValue:
 
     Attributes:
         quantity: the declaration.
-        name: id of the slip, or number of the erratum.
+        name: id of the slip or alternative, or number of the erratum.
         key: where the method is declared, below the quantity.
-        is_slip: whether it is a slip, which the grader must name, or an erratum.
+        sort: what declares it.
         place: of the variant in its trial.
         value, right: in the declared unit.
     """
@@ -52,7 +63,7 @@ class WrongValue:
     quantity: Quantity
     name: str
     key: str
-    is_slip: bool
+    sort: MethodSort
     place: int
     value: float
     right: float
@@ -77,14 +88,14 @@ def wrong_values(
     for one in trial.plan.answered:
         size = factor(one.unit)
         right = trial.values[one.id] / size
-        for name, key, is_slip, result in _methods(trial, one):
+        for name, key, sort, result in _methods(trial, one):
             method = (one.file, one.id, name)
             if method in without or only not in {None, method}:
                 continue
             values = result / size
             for place in range(count):
                 value = float(values[place]) if values.ndim else float(values)
-                yield WrongValue(one, name, key, is_slip, place, value, float(right[place]))
+                yield WrongValue(one, name, key, sort, place, value, float(right[place]))
 
 
 def is_seen(wrong: WrongValue, policy: Policy) -> bool:
@@ -145,7 +156,8 @@ def prove_wrong_methods(
         ]
         left = [survey.met[one] for one in methods if one not in survey.done]
         # No variant is refused for an erratum: one that never shows is a question, no fault.
-        verdict = Verdict.FAILS if any(one.is_slip for one in left) else Verdict.OPEN
+        forgiven = all(one.sort is MethodSort.ERRATUM for one in left)
+        verdict = Verdict.OPEN if forgiven else Verdict.FAILS
         if left:
             yield ProofResult(proof, verdict, len(methods), tuple(problems))
         else:
@@ -174,20 +186,26 @@ def _look(
             continue
         if not is_seen(wrong, policy) or not math.isfinite(wrong.value):
             continue
-        if not wrong.is_slip:
-            survey.done.add(wrong.method)  # a course may accept an erratum: it needs no name
+        if wrong.sort is MethodSort.ERRATUM:
+            survey.done.add(wrong.method)
             continue
         tried[wrong.method] = tried.get(wrong.method, 0) + 1
         if tried[wrong.method] <= _TRIED:
             finding = judged(wrong)
             survey.instead[wrong.method] = finding
-            if SlipId.declared(wrong.name) in {finding.slip, *finding.tied} or _is_printed(
-                wrong, finding
-            ):
+            if _is_met(wrong, finding):
                 survey.done.add(wrong.method)
 
 
-def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, bool, Array]]:
+def _is_met(wrong: WrongValue, finding: Finding) -> bool:
+    """Tell whether the grader took an answer for what it is."""
+    if wrong.sort is MethodSort.ALTERNATIVE:
+        return finding.against is Against.ALTERNATIVE
+    named = {finding.slip, *finding.tied}
+    return SlipId.declared(wrong.name) in named or _is_printed(wrong, finding)
+
+
+def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, MethodSort, Array]]:
     """Yield each declared wrong method with its result in SI."""
     plan = trial.plan
 
@@ -198,15 +216,18 @@ def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, bool, Arra
         return found
 
     for slip in one.slips:
-        yield slip.id, f"slip.{slip.id}", True, result(slip.formula)
+        yield slip.id, f"slip.{slip.id}", MethodSort.SLIP, result(slip.formula)
+    for other in one.alternatives:
+        key = f"alternative.{other.id}"
+        yield other.id, key, MethodSort.ALTERNATIVE, result(other.formula)
     for printed in one.as_printed:
         key = f"as_printed.{printed.erratum}"
         if printed.formula is not None:
-            yield printed.erratum, key, False, result(printed.formula)
+            yield printed.erratum, key, MethodSort.ERRATUM, result(printed.formula)
         elif printed.rounding is not None and one.choice is not None and one.formula is not None:
             required = evaluate(one.formula, one.unit, trial.values, plan.columns)
             taken = choose(required, one.choice, printed.rounding, plan)
-            yield printed.erratum, key, False, taken
+            yield printed.erratum, key, MethodSort.ERRATUM, taken
 
 
 def _is_printed(wrong: WrongValue, finding: Finding) -> bool:
@@ -268,6 +289,10 @@ def _what(wrong: WrongValue, finding: Finding | None) -> Message:
     if finding is None:
         return message(
             "'{name}' gives the right value in every variant that was tried.", name=wrong.name
+        )
+    if wrong.sort is MethodSort.ALTERNATIVE:
+        return message(
+            "The grader does not accept '{name}': {said}", name=wrong.name, said=finding.message
         )
     if finding.slip:
         return message(

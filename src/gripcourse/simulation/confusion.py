@@ -2,12 +2,13 @@
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from gripcourse.grading.model import Finding, Report
+from gripcourse.simulation.foreign.measures import ForeignEvaluation
 from gripcourse.simulation.model import Action, ActionKind, Conduct, Mix, Required, SimulatedWork
-from gripcourse.simulation.rates import Rate
+from gripcourse.simulation.rates import Rate, added
 from gripcourse.simulation.strategies import StrategyScore, missed
 
 
@@ -64,6 +65,7 @@ class GraderEvaluation:
         incidents: traces of what failed on our side.
         strategies: what works earn that compute nothing; none where only files were graded.
         earned_at_most: that each may earn on average.
+        foreign: the same of the second generator; None where only files were graded.
     """
 
     students: int
@@ -76,12 +78,32 @@ class GraderEvaluation:
     incidents: tuple[str, ...]
     strategies: tuple[StrategyScore, ...]
     earned_at_most: float
+    foreign: ForeignEvaluation | None = None
+
+    def __add__(self, other: "GraderEvaluation") -> "GraderEvaluation":
+        """Count two cohorts together."""
+        both = [one for one in (self.foreign, other.foreign) if one is not None]
+        return replace(
+            self,
+            students=self.students + other.students,
+            table=Counter(self.table) + Counter(other.table),
+            rates=added(self.rates, other.rates),
+            by_kind=dict(sorted(added(self.by_kind, other.by_kind).items())),
+            misses=(*self.misses, *other.misses),
+            tried=self.tried + other.tried,
+            hidden=self.hidden + other.hidden,
+            incidents=(*self.incidents, *other.incidents),
+            strategies=(*self.strategies, *other.strategies),
+            foreign=both[0] + both[1] if len(both) > 1 else next(iter(both), None),
+        )
 
     @property
     def missed(self) -> tuple[str, ...]:
         """Names of the required rates that are not reached."""
         paying = (one.strategy.value for one in missed(self.strategies, self.earned_at_most))
-        return (*(name for name, rate in self.rates.items() if not rate.reached), *paying)
+        foreign = () if self.foreign is None else self.foreign.missed
+        own = (name for name, rate in self.rates.items() if not rate.reached)
+        return (*own, *paying, *(f"foreign_{name}" for name in foreign))
 
 
 def evaluate(

@@ -2,7 +2,7 @@
 
 import hashlib
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 
 from gripcourse.batch.one_file import judge_read
 from gripcourse.batch.run import Graded, compared
@@ -10,7 +10,7 @@ from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.pools import pool_for
 from gripcourse.jobs.workers import all_done, in_order, run_each
 from gripcourse.simulation.confusion import JudgedWork
-from gripcourse.simulation.model import Action, SimulatedWork
+from gripcourse.simulation.model import SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of
 from gripcourse.submission.model import Identity
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -65,8 +65,22 @@ def read_of(work: SimulatedWork, owner: Issued) -> RawWorkbook:
         work: what was done.
         owner: whose workbook it is.
     """
+    typed = {one.quantity: one.typed for one in work.actions}
+    return workbook_of(work.student, owner, typed)
+
+
+def workbook_of(
+    student: str, owner: Issued, typed: Mapping[str, float | str | None]
+) -> RawWorkbook:
+    """Return what would be read of a workbook.
+
+    Args:
+        student: who hands it in.
+        owner: whose workbook it is.
+        typed: what stands in the cells of answers.
+    """
     return RawWorkbook(
-        file=f"{work.student}.xlsx",
+        file=f"{student}.xlsx",
         # Equal bytes come from equal workbooks, and only a copied one is handed in twice.
         digest=hashlib.sha256(owner.student.id.encode()).hexdigest(),
         identity=Identity(
@@ -78,13 +92,9 @@ def read_of(work: SimulatedWork, owner: Issued) -> RawWorkbook:
         ),
         creator=AUTHOR,
         givens={name: _cell(name, value) for name, value in owner.variant.given.items()},
-        answers=_cells(work.actions),
+        answers={name: _cell(name, value) for name, value in typed.items()},
         remarks=(),
     )
-
-
-def _cells(actions: Sequence[Action]) -> Mapping[str, RawCell]:
-    return {action.quantity: _cell(action.quantity, action.typed) for action in actions}
 
 
 def _cell(name: str, value: float | str | None) -> RawCell:

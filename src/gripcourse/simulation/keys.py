@@ -1,6 +1,6 @@
 """The keys of `grader/virtual.toml`."""
 
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from typing import Final
 
 from gripcourse.course.shape import Key, Shape, by_name, number, other, strings, table
@@ -70,7 +70,10 @@ MIX: Final = Shape(
         ),
         "required": table(
             "What the grader is held to.",
-            {one.name: number("A share.", 0, 1, required=True) for one in fields(Required)},
+            {
+                one.name: number("A share.", 0, 1, required=one.default is MISSING)
+                for one in fields(Required)
+            },
             required=True,
         ),
     }

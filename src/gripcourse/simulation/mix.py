@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from pathlib import Path
 from typing import TypeVar
 
@@ -69,10 +69,21 @@ def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
         bands=_bands(tolerance),
         wide=tolerance.number("wide"),
         copying_flags=_flags(flags, "copying"),
-        required=Required(**{one.name: required.share(one.name) for one in fields(Required)}),
+        required=_required(required),
     )
     _check_figures(table, mix)
     return mix, problems
+
+
+def _required(table: Table) -> Required:
+    """Read what the grader is held to; what is not written is as we hold it ourselves."""
+    return Required(
+        **{
+            one.name: table.share(one.name)
+            for one in fields(Required)
+            if one.default is MISSING or table.has(one.name)
+        }
+    )
 
 
 _Named = TypeVar("_Named", Conduct, DigitRounding, Carrying, Style)

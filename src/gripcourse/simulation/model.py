@@ -138,6 +138,11 @@ class Required:
     Attributes:
         strategy_earned: of the points that no person gives, for works that compute nothing, on
             average of each strategy.
+        charged_once, misnamed, blamed, named: of works of the second generator with one mistake:
+            charged once at least so many, at most so many given a wrong name or with another
+            quantity blamed, and named at least so many where there is a word for it.
+        moved_copy_flagged: of copies whose numbers were moved.
+        mixture_flagged: of copies of two neighbours.
     """
 
     honest_refused: float
@@ -147,6 +152,12 @@ class Required:
     copy_flagged: float
     honest_flagged: float
     strategy_earned: float
+    charged_once: float = 0.97
+    misnamed: float = 0.01
+    blamed: float = 0.01
+    named: float = 0.9
+    moved_copy_flagged: float = 0.9
+    mixture_flagged: float = 0.9
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,9 @@
 """Shares of a count with what chance can do to them."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Protocol, Self, TypeVar
 
 _Z = 1.959963984540054  # of the normal distribution, for 95 %
 
@@ -19,6 +21,10 @@ class Rate:
     total: int
     at_most: float | None = None
     at_least: float | None = None
+
+    def __add__(self, other: "Rate") -> "Rate":
+        """Count two samples together; what is required is the same of both."""
+        return replace(self, hits=self.hits + other.hits, total=self.total + other.total)
 
     @property
     def share(self) -> float:
@@ -54,3 +60,22 @@ class Rate:
         low = middle - half if self.hits else 0.0
         high = middle + half if self.hits < total else 1.0
         return (low, high)
+
+
+class Addable(Protocol):
+    """Whatever two samples of can be counted together."""
+
+    def __add__(self, other: Self, /) -> Self:
+        """Count two samples together."""
+
+
+_Key = TypeVar("_Key")
+_Counted = TypeVar("_Counted", bound=Addable)
+
+
+def added(one: Mapping[_Key, _Counted], other: Mapping[_Key, _Counted]) -> dict[_Key, _Counted]:
+    """Count two samples together, name by name, where either may lack some."""
+    total = dict(one)
+    for name, counted in other.items():
+        total[name] = total[name] + counted if name in total else counted
+    return total

@@ -1,5 +1,6 @@
 """Works of people who compute nothing, and what they earn: no strategy may pay."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -150,7 +151,7 @@ def _pairs(register: Mapping[str, Issued]) -> Iterator[tuple[str, str]]:
         for place, student in enumerate(mates)
         if len(mates) > 1
     ]
-    yield from pairs[:: max(1, len(pairs) // _WORKS)]
+    yield from pairs[:: max(1, math.ceil(len(pairs) / _WORKS))]
 
 
 def _share_of(job: _StrategyJob, context: GradingContext) -> float:

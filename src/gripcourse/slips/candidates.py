@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from gripcourse.course.check_slips import same_value
 from gripcourse.course.column_symbols import column_symbols, readers_of
 from gripcourse.course.model import Catalogue
 from gripcourse.course.quantity import Kind, Quantity
@@ -12,7 +13,8 @@ from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
-from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings, other_ends
+from gripcourse.slips.ends import other_ends
+from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
 from gripcourse.solver.plan import Plan
@@ -102,11 +104,17 @@ def _made_of(declared: _Declared) -> tuple[Candidate, ...]:
         for slip in quantity.slips
     ]
     found = [one for one in found if one.formula.tree != formula.tree]
+    columns = declared.columns
     if quantity.kind in _GENERIC:
         for slip in declared.kinds:
             taken = {formula.tree, *(one.formula.tree for one in found)}
             found += _of_kind(_surroundings(declared, slip), taken)
-    return tuple(found)
+    return tuple(one for one in found if not _is_accepted(quantity, one.formula, columns))
+
+
+def _is_accepted(quantity: Quantity, formula: Formula, columns: Mapping[str, Column]) -> bool:
+    """Tell whether a method computes what an accepted reading does: then it is no mistake."""
+    return any(same_value(quantity, one.formula, formula, columns) for one in quantity.alternatives)
 
 
 def _surroundings(declared: _Declared, slip: GenericSlip) -> Surroundings:

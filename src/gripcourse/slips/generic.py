@@ -17,6 +17,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.policy.slips import GenericSlip, SlipKind
+from gripcourse.slips.ends import other_ends
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
 from gripcourse.text.units import dimension, factor
 
@@ -113,10 +114,17 @@ def _power_of_ten(around: Surroundings) -> Iterator[Rewritten]:
 def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
     for name in around.formula.names:
         quantity = around.quantities[name]
-        ratios = {ratio for _, ratio in _other_units(around, quantity.unit)}
-        for ratio in sorted(ratios | {1 / one for one in ratios}):
+        # By how many times the number is too large: the unit that it is in, and the one taken.
+        taken: dict[float, tuple[str, str]] = {}
+        others = list(_other_units(around, quantity.unit))
+        for other, ratio in others:
+            taken.setdefault(ratio, (quantity.unit, other))
+        for other, ratio in others:
+            taken.setdefault(1 / ratio, (other, quantity.unit))
+        for ratio, (unit, asked) in sorted(taken.items()):
             tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
-            yield Rewritten(f"{name},{ratio:g}", tree, {"quantity": quantity, "number": ratio})
+            places: dict[str, Place] = {"quantity": quantity, "unit": unit, "asked": asked}
+            yield Rewritten(f"{name},{ratio:g}", tree, places | {"number": ratio})
 
 
 def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:
@@ -275,15 +283,6 @@ def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
     for other in other_ends(name, around.slip):
         if other in around.earlier and around.quantities[other].unit == unit:
             yield other
-
-
-def other_ends(name: str, slip: GenericSlip) -> Iterator[str]:
-    """Yield the ids that are a name with its ending changed for the other of a pair."""
-    for pair in slip.pairs:
-        for one, another in (pair, pair[::-1]):
-            other = name.removesuffix(one) + another
-            if name.endswith(one) and other != name:
-                yield other
 
 
 def _minimum_for_maximum(around: Surroundings) -> Iterator[Rewritten]:

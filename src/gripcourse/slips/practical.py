@@ -11,10 +11,10 @@ from typing import Final
 
 from gripcourse.formula.dimension import measured_by
 from gripcourse.formula.fault import FormulaFault
-from gripcourse.formula.tree import Node
+from gripcourse.formula.tree import Call, Name, Node, names, walk
 from gripcourse.slips.generic import Rewritten, Surroundings
-from gripcourse.slips.rewrite import scaled
-from gripcourse.text.units import Dimension, dimension
+from gripcourse.slips.rewrite import renamed, scaled
+from gripcourse.text.units import PLAIN, Dimension, dimension
 
 # The mass that one newton accelerates by one millimetre a second each second is a tonne.
 _SIZES: Final[Mapping[str, float]] = {"length": 1e-3, "mass": 1e3}
@@ -27,9 +27,29 @@ def in_practical_units(around: Surroundings, made: Iterable[Rewritten]) -> Itera
     asked = dimension(around.quantity.unit)
     for one in made:
         found = _dimension_of(around, one.tree)
-        ratio = 1.0 if found is None else practical_ratio(asked, found)
-        if ratio != 1.0:
-            yield replace(one, detail=f"{one.detail},mm", tree=scaled(one.tree, ratio))
+        if found is None:
+            tree = _computed_practically(around, one.tree)
+        else:
+            ratio = practical_ratio(asked, found)
+            tree = one.tree if ratio == 1.0 else scaled(one.tree, ratio)
+        if tree != one.tree:
+            yield replace(one, detail=f"{one.detail},mm", tree=tree)
+
+
+def _computed_practically(around: Surroundings, tree: Node) -> Node:
+    """Return a sum of unlike things with every number in practical units, as 50² − 20 in mm.
+
+    It stays as it is where it reads a table, whose entries have units of their own.
+    """
+    if any(isinstance(node, Call) and node.column is not None for node in walk(tree)):
+        return tree
+    sizes = {
+        name: practical_ratio(dimension(around.quantities[name].unit), PLAIN)
+        for name in names(tree)
+    }
+    inside = {name: scaled(Name(name), 1 / size) for name, size in sizes.items() if size != 1.0}
+    asked = practical_ratio(dimension(around.quantity.unit), PLAIN)
+    return scaled(renamed(tree, dict(inside)), asked) if inside or asked != 1.0 else tree
 
 
 def practical_ratio(asked: Dimension, found: Dimension) -> float:

@@ -17,6 +17,7 @@ from gripcourse.course.compose import compose, direct_inputs
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.formula.evaluate import finite
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import Evaluation, compute
 
@@ -160,7 +161,7 @@ def evaluate_family(family: Family, known: Mapping[str, Array]) -> Evaluation:
         result = compute(member.plan, member.quantity, inputs)
         _put(computed, member, result, family.size)
         if id_ in known:
-            own = member.of(known[id_])
+            own = finite(member.of(known[id_]))
             result = np.where(np.isnan(own), result, own)
         _put(values, member, result, family.size)
     return Evaluation(values, computed)

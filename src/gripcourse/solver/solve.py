@@ -13,12 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from gripcourse.course.compose import reference_formula
 from gripcourse.course.quantity import Choice, Convention, Kind, Quantity, Rounding
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.evaluate import evaluate_sound, finite
 from gripcourse.formula.tree import Call, Formula, Name
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
 
 _NOTHING = 1e-12  # of a declared unit: what is left where equal numbers were subtracted
+
+_TOGETHER = 16384  # variants computed at once: their columns stay in the processor's cache
 
 Values = Mapping[str, NDArray[np.float64]]
 
@@ -48,6 +50,50 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
         Values and computed values, each of shape () or (n,); NaN where an input is missing or
         outside a formula's domain.
     """
+    supplied = {name: finite(np.asarray(value, np.float64)) for name, value in known.items()}
+    size = max((value.size for value in supplied.values()), default=1)
+    if size <= _TOGETHER:
+        return _evaluate(plan, supplied)
+    # What is known of all variants needs no copy.
+    whole = {name: one for name, one in supplied.items() if one.ndim and not np.isnan(one).any()}
+    values: dict[str, NDArray[np.float64]] = {}
+    computed: dict[str, NDArray[np.float64]] = {}
+    for start in range(0, size, _TOGETHER):
+        rows = slice(start, start + _TOGETHER)
+        part = _evaluate(plan, {name: _rows(one, rows) for name, one in supplied.items()})
+        for name, own in part.computed.items():
+            _put(computed, name, own, rows, size)
+            if name not in known:
+                values[name] = computed[name]
+            elif name in whole:
+                values[name] = whole[name]
+            else:
+                _put(values, name, part.values[name], rows, size)
+    return Evaluation(values, computed)
+
+
+def _rows(values: NDArray[np.float64], rows: slice) -> NDArray[np.float64]:
+    """Take some of the variants; one number is that of all."""
+    return values[rows] if values.ndim else values
+
+
+def _put(
+    table: dict[str, NDArray[np.float64]],
+    name: str,
+    part: NDArray[np.float64],
+    rows: slice,
+    size: int,
+) -> None:
+    """Put what some of the variants come to into a table of all; one number is that of all."""
+    if part.ndim == 0:
+        table[name] = part
+        return
+    if name not in table:
+        table[name] = np.empty(size)
+    table[name][rows] = part
+
+
+def _evaluate(plan: Plan, known: Values) -> Evaluation:
     values: dict[str, NDArray[np.float64]] = {}
     computed: dict[str, NDArray[np.float64]] = {}
     for name, quantity in plan.quantities.items():
@@ -55,7 +101,7 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
             continue
         computed[name] = compute(plan, quantity, values)
         if name in known:
-            values[name] = _supplied(np.asarray(known[name], dtype=np.float64), computed[name])
+            values[name] = _supplied(known[name], computed[name])
         else:
             values[name] = computed[name]
     return Evaluation(values, computed)
@@ -65,7 +111,8 @@ def _supplied(known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDAr
     """Take what is known, and what is computed where nothing is."""
     if known.ndim == 0:  # one number: half of all the time of a solution otherwise
         return computed if math.isnan(known) else np.broadcast_to(known, computed.shape)
-    return np.where(np.isnan(known), computed, known)
+    missing = np.isnan(known)
+    return np.where(missing, computed, known) if missing.any() else known
 
 
 def solve_variant(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
@@ -101,7 +148,7 @@ def compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float6
     Args:
         plan: that the quantity belongs to.
         quantity: what is computed.
-        values: SI values of its inputs, by id.
+        values: SI values of its inputs, by id: finite or NaN.
 
     Returns:
         SI; NaN for a given number, which nothing computes.
@@ -111,7 +158,7 @@ def compute(plan: Plan, quantity: Quantity, values: Values) -> NDArray[np.float6
     formula = reference_formula(quantity, plan.convention)
     if formula is None:
         return np.asarray(np.nan)
-    result = evaluate_formula(formula, quantity.unit, values, plan.columns)
+    result = evaluate_sound(formula, quantity.unit, values, plan.columns)
     if quantity.choice is None:
         return result
     return choose(result, quantity.choice, reference_rounding(quantity, plan.convention), plan)
@@ -123,7 +170,7 @@ def choose(
     """Return the entry of a choice's series for a required value (SI, any shape)."""
     function = "at_least" if rounding is Rounding.UP else "nearest"
     call = Formula("", Call(function, (Name("required"),), choice.column), {})
-    return evaluate_formula(call, "", {"required": required}, plan.columns)
+    return evaluate_sound(call, "", {"required": finite(np.asarray(required))}, plan.columns)
 
 
 def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:

@@ -1,8 +1,10 @@
 """Raw cells → answers in declared units. Nothing is guessed and nothing silently becomes a zero."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.submission.by_label import by_label
 from gripcourse.submission.measure import Understood
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -22,15 +24,20 @@ def interpret(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Submission:
         One answer for each answered quantity, also where its cell is gone.
     """
     asked = tuple(quantities)
-    answered = (quantity for quantity in asked if quantity.kind.answered)
+    answered = tuple(quantity for quantity in asked if quantity.kind.answered)
+    found = by_label(raw, answered)
     return Submission(
         file=raw.file,
         digest=raw.digest,
         identity=raw.identity,
         creator=raw.creator,
         givens=_givens(raw.givens, asked),
-        answers={one.id: _answer(one, raw.answers.get(one.id)) for one in answered},
+        answers={
+            one.id: _answer(one, found.answers.get(one.id), moved=one.id in found.moved)
+            for one in answered
+        },
         remarks=raw.remarks,
+        moved=found.moved,
     )
 
 
@@ -54,7 +61,15 @@ def _number(cell: RawCell) -> float | None:
         return None
 
 
-def _answer(quantity: Quantity, cell: RawCell | None) -> Answer:
+def _answer(quantity: Quantity, cell: RawCell | None, *, moved: bool) -> Answer:
+    answer = _in_cell(quantity, cell)
+    if not moved:
+        return answer
+    said = message("Rows were moved; the answer was taken from the row with this title.")
+    return replace(answer, remarks=(*answer.remarks, said))
+
+
+def _in_cell(quantity: Quantity, cell: RawCell | None) -> Answer:
     if cell is None:
         gone = message("The answer cell is missing from the workbook.")
         return _without_value(quantity, Reading.BLANK, "", "", (gone,))

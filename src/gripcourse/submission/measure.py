@@ -9,8 +9,8 @@ from typing import Final
 from gripcourse.course.quantity import Quantity
 from gripcourse.submission.dates import names_month
 from gripcourse.submission.significant_digits import figures_of_number
+from gripcourse.text.digit_groups import A_DATE
 from gripcourse.text.number_reading import (
-    A_DATE,
     Figures,
     NumberRead,
     Unreadable,
@@ -25,7 +25,10 @@ _FIT: Final = re.compile(r"(?:[HhEFfGgJjKknNPpRrSs]|js|JS)\d{1,2}(?:/[a-zA-Z]{1,
 _FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
 _ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"
-_QUOTED: Final = re.compile(r'"([^"]{1,20})"')
+# What a number format writes: quoted, letter by letter behind backslashes, or as it stands.
+_WRITTEN: Final = re.compile(r'"([^"]{1,20})"|((?:\\.|[^\W\d_a-zA-Z]){1,20})')
+# Commas behind the last digit show thousands, as 12.5 for 12500.
+_THOUSANDS: Final = re.compile(r"[0#?](,+)(?![0#?,])")
 _OUT_OF_RANGE: Final = message("The number is too large or too small to compute with.")
 
 
@@ -71,7 +74,9 @@ def from_number(
     plain = _plain(number, _half_unit(number), (), figures)
     shown = _unit_shown(number_format)
     if shown not in {None, quantity.unit}:
-        return _measured(NumberRead(number, plain.half_unit, "", (), figures), str(shown), quantity)
+        seen = number / _thousands(number_format)
+        read = NumberRead(seen, _half_unit(seen), "", (), figures)
+        return _measured(read, str(shown), quantity)
     if _PERCENT not in number_format or quantity.unit == "":
         return plain
     if quantity.unit == _PERCENT:
@@ -88,9 +93,16 @@ def from_number(
 
 def _unit_shown(number_format: str) -> str | None:
     """Return the unit that a number format writes behind every number; None for none."""
-    words = [one.strip() for one in _QUOTED.findall(number_format.partition(";")[0])]
+    written = _WRITTEN.findall(number_format.partition(";")[0])
+    words = [(quoted or escaped.replace("\\", "")).strip() for quoted, escaped in written]
     units = (read_unit(one) for one in words if one)
     return next((unit for unit in units if unit and _measures(unit)), None)
+
+
+def _thousands(number_format: str) -> float:
+    """Return by how much a number format divides what it shows."""
+    found = _THOUSANDS.search(number_format.partition(";")[0])
+    return 1000.0 ** len(found[1]) if found else 1.0
 
 
 def from_text(quantity: Quantity, text: str) -> Understood | Message:

@@ -81,6 +81,7 @@ class Submission:
         givens: given values as they stand in the workbook now, in declared units.
         answers: by quantity id; one for each answered quantity, also for missing cells.
         remarks: about the workbook as a whole.
+        moved: ids of the answers that were found by their titles, in other cells than were issued.
     """
 
     file: str
@@ -90,6 +91,7 @@ class Submission:
     givens: Mapping[str, float]
     answers: Mapping[str, Answer]
     remarks: tuple[Message, ...]
+    moved: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,7 @@ class RawCell:
         formula: of the cell, beginning with `=`; empty for none. Without a value, its result is
             not stored.
         cell: where it stands, `sheet!address`.
+        label: the text that names a quantity in its row; empty for none.
     """
 
     value: CellValue
@@ -28,6 +29,7 @@ class RawCell:
     error: bool
     formula: str
     cell: str
+    label: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,7 @@ class RawWorkbook:
         givens: cells of given values, by quantity id; ids whose cell is gone are absent.
         answers: answer cells, likewise.
         remarks: about the workbook as a whole.
+        beside: cells of the columns of answers that no name points to, in rows with a label.
     """
 
     file: str
@@ -51,3 +54,4 @@ class RawWorkbook:
     givens: Mapping[str, RawCell]
     answers: Mapping[str, RawCell]
     remarks: tuple[Message, ...]
+    beside: tuple[RawCell, ...] = ()

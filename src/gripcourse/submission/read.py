@@ -10,7 +10,7 @@ import io
 import re
 import zipfile
 import zlib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 from xml.etree.ElementTree import Element
@@ -44,6 +44,7 @@ from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
+from gripcourse.workbook.layout import SheetColumn
 
 _NAME: Final = re.compile(r"(answer|given|meta)[._](\w{1,100})", re.ASCII)
 _LONGEST_REFERENCE: Final = 300  # characters of where one of our names points to
@@ -54,6 +55,13 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
     ((MemoryError, OverflowError, RecursionError), WhyRefused.TOO_LARGE),
     ((KeyError,), WhyRefused.PART_MISSING),
 )
+
+
+_ANSWER: Final = names.cell_name(names.ANSWER, "")
+# Columns from a title to its answer.
+_TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
+# Rows below the last answer that inserted ones may have pushed an answer to.
+_FURTHER: Final = 30
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +113,7 @@ def _read(data: bytes, file: str, digest: str) -> RawWorkbook | WhyRefused:
         named = _named(package, workbook)
         if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
             return WhyRefused.FOREIGN
-        cells = _cells(package, workbook, named)
+        cells, beside = _cells(package, workbook, named)
         stored = _properties(package)
         identity, remarks = _identity(cells, stored)
         return RawWorkbook(
@@ -116,6 +124,7 @@ def _read(data: bytes, file: str, digest: str) -> RawWorkbook | WhyRefused:
             givens=_of_role(cells, names.GIVEN),
             answers=_of_role(cells, names.ANSWER),
             remarks=remarks,
+            beside=beside,
         )
 
 
@@ -144,11 +153,19 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> Mapping[str, RawCell]:
-    """Read the cells that our names point to; those whose sheet is gone are left out."""
+def _cells(
+    package: Package, workbook: str, named: Mapping[str, _Named]
+) -> tuple[Mapping[str, RawCell], tuple[RawCell, ...]]:
+    """Read the cells that our names point to, and those of their columns that none points to.
+
+    Cells whose sheet is gone are left out.
+    """
     related = package.related(workbook)
+    answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
+    beside = set(_beside(answers))
+    wanted_places = {*named.values(), *beside, *map(_label_of, answers | beside)}
     sheets = {
-        title: _located(package, part, {one.place for one in named.values() if one.sheet == title})
+        title: _located(package, part, {one.place for one in wanted_places if one.sheet == title})
         for title, part in sheets_of(package, workbook).items()
         if any(one.sheet == title for one in named.values())
     }
@@ -159,20 +176,49 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> Mapp
     texts = shared_texts(package, by_kind["sharedStrings"], wanted) if wanted else {}
     formats = formats_of(package, by_kind["styles"]) if any(one.style for one in stored) else ()
     from_1904 = counts_from_1904(package, workbook)
-    cells: dict[str, RawCell] = {}
-    for name, where in named.items():
-        if where.sheet in sheets:
-            place, cell = sheets[where.sheet].stored[where.place]
-            number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
-            shown = shown_value(cell, number_format, texts, from_1904=from_1904)
-            cells[name] = RawCell(
-                value=shown.value,
-                number_format=number_format,
-                error=shown.error,
-                formula=cell.formula,
-                cell=f"{where.sheet}!{address(place)}",
-            )
-    return cells
+
+    def raw(where: _Named, label: str = "") -> RawCell:
+        place, cell = sheets[where.sheet].stored[where.place]
+        number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
+        shown = shown_value(cell, number_format, texts, from_1904=from_1904)
+        return RawCell(
+            value=shown.value,
+            number_format=number_format,
+            error=shown.error,
+            formula=cell.formula,
+            cell=f"{where.sheet}!{address(place)}",
+            label=label,
+        )
+
+    def labelled(where: _Named) -> RawCell:
+        label = raw(_label_of(where)).value
+        return raw(where, " ".join(label.split()) if isinstance(label, str) else "")
+
+    there = {name: where for name, where in named.items() if where.sheet in sheets}
+    cells = {
+        name: labelled(where) if where in answers else raw(where) for name, where in there.items()
+    }
+    others = (labelled(where) for where in sorted(beside, key=_order) if where.sheet in sheets)
+    return cells, tuple(one for one in others if one.label)
+
+
+def _label_of(where: _Named) -> _Named:
+    """Return where the title of a quantity stands, by the place of its answer."""
+    row, column = where.place
+    return _Named(where.sheet, (row, max(column - _TO_TITLE, 1)))
+
+
+def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
+    """Yield the places of answers' columns that no name points to, some rows further down too."""
+    for sheet, column in {(one.sheet, one.place[1]) for one in answers}:
+        rows = {one.place[0] for one in answers if (one.sheet, one.place[1]) == (sheet, column)}
+        last = min(max(rows), min(rows) + _MOST_NAMES) + _FURTHER
+        for row in set(range(min(rows), last)) - rows:
+            yield _Named(sheet, (row, column))
+
+
+def _order(where: _Named) -> tuple[str, Place]:
+    return where.sheet, where.place
 
 
 def _located(package: Package, part: str, places: set[Place]) -> _Located:

@@ -16,6 +16,49 @@ def points_text(value: float, words: Words) -> str:
     return words.number(round(value, 2), 7)
 
 
+def counted_points(value: float, words: Words) -> str:
+    """Write points with their word: `1 point`, `25 points`, `9.05 points`."""
+    count = _whole(value)
+    form = (
+        words.translate("{points} points")  # of a part of a point
+        if count is None
+        else words.counted("{points} point", "{points} points", count)
+    )
+    return _unbroken(form, value, words)
+
+
+def points_up_to(value: float, words: Words) -> str:
+    """Write points as a limit: `up to 25 points`; languages decline them after it."""
+    count = _whole(value)
+    form = (
+        words.translate("up to {points} points")
+        if count is None
+        else words.counted("up to {points} point", "up to {points} points", count)
+    )
+    return _unbroken(form, value, words)
+
+
+def points_out_of(value: float, words: Words) -> str:
+    """Write the points that could be had: `of 25 points`; likewise."""
+    count = _whole(value)
+    form = (
+        words.translate("of {points} points")
+        if count is None
+        else words.counted("of {points} point", "of {points} points", count)
+    )
+    return _unbroken(form, value, words)
+
+
+def _whole(value: float) -> int | None:
+    """Return points as they are printed as a whole number, None where they are none."""
+    printed = round(value, 2)
+    return int(printed) if printed == int(printed) else None
+
+
+def _unbroken(form: str, value: float, words: Words) -> str:
+    return form.format(points=points_text(value, words)).replace(" ", NO_BREAK_SPACE)
+
+
 def percent_text(share: float, words: Words) -> str:
     """Write a share of one as a percentage: `12.5%`, `12,5 %`."""
     space = "" if is_english(words.language) else NO_BREAK_SPACE
@@ -23,10 +66,11 @@ def percent_text(share: float, words: Words) -> str:
 
 
 def day_text(day: date, words: Words) -> str:
-    """Write a date out, the month in words."""
+    """Write a date out, the month in words; it is never broken across lines."""
     from babel.dates import format_date  # noqa: PLC0415 (only who prints a day pays for it)
 
-    return str(format_date(day, _DAY_PATTERN, locale=words.language))
+    written = str(format_date(day, _DAY_PATTERN, locale=words.language))
+    return written.replace(" ", NO_BREAK_SPACE)
 
 
 def amount_text(value: float, unit: str, words: Words, figures: int = 5) -> str:

@@ -14,6 +14,7 @@ from gripcourse.text.words import Message, message
 
 _WIDE_DIGITS: Final = str.maketrans("０１２３４５６７８９，．", "0123456789,.")
 _QUOTES: Final = (('"', '"'), ("«", "»"), ("“", "”"), ("„", "“"), ("'", "'"))
+_UNIT: Final = r"(?:\s*(?P<unit>[^\W\d_]{1,12})\.?)?"
 _NUMBER: Final = r"\d{1,3}(?:[.,]\d{1,9})?"
 _DEGREES: Final = re.compile(
     rf"""(?P<sign>[-+]?)\s*(?P<degrees>\d{{1,3}})\s*(?:°|º|˚|град\.?|гр\.?|deg\.?)
@@ -22,10 +23,12 @@ _DEGREES: Final = re.compile(
     re.VERBOSE | re.IGNORECASE,
 )
 _FRACTION: Final = re.compile(
-    r"(?P<sign>-?)(?:(?P<whole>\d{1,4})\s+)?(?P<over>\d)/(?P<under>\d{1,2})"
+    rf"(?P<sign>-?)(?:(?P<whole>\d{{1,4}})\s+)?(?P<over>\d)/(?P<under>\d{{1,2}}){_UNIT}"
 )
 _SIGNS: Final = {"½": 0.5, "¼": 0.25, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 / 3, "⅛": 0.125}
-_SIGNED: Final = re.compile(rf"(?P<sign>-?)(?P<whole>\d{{0,4}})\s*(?P<part>[{''.join(_SIGNS)}])")
+_SIGNED: Final = re.compile(
+    rf"(?P<sign>-?)(?P<whole>\d{{0,4}})\s*(?P<part>[{''.join(_SIGNS)}]){_UNIT}"
+)
 _ABOUT: Final = re.compile(
     r"(?:ок|около|прибл|приблизительно|примерно|порядка|приблизно|близько|approx|approximately"
     r"|about|ca|circa)\b\.?\s*(?=[-+\d.,])",
@@ -37,14 +40,22 @@ _STANDARD: Final = re.compile(
     re.IGNORECASE,
 )
 _APOSTROPHES: Final = re.compile(r"[-+]?\d{1,3}(?:['’]\d{3})+(?:[.,]\d+)?(?![\d'’])")
-# A letter O for a zero, an I or l for a one: inside digits, or at their end.
-_LETTERS: Final = re.compile(r"\d[.,]?(?:[oOоО]+(?:\d|$|[.,]\d|\s)|[lI|]+\d)")
+# A letter O for a zero, an I or l for a one, a З for a three: inside digits, or at their end.
+_LETTERS: Final = re.compile(
+    r"\d[.,]?(?:[oOоО]+(?:\d|$|[.,]\d|\s)|[lI|]+\d|[бЗзZSB]+(?:[.,]?\d)|[бЗзZS]+$)"
+)
+# Minutes and seconds without degrees, feet and inches: a mark says which only to who wrote it.
+_MARKED: Final = re.compile(r"""\d\s*(?:['"″′’ʹ]|'')$""")
+_GONS: Final = "ᵍ"
 _THOUSANDS: Final = re.compile(r"\d\s*(?:тыс|тис|млн|thousand|million)\b", re.IGNORECASE)
 
 _WORD_LEFT_OUT: Final = message("The word before the number was left out; type the number alone.")
 _SIGN_LEFT_OUT: Final = message("The sign before the number was left out; type the number alone.")
 _NOTE_LEFT_OUT: Final = message("What stands in brackets was left out; type the number alone.")
 AMONG_DIGITS: Final = message("A letter stands among the digits; nothing was guessed. Type digits.")
+MARKED: Final = message(
+    "The mark behind the number can mean minutes, seconds, feet or inches; write the unit out."
+)
 ALL_DIGITS: Final = message("Type the number with all its digits, without a word for thousands.")
 
 
@@ -80,6 +91,8 @@ def tidied(text: str) -> tuple[str, tuple[Message, ...]]:
         if found:
             bare = (bare[: found.start()] + bare[found.end() :]).strip()
             remarks.append(said)
+    if bare.endswith(_GONS):
+        bare = f"{bare.removesuffix(_GONS)} gon"
     if grouped := _APOSTROPHES.match(bare):
         whole = grouped.group().replace("'", "").replace("’", "")
         bare = whole + bare[grouped.end() :]
@@ -95,6 +108,8 @@ def refusal(text: str) -> Message | None:
     """Say why a text that looks like a number must not be read as one; None for no reason."""
     if _LETTERS.search(text):
         return AMONG_DIGITS
+    if _MARKED.search(text):
+        return MARKED
     return ALL_DIGITS if _THOUSANDS.search(text) else None
 
 
@@ -133,4 +148,4 @@ def _fraction(text: str) -> TypedForm | None:
         size = int(found["whole"] or 0) + _SIGNS[found["part"]]
     else:
         return None
-    return TypedForm(math.copysign(size, -1.0 if found["sign"] else 1.0), 0.0, "")
+    return TypedForm(math.copysign(size, -1.0 if found["sign"] else 1.0), 0.0, found["unit"] or "")

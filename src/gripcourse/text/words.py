@@ -66,6 +66,16 @@ class Words:
         """Return the translation of a plain English sentence (itself where there is none)."""
         return _catalogue(self.language).gettext(text) if text else ""
 
+    def counted(self, one: str, many: str, count: int) -> str:
+        """Return the form of a sentence that goes with a whole number; it is not put in yet.
+
+        Args:
+            one: the English sentence for one.
+            many: the same for any other number.
+            count: the number.
+        """
+        return _catalogue(self.language).ngettext(one, many, count)
+
     def declared(self, text: str | None) -> str:
         """Put into words what was declared as plain English elsewhere, as the help of an option."""
         return self.translate(text) if text else ""

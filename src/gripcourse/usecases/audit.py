@@ -40,6 +40,7 @@ def audit_table(
     out: Path,
     words: Words,
     today: date,
+    workers: int = 0,
 ) -> WrittenAudit:
     """Audit a table and write the certificate and its numbers into a folder.
 
@@ -49,6 +50,7 @@ def audit_table(
         out: folder to write to.
         words: the language of the certificate.
         today: the day that it bears.
+        workers: how many processes; 0 for none but this one.
 
     Raises:
         GripcourseError: the table cannot be read, or holds variants that cannot be solved; every
@@ -66,6 +68,7 @@ def audit_table(
         read_table(table, course),
         load_spaces(course),
         bodies_check(course),
+        workers,
     )
     return WrittenAudit(
         shown_name(table), found, _written(course, found, source, out, words, today)
@@ -80,6 +83,7 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
     out: Path,
     words: Words,
     today: date,
+    workers: int = 0,
 ) -> WrittenAudit:
     """Audit variants that are drawn freely: what the spaces give before the rules choose.
 
@@ -91,6 +95,7 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
         out: folder to write to; the variants are written there too.
         words: the language of the certificate.
         today: the day that it bears.
+        workers: how many processes; 0 for none but this one.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -99,11 +104,13 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
         CertificateSource,
     )
 
-    variants = draw_variants(course, count, seed, scheme, freely=True).variants
+    variants = draw_variants(course, count, seed, scheme, freely=True, workers=workers).variants
     path = out / DRAWN
     write_table(path, variants, course)
     source = CertificateSource(DRAWN, hashlib.sha256(path.read_bytes()).hexdigest())
-    found = audit(course, load_policy(course), variants, load_spaces(course), bodies_check(course))
+    found = audit(
+        course, load_policy(course), variants, load_spaces(course), bodies_check(course), workers
+    )
     files = _written(course, found, source, out, words, today)
     return WrittenAudit(str(path), found, (path, *files))
 

@@ -4,9 +4,10 @@ from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
-from gripcourse.grading.self_check import AnswerCheck, self_check
+from gripcourse.gradebook.checks import CheckLedger, take_one
+from gripcourse.grading.self_check import AnswerCheck, SectionCheck, self_check
 from gripcourse.machine.content import Readable, is_there, shown_name
-from gripcourse.policy.model import Policy
+from gripcourse.policy.model import Policy, Tells
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.apart import Read
 from gripcourse.submission.interpret import interpret
@@ -17,23 +18,41 @@ from gripcourse.text.words import Message, message
 
 @dataclass(frozen=True, slots=True)
 class CheckedWorkbook:
-    """What is said about a workbook before the deadline."""
+    """What is said about a workbook before the deadline.
+
+    Attributes:
+        plan: of the variant that it names.
+        checks: of each answer.
+        sections: whether numbers fit each other; none where only the reading is told.
+        remarks: about the workbook as a whole.
+        left: how often more than the reading will be told; None where nobody counts.
+    """
 
     plan: Plan
     checks: tuple[AnswerCheck, ...]
+    sections: tuple[SectionCheck, ...]
     remarks: tuple[Message, ...]
+    left: int | None
 
 
 def check_file(
-    source: Readable, course: Course, policy: Policy, read: Read = read_workbook
+    source: Readable,
+    course: Course,
+    policy: Policy,
+    read: Read = read_workbook,
+    ledger: CheckLedger | None = None,
 ) -> CheckedWorkbook:
     """Check a workbook against itself.
+
+    Whether numbers fit each other is told only where somebody counts how often: without a ledger
+    any number of questions could be asked.
 
     Args:
         source: a file, or its bytes.
         course: whose workbook it is.
         policy: for the bands.
         read: reads the file; `read_apart` where it may be anybody's.
+        ledger: where a server counts; None tells the reading alone.
 
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
@@ -58,7 +77,17 @@ def check_file(
         named = [replace(problem, file=file) for problem in error.problems]
         raise UsageError(named) from error
     submission = interpret(raw, plan.quantities.values())
-    return CheckedWorkbook(plan, self_check(submission, plan, policy), submission.remarks)
+    tells, left = _told(policy, ledger)
+    checked = self_check(submission, plan, policy, tells)
+    return CheckedWorkbook(plan, checked.answers, checked.sections, submission.remarks, left)
+
+
+def _told(policy: Policy, ledger: CheckLedger | None) -> tuple[Tells, int | None]:
+    """Return how much is told now, and how often more than the reading will be."""
+    if ledger is None or policy.check.tells is Tells.READING:
+        return Tells.READING, None
+    left = take_one(ledger, policy.check.times)
+    return (Tells.READING, 0) if left is None else (policy.check.tells, left)
 
 
 def _refusal(file: str, what: Message, remedy: Message) -> UsageError:

@@ -1,4 +1,8 @@
-"""Which files of a batch are looked at; every other one is named with the reason."""
+"""Which files of a batch are looked at; every other one is named with the reason.
+
+A zip that is named itself is looked into, as a learning platform hands it out. One inside a folder
+or inside another zip may be a student's own bundle: it is named and a person unpacks it.
+"""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -7,6 +11,8 @@ from pathlib import Path, PurePath
 from typing import Final
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.archive import Unusable, is_bundle, members_of
+from gripcourse.machine.content import PackedFile, Readable, shown_name
 from gripcourse.text.words import Message, message
 
 # What people hand in as a workbook: the reader says what is wrong with those that are none.
@@ -24,7 +30,10 @@ class WhyNot(StrEnum):
     NO_EXTENSION = "no_extension"
     LOCK_FILE = "lock_file"
     HIDDEN = "hidden"
-    NO_FILE = "no_file"
+    NO_FILE = Unusable.NO_FILE
+    UNSAFE_PATH = Unusable.UNSAFE_PATH
+    ENCRYPTED = Unusable.ENCRYPTED
+    TOO_LARGE = Unusable.TOO_LARGE
     OTHER = "other"
 
 
@@ -39,11 +48,21 @@ REASONS: Final[Mapping[WhyNot, Message]] = {
     ),
     WhyNot.HIDDEN: message("A hidden file of some program."),
     WhyNot.NO_FILE: message("No file that can be read: a broken link or a device."),
+    WhyNot.UNSAFE_PATH: message(
+        "Its name in the archive leads out of it; nobody packs so by chance."
+    ),
+    WhyNot.ENCRYPTED: message("It is protected by a password inside the archive."),
+    WhyNot.TOO_LARGE: message("It is larger than any workbook that is looked at."),
     WhyNot.OTHER: message("Not a workbook, for example a drawing."),
 }
 """What each means, for a person."""
 
-_MAY_BE_WORK: Final = frozenset({WhyNot.ARCHIVE, WhyNot.TEXT_DOCUMENT, WhyNot.NO_EXTENSION})
+_MAY_BE_WORK: Final = frozenset(WhyNot) - {
+    WhyNot.LOCK_FILE,
+    WhyNot.HIDDEN,
+    WhyNot.NO_FILE,
+    WhyNot.OTHER,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,28 +82,30 @@ class PassedOver:
 class Collected:
     """The files of a batch: those to grade, and all others that were found."""
 
-    files: tuple[Path, ...]
+    files: tuple[Readable, ...]
     passed_over: tuple[PassedOver, ...]
 
 
 def collect(paths: Iterable[Path]) -> Collected:
-    """Find the workbooks under files and folders, sorted inside a folder.
+    """Find the workbooks under files, folders and zips, sorted inside a folder or a zip.
 
-    A file that is named itself is graded whatever it is called.
+    A file that is named itself is graded whatever it is called, but for a zip.
 
     Raises:
-        UsageError: for a path that does not exist, or a batch without any workbook.
+        UsageError: for a path that does not exist, a damaged zip, or a batch without any workbook.
     """
-    files: dict[Path, None] = {}
-    passed_over: dict[Path, PassedOver] = {}
+    paths = tuple(paths)
+    files: dict[Readable, None] = {}
+    passed_over: dict[Readable, PassedOver] = {}
     problems: list[Problem] = []
     for path in paths:
-        if path.is_dir():
-            for one, why in _inside(path):
+        is_zip = is_bundle(path)
+        if path.is_dir() or is_zip:
+            for one, why in _packed(path) if is_zip else _inside(path):
                 if why is None:
                     files[one] = None
                 else:
-                    passed_over[one] = PassedOver(str(one), why)
+                    passed_over[one] = PassedOver(shown_name(one), why)
         elif path.is_file():
             files[path] = None
         else:
@@ -113,7 +134,14 @@ def why_not(path: PurePath) -> WhyNot | None:
     return WhyNot.OTHER if suffix else WhyNot.NO_EXTENSION
 
 
-def _inside(folder: Path) -> Iterator[tuple[Path, WhyNot | None]]:
+def _packed(archive: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
+    for one in members_of(archive):
+        unusable = None if one.unusable is None else WhyNot(one.unusable.value)
+        why = unusable or why_not(PurePath(one.name))
+        yield PackedFile(archive, one.place, one.name), why
+
+
+def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
     for path in sorted(folder.rglob("*")):
         if not path.is_dir():
             yield path, why_not(path) if path.is_file() else WhyNot.NO_FILE
@@ -131,4 +159,6 @@ def _no_workbook(found: tuple[PassedOver, ...]) -> Message:
 
 
 def _problem(path: Path, what: Message) -> Problem:
-    return Problem(str(path), "", what, message("Name a workbook or a folder with workbooks."))
+    return Problem(
+        str(path), "", what, message("Name a workbook, or a folder or a zip with workbooks.")
+    )

@@ -6,6 +6,7 @@ from gripcourse.drawing.paper.document import dxf_bytes
 from gripcourse.drawing.paper.title_block import variant_block
 from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.solve import SolvedVariant
@@ -31,7 +32,7 @@ def write_general_view(solved: SolvedVariant, out: Path, student: str, words: Wo
     block = variant_block(solved.plan, solved.variant.id, student, words)
     drawn = general_view(solved.plan, scheme.view, solved.values, block, words)
     stem = f"{solved.variant.id}-general-view"
-    paths = [out / f"{stem}.dxf", out / f"{stem}.svg"]
+    paths = [file_below(out, f"{stem}.dxf"), file_below(out, f"{stem}.svg")]
     write_bytes(paths[0], dxf_bytes(drawn.document))
     write_text(paths[1], sheet_svg(drawn, block)[0])
     return paths

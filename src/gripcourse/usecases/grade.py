@@ -8,8 +8,9 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number
+from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
-from gripcourse.exports.grades import grades_csv
+from gripcourse.exports.grades import Called, grades_csv
 from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
@@ -80,8 +81,9 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     A report that cannot be laid out is an incident of that student; the others are written. So it
     is with the cohort report: grades are never lost for it.
     """
-    printing = Printing(context.course, context.policy, graded_on)
     plain = [one.report for one in graded]
+    peers = tuple(shares(plain))
+    printing = Printing(context.course, context.policy, graded_on, peers=peers)
     outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
     written = {
@@ -99,7 +101,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
-        write_text(out / INCIDENTS, "\n".join(incidents))
+        write_text(out / INCIDENTS, "\n".join(incidents), private=True)
     else:
         # Those of an earlier run into the same folder have been mended.
         (out / INCIDENTS).unlink(missing_ok=True)
@@ -138,12 +140,12 @@ def write_grades(
     Returns:
         Why the cohort report could not be laid out, None where it was.
     """
-    groups = {name: issued.student.group for name, issued in context.register.items()}
-    grades_csv(reports, out / GRADES_CSV, groups)
+    students = {name: issued.student for name, issued in context.register.items()}
     words = Words(context.course.language)
+    grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    write_text(out / GRADES_JSON, json_text(reports, words, passed_over))
+    write_text(out / GRADES_JSON, json_text(reports, words, passed_over), private=True)
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
         cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
@@ -152,7 +154,7 @@ def write_grades(
         # An earlier one would say something else than the grades.
         (out / COHORT_PDF).unlink(missing_ok=True)
         return pdf
-    write_bytes(out / COHORT_PDF, pdf)
+    write_bytes(out / COHORT_PDF, pdf, private=True)
     return None
 
 

@@ -9,7 +9,8 @@ from typing import TypeAlias
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.documents.assignment_sheet import assignment_sheet
-from gripcourse.errors import GripcourseError, Problem
+from gripcourse.errors import GripcourseError, Problem, system_problem
+from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import replacing, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
@@ -60,7 +61,7 @@ class IssuingContext:
 
 def sheet_path(out: Path, student: str) -> Path:
     """Return where a student's assignment sheet is written."""
-    return out / student / f"assignment_{student}.pdf"
+    return file_below(file_below(out, student), f"assignment_{student}.pdf")
 
 
 def workbook_path(out: Path, student: str) -> Path:
@@ -68,7 +69,7 @@ def workbook_path(out: Path, student: str) -> Path:
 
     It is called like the student, so that a returned file tells whose it is.
     """
-    return out / student / f"{student}.xlsx"
+    return file_below(file_below(out, student), f"{student}.xlsx")
 
 
 def issue(
@@ -129,6 +130,8 @@ def _fault(student: str, path: Path, fault: Exception) -> Message:
     """Say that a document failed; what nobody foresaw goes into the log with its traceback."""
     if isinstance(fault, GripcourseError):
         return _say(student, path, fault.problems)
+    if isinstance(fault, OSError):
+        return _say(student, path, (system_problem(fault),))
     _log.error("%s of student %s", path.name, student, exc_info=fault)
     return message(
         "{file} of {student} was not written: {fault}.",

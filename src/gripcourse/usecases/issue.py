@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
@@ -89,9 +90,10 @@ def issue_order(
         issue_one: writes one student's documents.
 
     Raises:
-        GripcourseError: the roster, the table, the register or the key cannot be used; nothing
-            was written.
+        GripcourseError: the deadline, the roster, the table, the register or the key cannot be
+            used; nothing was written.
     """
+    _refuse_past(order)
     before = read_register(course.root, course.id)
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
@@ -99,8 +101,10 @@ def issue_order(
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
     terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
+    extend(before, students, variants, terms)  # what is refused makes neither key nor folder
+    # Before anything is kept: a folder that cannot be written must not cost a variant.
+    order.out.mkdir(parents=True, exist_ok=True)
     if known is None:
-        extend(before, students, variants, terms)  # what is refused makes no key
         terms = replace(terms, key=make_key(place, terms.key))
     extended = extend_register(
         course.root, course.id, lambda register: extend(register, students, variants, terms)
@@ -111,6 +115,18 @@ def issue_order(
     made_key = _key_notes(course) if known is None else ()
     notes = (*made_key, *roster.notes, *extended.notes)
     return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
+
+
+def _refuse_past(order: Order) -> None:
+    """Refuse a deadline before the day of the issue: every work would be late."""
+    if order.deadline is not None and order.deadline < order.today:
+        what = message(
+            "The deadline {deadline} lies before the day of the issue, {today}.",
+            deadline=order.deadline.isoformat(),
+            today=order.today.isoformat(),
+        )
+        remedy = message("Name a later deadline, or an earlier day of the issue.")
+        raise UsageError([Problem("", "", what, remedy, parameter="deadline")])
 
 
 def _key_notes(course: Course) -> tuple[Message, ...]:

@@ -8,10 +8,11 @@ from functools import cache
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
-from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_judged, latest_marks
+from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.table import read_marks
 from gripcourse.gradebook.waiting import Waiting, waiting
+from gripcourse.gradebook.works import latest_judged
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.rubric import Rubric
@@ -68,7 +69,7 @@ def what_waits(place: str) -> tuple[Waiting, ...]:
         GradebookError: there is no gradebook, or it cannot be used.
     """
     book = existing_gradebook(place)
-    return waiting(book.attempts(), book.entries())
+    return waiting(book.standing(), book.entries())
 
 
 def enter_mark(
@@ -136,7 +137,7 @@ def _marks(
 def _standings(
     students: set[str], context: GradingContext, book: Gradebook
 ) -> Callable[[str], Standing]:
-    attempts = latest_judged(book.attempts(students))
+    attempts = latest_judged(book.standing(students))
     entries: dict[str, list[GradebookEntry]] = {}
     for entry in book.entries(students):
         entries.setdefault(entry.mark.student, []).append(entry)

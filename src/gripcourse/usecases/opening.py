@@ -6,6 +6,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.issuing.store import read_register
+from gripcourse.machine.office import office_command
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 
@@ -28,4 +29,4 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         RegisterError: the register cannot be used.
     """
     register = read_register(course.root, course.id).by_student()
-    return GradingContext(course, policy, register)
+    return GradingContext(course, policy, register, office=office_command())

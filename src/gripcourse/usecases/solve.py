@@ -8,6 +8,7 @@ from pathlib import Path
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import replacing, write_bytes
 from gripcourse.solver.plan import Plan, default_options, make_plan, plan_of, usual_values
 from gripcourse.solver.solve import solve_variant
@@ -95,9 +96,10 @@ def write_solution(solved: SolvedVariant, out: Path | None, words: Words) -> Pat
     """Write the worked solution as a PDF file and return where it is."""
     from gripcourse.documents.report.solution import solution_pdf  # noqa: PLC0415 (WeasyPrint, 450 ms)
 
-    path = out or Path(f"solution_{_name(solved)}.pdf")
+    path = out or file_below(Path(), f"solution_{_name(solved)}.pdf")
     course = solved.plan.course
-    write_bytes(path, solution_pdf(solved.plan, solved.variant, solved.values, course, words))
+    pdf = solution_pdf(solved.plan, solved.variant, solved.values, course, words)
+    write_bytes(path, pdf, private=True)
     return path
 
 
@@ -113,7 +115,7 @@ def write_key(solved: SolvedVariant, out: Path | None, words: Words) -> Path:
         raise UsageError([Problem("", "", what, remedy, parameter="given")])
     from gripcourse.workbook.key import write_key_workbook  # noqa: PLC0415 (only for this)
 
-    path = out or Path(f"key_{_name(solved)}.xlsx")
+    path = out or file_below(Path(), f"key_{_name(solved)}.xlsx")
     with replacing(path) as temporary:
         write_key_workbook(temporary, solved.plan, solved.variant, words)
     return path

@@ -11,7 +11,8 @@ from gripcourse.course.model import Course
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.jobs.workers import Lost, run_each
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.enclosed import file_below
+from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
@@ -28,12 +29,14 @@ class Printing:
         course, policy: printed in the reports.
         graded_on: the day that is printed.
         seconds: that one report may take.
+        peers: shares of the points that the judged works of the batch earned.
     """
 
     course: Course
     policy: Policy
     graded_on: date
     seconds: float = SECONDS_PER_REPORT
+    peers: tuple[float, ...] = ()
 
 
 LayOut: TypeAlias = Callable[[Report, Printing], bytes]
@@ -47,7 +50,8 @@ def student_pdf(report: Report, printing: Printing) -> bytes:
     course = printing.course
     words = Words(report.language or course.language)
     plan = plan_of(course, report.composition)
-    return student_report(report, plan, printing.policy, course, words, printing.graded_on)
+    policy, day, peers = printing.policy, printing.graded_on, printing.peers
+    return student_report(report, plan, policy, course, words, day, peers=peers)
 
 
 def cohort_pdf(reports: Sequence[Report], printing: Printing) -> bytes:
@@ -87,6 +91,7 @@ def write_reports(
     Raises:
         OSError: the folder cannot be written.
     """
+    make_private_folder(folder)
     paths = _paths(reports, folder)
     to_do = [number for number, path in enumerate(paths) if path is not None]
     outcomes: list[Path | Lost | None] = [None] * len(reports)
@@ -113,7 +118,7 @@ def _keep(pdf: bytes | Lost, path: Path | None) -> Path | Lost | None:
     if isinstance(pdf, Lost):
         path.unlink(missing_ok=True)
         return pdf
-    write_bytes(path, pdf)
+    write_bytes(path, pdf, private=True)
     return path
 
 
@@ -129,7 +134,7 @@ def _paths(reports: Sequence[Report], folder: Path) -> list[Path | None]:
         if report.scheme:
             named[report.student] += 1
             suffix = f"-{named[report.student]}" if named[report.student] > 1 else ""
-            paths[number] = folder / f"{report.student}{suffix}.pdf"
+            paths[number] = file_below(folder, f"{report.student}{suffix}.pdf")
     return paths
 
 

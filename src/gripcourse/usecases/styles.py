@@ -7,7 +7,7 @@ from typing import Final
 
 from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import Problem
-from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font
+from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font, without_greek
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 
@@ -16,6 +16,7 @@ _GENERIC: Final = frozenset(
 )
 _COMMENT: Final = re.compile(r"/\*.*?\*/", re.DOTALL)
 _DECLARED: Final = re.compile(r"\bfont(-family)?\s*:\s*([^;{}]+)")
+_FORMULA: Final = re.compile(r"\.formula\b[^{}]*\{[^}]*\}")
 _BROUGHT: Final = re.compile(r"@font-face\s*\{[^}]*\}")
 # The shorthand has the size, and perhaps the height of a line, before the families.
 _SIZE: Final = re.compile(r"^.*?[\d.]+(?:pt|px|mm|cm|in|em|rem|%)(?:/[\d.]+\w*)?\s+")
@@ -34,7 +35,8 @@ def style_problems(templates: Path) -> list[Problem]:
             what = message("The style sheet is missing.")
             problems.append(Problem(shown, "", what, message("Copy it from the reference course.")))
             continue
-        problems += _missing_fonts(path.read_text(encoding="utf-8"), shown)
+        style = path.read_text(encoding="utf-8")
+        problems += [*_missing_fonts(style, shown), *_without_greek(style, shown)]
     return problems
 
 
@@ -64,6 +66,20 @@ def _missing_fonts(style: str, shown: str) -> Iterator[Problem]:
         if used != family:
             what = message("{fault}.", fault=missing_font(family, used))
             yield Problem(shown, f"line {wanted[family]}", what, font_remedy(family))
+
+
+def _without_greek(style: str, shown: str) -> Iterator[Problem]:
+    """Yield the fonts of formulas that have no Greek letters: those would look like another's."""
+    wanted: dict[str, int] = {}
+    for rule in _FORMULA.finditer(style):
+        before = style.count("\n", 0, rule.start())
+        for family, line in first_families(rule[0]).items():
+            wanted.setdefault(family, before + line)
+    used = fonts_used(wanted)
+    for family in without_greek(one for one in wanted if used.get(one) == one):
+        what = message("The font {family} of formulas has no Greek letters.", family=family)
+        remedy = message("Name one first that has them, for example Liberation Serif.")
+        yield Problem(shown, f"line {wanted[family]}", what, remedy)
 
 
 def _printed() -> list[str]:

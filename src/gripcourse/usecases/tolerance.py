@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.model import Course
+from gripcourse.errors import Problem
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import write_text
 from gripcourse.policy.load import policy_path
@@ -16,6 +17,7 @@ from gripcourse.simulation.tolerance import AuditedBand, ToleranceAudit, audit_t
 from gripcourse.simulation.tolerance_policy import apply_tolerances
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
+from gripcourse.variants.pays import MistakeCost, mistake_costs, paying_rules
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 
@@ -33,6 +35,14 @@ class ToleranceSample:
     table: Readable
     count: int
     seed: int
+
+
+@dataclass(frozen=True, slots=True)
+class Paying:
+    """What a mistake in each main result costs over the issued table, and rules that pay."""
+
+    costs: tuple[MistakeCost, ...]
+    problems: tuple[Problem, ...]
 
 
 def variants_of(course: Course, sample: ToleranceSample) -> tuple[Variant, ...]:
@@ -56,6 +66,17 @@ def audit(
 ) -> ToleranceAudit:
     """Audit the tolerances of a course; see `simulation.tolerance.audit_tolerances`."""
     return audit_tolerances(course, policy, load_mix(course), variants, workers, on_done)
+
+
+def paying(course: Course, policy: Policy, sample: ToleranceSample) -> Paying:
+    """Look into the issued table: what mistakes cost in it, and which rules let guesses pay.
+
+    Raises:
+        GripcourseError: the table cannot be used.
+    """
+    issued = read_table(sample.table, course)
+    costs = tuple(one for one in mistake_costs(course, policy, issued) if one.is_main)
+    return Paying(costs, tuple(paying_rules(course, policy, issued)))
 
 
 def apply(found: ToleranceAudit, course: Course, policy: Policy) -> int:

@@ -13,6 +13,7 @@ from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.policy.load import load_policy, read_policy
+from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import calculations, differences
 from gripcourse.proofs.check_declared import check_declared
 from gripcourse.proofs.declared import read_declared_proofs
@@ -25,6 +26,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
 from gripcourse.usecases.templates import filling_problems, read_templates, sample_documents
+from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 
@@ -55,7 +57,7 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
     if is_sound:
         problems += _printed_problems(course)
         spaces, found = _spaces(course)
-        problems += [*found, *_table_problems(course)]
+        problems += [*found, *_table_problems(course, load_policy(course))]
         for sample in islice(samples(course, load_policy(course), spaces, words), 1):
             documents, hindered = sample_documents(sample)
             problems += [*hindered, *filling_problems(documents, templates, words, read)]
@@ -139,11 +141,12 @@ def _spaces(course: Course) -> tuple[tuple[Space, ...], tuple[Problem, ...]]:
         return (), error.problems
 
 
-def _table_problems(course: Course) -> list[Problem]:
+def _table_problems(course: Course, policy: Policy) -> list[Problem]:
+    """Look into every table: whether it can be read, and whether guessing would pay in it."""
     problems: list[Problem] = []
     for path in sorted((course.root / "variants" / "tables").glob("*.csv")):
         try:
-            read_table(path, course)
+            problems += paying_rules(course, policy, read_table(path, course))
         except GripcourseError as error:
             problems += error.problems
     return problems

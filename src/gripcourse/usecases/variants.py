@@ -1,5 +1,6 @@
 """Making variant tables: drawn from the course's spaces, or an instructor's own."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,22 +12,26 @@ from gripcourse.policy.load import load_policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+from gripcourse.variants.answers import solve_groups
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.draw import Drawn, draw
+from gripcourse.variants.draw_freely import draw_freely
 from gripcourse.variants.model import Variant
-from gripcourse.variants.screening import buildable, sifter
+from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import load_spaces
-from gripcourse.variants.table import OwnTable, read_own_table, write_table
+from gripcourse.variants.table import OwnTable, read_own_table, read_table, write_table
 
 
-def draw_variants(
+def draw_variants(  # noqa: PLR0913 (the last three are for those who need them)
     course: Course,
     count: int,
     seed: int,
     scheme: str | None,
     *,
     freely: bool = False,
+    workers: int = 0,
+    apart_from: Sequence[Variant] = (),
 ) -> Drawn:
     """Draw variants.
 
@@ -37,6 +42,10 @@ def draw_variants(
         scheme: only this one; None for all.
         freely: whether to leave the policy's rules for variants aside: what is drawn can be solved
             and built, but nothing keeps it apart.
+        workers: how many processes draw freely; 0 for none but this one. What is kept apart is
+            drawn one after the other.
+        apart_from: variants of other tables, for example of last year, that what is drawn must be
+            as far from as from each other.
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
@@ -47,16 +56,26 @@ def draw_variants(
         known = [one.scheme for one in load_spaces(course)]
         remedy = did_you_mean(scheme or "", known)
         raise UsageError([Problem("", "", what, remedy, parameter="scheme")])
-    check = bodies_check(course)
-    rules = buildable(check) if freely else sifter(load_policy(course), len(course.sections), check)
+    if freely:
+        return draw_freely(course, spaces, count, seed, workers)
+    others = solve_groups(course, apart_from)
+    rules = sifter(load_policy(course), len(course.sections), bodies_check(course), others)
     return draw(course, spaces, count, seed, rules)
 
 
-def draw_table(
-    course: Course, count: int, seed: int, scheme: str | None, out: Path, *, freely: bool = False
+def draw_table(  # noqa: PLR0913 (the last two are for those who need them)
+    course: Course,
+    count: int,
+    seed: int,
+    scheme: str | None,
+    out: Path,
+    *,
+    freely: bool = False,
+    apart_from: Readable | None = None,
 ) -> Drawn:
     """Draw variants and write them as a table; see `draw_variants`."""
-    drawn = draw_variants(course, count, seed, scheme, freely=freely)
+    others = () if apart_from is None else read_table(apart_from, course)
+    drawn = draw_variants(course, count, seed, scheme, freely=freely, apart_from=others)
     write_table(out, drawn.variants, course)
     return drawn
 

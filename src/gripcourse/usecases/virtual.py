@@ -1,7 +1,8 @@
 """Measuring the grader with simulated students, whose mistakes are known."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.model import Course
@@ -11,6 +12,9 @@ from gripcourse.machine.files import write_text
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.confusion import GraderEvaluation, evaluate
+from gripcourse.simulation.foreign.judge import judge_foreign
+from gripcourse.simulation.foreign.measures import evaluate_foreign
+from gripcourse.simulation.foreign.misses import foreign_misses_csv
 from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
@@ -20,6 +24,9 @@ from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
 MISSES = "misses.csv"
+
+_TOGETHER = 1000  # students whose works are compared with each other
+_APART = 1_000_003  # between the seeds of cohorts
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +89,7 @@ def evaluate_folder(
     """
     found = evaluate(grade_cohort(folder, course, policy, workers, on_done), load_mix(course))
     register = read_register_file(register_of(folder), course.id).by_student()
-    _write_misses(folder / MISSES, found, register)
+    write_text(folder / MISSES, _misses(found, register))
     return found
 
 
@@ -105,14 +112,47 @@ def evaluate_in_memory(
         on_done: called after each student.
     """
     mix = load_mix(course)
-    room = make_classroom(course, policy, mix, cohort.count, cohort.seed, cohort.scheme)
-    judged = judge_in_memory(room, workers, on_done)
-    found = evaluate(judged, mix, scores_of(room.context, workers, cohort.seed))
+    total: GraderEvaluation | None = None
+    tables: list[str] = []
+    for place, size in enumerate(_sizes(cohort.count)):
+        seed = cohort.seed + _APART * place
+        room = make_classroom(course, policy, mix, size, seed, cohort.scheme)
+        judged = judge_in_memory(room, workers, on_done)
+        # A strategy needs no large sample, and what it hands in takes longest to judge.
+        scores = () if place else scores_of(room.context, workers, seed)
+        foreign = evaluate_foreign(judge_foreign(room.context, seed, workers, on_done), mix)
+        found = replace(evaluate(judged, mix, scores), foreign=foreign)
+        total = found if total is None else total + found
+        tables.append(_misses(found, room.context.register))
     if misses is not None:
-        _write_misses(misses, found, room.context.register)
-    return found
+        write_text(misses, "".join(_below_one_heading(tables)))
+        others = () if total is None or total.foreign is None else total.foreign.misses
+        write_text(foreign_misses_path(misses), foreign_misses_csv(others))
+    return total if total is not None else evaluate((), mix)
 
 
-def _write_misses(path: Path, found: GraderEvaluation, register: Mapping[str, Issued]) -> None:
+def foreign_misses_path(misses: Path) -> Path:
+    """Return where the misses of the second generator stand, beside those of the first."""
+    return misses.with_name(f"{misses.stem}_foreign{misses.suffix}")
+
+
+def works_in_memory(cohort: Cohort) -> int:
+    """Return how many works a measurement in memory judges: both generators have as many."""
+    return 2 * cohort.count
+
+
+def _sizes(count: int) -> Iterator[int]:
+    """Divide students into cohorts as they are graded: together they are compared in pairs."""
+    parts = max(1, math.ceil(count / _TOGETHER))
+    for part in range(parts):
+        yield count * (part + 1) // parts - count * part // parts
+
+
+def _misses(found: GraderEvaluation, register: Mapping[str, Issued]) -> str:
     schemes = {name: issued.variant.scheme for name, issued in register.items()}
-    write_text(path, misses_csv(found.misses, schemes))
+    return misses_csv(found.misses, schemes)
+
+
+def _below_one_heading(tables: Sequence[str]) -> Iterator[str]:
+    for place, table in enumerate(tables):
+        yield table if not place else table.partition("\n")[2]

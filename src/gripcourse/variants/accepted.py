@@ -76,11 +76,16 @@ class Accepted:
         own, totals = answers.layers[:, candidate], answers.totals[candidate]
         if not self._is_apart(answers.places, own, totals):
             return False
+        self.add(answers, candidate)
+        return True
+
+    def add(self, answers: Answers, candidate: int) -> None:
+        """Count a candidate among the rows, however near to them it is."""
+        own, totals = answers.layers[:, candidate], answers.totals[candidate]
         self._make_room()
         self.layers[:, self.size, answers.places] = own
         self.totals[self.size] = totals
         self.size += 1
-        return True
 
     def _is_apart(self, places: Rows, own: Array, totals: Array) -> bool:
         """Compare both ways: what the candidate and what each row would get from the other."""

@@ -1,6 +1,7 @@
 """The bodies of the general views as a check of variants: what cannot be built is not issued."""
 
 from collections.abc import Mapping
+from functools import partial
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.model import Course, Scheme
@@ -15,16 +16,18 @@ def bodies_check(course: Course) -> OverlapCheck:
 
     A scheme without a view, or one whose view does not say that it shows bodies, is not looked at.
     """
-    columns = columns_of(course.catalogues)
+    return partial(_worst_overlaps, course)  # and no inner function: it travels to other processes
 
-    def check(scheme_id: str, values: Mapping[str, Array]) -> list[Overlap | None]:
-        scheme = course.schemes[scheme_id]
-        found = interference(scheme, columns, values)
-        count = max((len(one) for one in values.values()), default=0)
-        worst = (found.of(row) for row in range(count))
-        return [None if one is None else _overlap(course, scheme, one) for one in worst]
 
-    return check
+def _worst_overlaps(
+    course: Course, scheme_id: str, values: Mapping[str, Array]
+) -> list[Overlap | None]:
+    """Return the worst overlap of each variant; see `OverlapCheck`."""
+    scheme = course.schemes[scheme_id]
+    found = interference(scheme, columns_of(course.catalogues), values)
+    count = max((len(one) for one in values.values()), default=0)
+    worst = (found.of(row) for row in range(count))
+    return [None if one is None else _overlap(course, scheme, one) for one in worst]
 
 
 def _overlap(course: Course, scheme: Scheme, found: Interference) -> Overlap:

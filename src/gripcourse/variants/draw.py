@@ -32,6 +32,36 @@ class Drawn:
     tallies: tuple[Tally, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class DrawingOrder:
+    """What is to be drawn from one space.
+
+    Attributes:
+        scheme: id of the space's scheme.
+        wanted: how many variants of each combination of options, by its number.
+        seed: of everything that chance decides there.
+    """
+
+    scheme: str
+    wanted: Mapping[int, int]
+    seed: np.random.SeedSequence
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What was drawn from one space.
+
+    Attributes:
+        scheme: id of its scheme.
+        rows: options and given numbers of each variant, combination by combination.
+        tally: how it went; None where nothing was wanted.
+    """
+
+    scheme: str
+    rows: tuple[tuple[Mapping[str, str], Mapping[str, float]], ...]
+    tally: Tally | None
+
+
 def draw(
     course: Course, spaces: Sequence[Space], count: int, seed: int, further: Filter | None = None
 ) -> Drawn:
@@ -50,32 +80,56 @@ def draw(
     Raises:
         TableError: too few candidates can be solved; the main reasons are named.
     """
-    seeds = np.random.SeedSequence(seed).spawn(len(spaces) + 2)
-    counts = iter(counts_of(spaces, count, np.random.default_rng(seeds.pop())))
-    mixing = np.random.default_rng(seeds.pop())
-    searches, rows = [], []
-    for space, own in zip(spaces, seeds, strict=True):
-        rng = np.random.default_rng(own)
-        search = Search(course, space, further, rng)
-        wanted = {case: next(counts) for case in range(len(space.cases))}
-        lacking = search.find(wanted)
-        if lacking:
-            _make_up(space, search, wanted, lacking, rng if further is not None else None)
-        searches.append((space, search))
-        for options, found in zip(space.cases.combinations, search.rows, strict=True):
-            rows += [(space.scheme, options, given) for given in found.values()]
+    ordered = zip(spaces, orders_of(spaces, count, seed), strict=True)
+    found = (draw_space(course, space, order, further) for space, order in ordered)
+    return mixed(tuple(found), count, seed)
+
+
+def orders_of(spaces: Sequence[Space], count: int, seed: int) -> tuple[DrawingOrder, ...]:
+    """Share variants out among spaces; see `draw`."""
+    *own, _, sharing = _seeds(len(spaces), seed)
+    counts = iter(counts_of(spaces, count, np.random.default_rng(sharing)))
+    return tuple(
+        DrawingOrder(space.scheme, {case: next(counts) for case in range(len(space.cases))}, one)
+        for space, one in zip(spaces, own, strict=True)
+    )
+
+
+def draw_space(course: Course, space: Space, order: DrawingOrder, further: Filter | None) -> Found:
+    """Draw the variants of one space; see `draw`."""
+    rng = np.random.default_rng(order.seed)
+    search = Search(course, space, further, rng)
+    lacking = search.find(order.wanted)
+    if lacking:
+        _make_up(space, search, order.wanted, lacking, rng if further is not None else None)
+    rows = tuple(
+        (options, given)
+        for options, found in zip(space.cases.combinations, search.rows, strict=True)
+        for given in found.values()
+    )
+    if not search.tried.any():  # a share too small for a single variant is not searched for
+        return Found(space.scheme, rows, None)
+    tally = Tally(space.scheme, int(search.tried.sum()), search.sound, search.refusals(),
+                  by_count(search.set_aside))  # fmt: skip
+    return Found(space.scheme, rows, tally)
+
+
+def mixed(found: Sequence[Found], count: int, seed: int) -> Drawn:
+    """Mix and name what was drawn from spaces, in their order; see `draw`."""
+    rows = [(one.scheme, *row) for one in found for row in one.rows]
+    mixing = np.random.default_rng(_seeds(len(found), seed)[-2])
     order = mixing.permutation(len(rows)) if len(rows) > 1 else range(len(rows))
     width = max(3, len(str(count)))
     variants = tuple(
         Variant(f"{number:0{width}d}", *rows[position])
         for number, position in enumerate(order, start=1)
     )
-    return Drawn(variants, tuple(
-        Tally(space.scheme, int(search.tried.sum()), search.sound, search.refusals(),
-              by_count(search.set_aside))
-        for space, search in searches
-        if search.tried.any()  # a share too small for a single variant is not searched for
-    ))  # fmt: skip
+    return Drawn(variants, tuple(one.tally for one in found if one.tally is not None))
+
+
+def _seeds(spaces: int, seed: int) -> list[np.random.SeedSequence]:
+    """Return a seed for each space, the one of mixing and the one of sharing out."""
+    return np.random.SeedSequence(seed).spawn(spaces + 2)
 
 
 def _make_up(

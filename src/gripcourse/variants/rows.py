@@ -10,6 +10,7 @@ from gripcourse.course.model import Course, Option, Scheme
 from gripcourse.course.option_sets import broken_rules
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
+from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -93,6 +94,16 @@ class RowReader:
                         row=seen[id_].number),
                 message("Give each variant a name of its own."),
             )  # fmt: skip
+        elif not is_file_name(id_):
+            self._add(
+                row,
+                "variant",
+                message("The variant '{variant}' cannot name a file.", variant=id_),
+                message(
+                    "Use at most {most} letters, digits and the signs - _ . inside.",
+                    most=LONGEST_NAME,
+                ),
+            )
         seen.setdefault(id_, row)
         return id_
 

@@ -1,6 +1,8 @@
 """What a drawn variant must satisfy besides being solvable: the rules that an audit measures."""
 
-from collections.abc import Iterable
+from collections import deque
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +15,7 @@ from gripcourse.variants.answers import Group, items_of
 from gripcourse.variants.apart import limits_of
 from gripcourse.variants.fair import near_steps
 from gripcourse.variants.feasible import Mask
-from gripcourse.variants.overlaps import OverlapCheck, overlap_in_short, overlaps_of
+from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlap_in_short, overlaps_of
 from gripcourse.variants.search import Batch, Filter, Sifted
 from gripcourse.variants.slip_distance import too_near
 from gripcourse.variants.tally import Refusal, summed
@@ -30,17 +32,29 @@ def buildable(check: OverlapCheck) -> Filter:
 
     def sift(batch: Batch) -> Sifted:
         group = Group(batch.family, np.arange(len(batch.cases)), batch.evaluation.values, {})
-        looked_at = _first_of_each(batch, np.arange(len(batch.cases)))
-        overlaps = dict(overlaps_of(group, looked_at, check))
+        waiting = _by_case(batch, _first_of_each(batch, np.arange(len(batch.cases))))
         keep = np.zeros(len(batch.cases), dtype=np.bool_)
-        keep[[place for place in looked_at if place not in overlaps]] = True
-        refusals = (Refusal(overlap_in_short(one), 1) for one in overlaps.values())
+        lacking = dict(batch.wanted)
+        overlaps: list[Overlap] = []
+        # Few are refused: more candidates than are lacking are looked at only in the place of them.
+        while looked_at := _next_of_each(waiting, lacking):
+            refused = dict(overlaps_of(group, looked_at, check))
+            overlaps += refused.values()
+            for place in looked_at:
+                keep[place] = place not in refused
+                lacking[int(batch.cases[place])] -= int(keep[place])
+        refusals = (Refusal(overlap_in_short(one), 1) for one in overlaps)
         return Sifted(keep, summed(refusals))
 
     return sift
 
 
-def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> Filter:
+def sifter(
+    policy: Policy,
+    sections: int,
+    check: OverlapCheck | None = None,
+    others: Sequence[Group] = (),
+) -> Filter:
     """Make the filter of one drawing; it remembers what it let through.
 
     What costs most comes last, and only for as many candidates as may be needed.
@@ -49,8 +63,15 @@ def sifter(policy: Policy, sections: int, check: OverlapCheck | None = None) -> 
         policy: the rules for variants.
         sections: how many sections the course has.
         check: tells whether bodies stand in each other; None where nobody knows the bodies.
+        others: variants of other tables, solved: what is drawn keeps as far from them as from
+            each other, however near they are to one another.
     """
     accepted = Accepted(limits_of(policy), sections)
+    for other in others:
+        items = items_of((replace(other, rows=np.arange(other.family.size)),), policy, Kind.FORMULA)
+        answers = accepted.answers(items, other.family.size)
+        for place in range(other.family.size):
+            accepted.add(answers, place)
 
     def sift(batch: Batch) -> Sifted:
         count = len(batch.cases)
@@ -91,6 +112,23 @@ def _first_of_each(batch: Batch, places: Rows) -> list[int]:
             left[case] -= 1
             found.append(int(place))
     return found
+
+
+def _by_case(batch: Batch, places: Sequence[int]) -> dict[int, deque[int]]:
+    """Return places of a batch by combination, in order."""
+    found: dict[int, deque[int]] = {}
+    for place in places:
+        found.setdefault(int(batch.cases[place]), deque()).append(place)
+    return found
+
+
+def _next_of_each(waiting: Mapping[int, deque[int]], lacking: Mapping[int, int]) -> list[int]:
+    """Take as many places of each combination as it lacks, as far as there are any; ascending."""
+    return sorted(
+        places.popleft()
+        for case, places in waiting.items()
+        for _ in range(min(lacking[case], len(places)))
+    )
 
 
 def _any(masks: Iterable[Mask], count: int) -> Mask:

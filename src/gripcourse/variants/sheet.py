@@ -13,9 +13,12 @@ from datetime import date, time
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.jobs.limits import Limits
+from gripcourse.jobs.lost import Lost
+from gripcourse.jobs.warm import do_apart
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.table import first_sheet
+from gripcourse.machine.spreadsheet.table import TableRow, first_sheet
 from gripcourse.text.words import Message, message
 
 _DELIMITERS = ("\t", ";", ",")
@@ -27,6 +30,10 @@ _ENCODINGS = ("cp1251", "cp866", "koi8_u")
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
 _WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
+
+_SECONDS = 60.0  # by the clock
+_READERS = Limits(memory=2 * 1024**3, grace=2.0, processor=30.0, writes=False)
+"""Of who reads a spreadsheet: a hundred thousand rows take 5 s."""
 
 IsHeading: TypeAlias = Callable[[str], bool]
 """Tells whether a text is the heading of a column."""
@@ -238,8 +245,9 @@ def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
 
 def _spreadsheet_rows(source: Readable) -> list[SheetRow]:
     """Read the first sheet: stored results, and the formula where no result is stored."""
-    rows = first_sheet(content_of(source))
-    if rows is WhyRefused.TOO_LARGE:
+    data = content_of(source)
+    rows = do_apart(_first_sheet, data, None, limits=_READERS, seconds=_SECONDS)
+    if rows is WhyRefused.TOO_LARGE or isinstance(rows, Lost):
         raise _failure(
             source,
             message("The spreadsheet holds far more than a table of this kind does."),
@@ -252,6 +260,10 @@ def _spreadsheet_rows(source: Readable) -> list[SheetRow]:
             message("Open it in a spreadsheet program and save it again as .xlsx."),
         )
     return [SheetRow(row.number, _stripped(map(_cell_text, row.cells))) for row in rows]
+
+
+def _first_sheet(data: bytes, _: None) -> tuple[TableRow, ...] | WhyRefused:
+    return first_sheet(data)
 
 
 def _cell_text(cell: object) -> str:

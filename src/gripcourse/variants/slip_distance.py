@@ -4,7 +4,7 @@ A slip that gives nearly the right number would be accepted, and a right answer 
 the slip: neither is fair, so such a variant is not handed out.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -111,19 +111,24 @@ def too_near(group: Group, policy: Policy) -> dict[tuple[str, str], Mask]:
 
 def count_slips(groups: Sequence[Group], policy: Policy) -> tuple[SlipCount, ...]:
     """Count slips of all kinds over a table; those that never come near are counted too."""
-    counts: dict[tuple[str, str], SlipCount] = {}
-    for group in groups:
-        for one in near_slips(group, policy):
-            before = counts.get((one.quantity, one.slip))
-            counts[one.quantity, one.slip] = SlipCount(
-                one.quantity,
-                one.slip,
-                one.kind,
-                one.is_size,
-                len(one.near) + (before.near if before else 0),
-                one.variants + (before.variants if before else 0),
-            )
-    return tuple(sorted(counts.values(), key=lambda one: (-one.share, one.quantity, one.slip)))
+    return summed_slips(
+        SlipCount(one.quantity, one.slip, one.kind, one.is_size, len(one.near), one.variants)
+        for group in groups
+        for one in near_slips(group, policy)
+    )
+
+
+def summed_slips(counts: Iterable[SlipCount]) -> tuple[SlipCount, ...]:
+    """Add up counts of the same slip, the most frequent first."""
+    found: dict[tuple[str, str], SlipCount] = {}
+    for one in counts:
+        before = found.get((one.quantity, one.slip))
+        found[one.quantity, one.slip] = replace(
+            one,
+            near=one.near + (before.near if before else 0),
+            variants=one.variants + (before.variants if before else 0),
+        )
+    return tuple(sorted(found.values(), key=lambda one: (-one.share, one.quantity, one.slip)))
 
 
 def _slips(

@@ -24,6 +24,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.cases import Cases, SpaceCase
 from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.contradiction import check_reach
 from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Allowed, Follower, Range, RangeReader
 
@@ -185,6 +186,10 @@ def _cases(
     _check_bound(table, mixed, plans, read)
     reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
     formulas = [one for _, one in constraints]
+    if not table.problems:  # else ranges may be empty, and names unknown
+        drawn = [(plan, _case(plan, plan.options, read, ())) for plan in plans]
+        for line, constraint in constraints:
+            check_reach(line, constraint, drawn)
 
     def make(options: Mapping[str, str]) -> SpaceCase:
         return _case(make_plan(course, scheme.id, options), options, read, formulas)

@@ -10,7 +10,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.layout import CellPlace
-from gripcourse.workbook.style import Styles, set_page
+from gripcourse.workbook.style import Styles, plain_symbols, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -97,7 +97,7 @@ def write_tables(book: "Workbook", tables: Tables, words: Words, styles: Styles)
     sheet.write_string(0, 0, words.say(message("Catalogues in SI units")), styles.title)
     sheet.set_row(0, 26)
     for row, table in enumerate(tables.tables, start=_SOURCES):
-        source = f"{table.catalogue.id}: {table.catalogue.source.of(words.language)}"
+        source = f"{_title(table.catalogue, words)}: {table.catalogue.source.of(words.language)}"
         sheet.write_string(row, 0, source, styles.label)
     sheet.set_row(tables.header, 34)
     for table in tables.tables:
@@ -110,15 +110,22 @@ def _write_table(
     sheet: "Worksheet", table: CatalogueTable, header: int, words: Words, styles: Styles
 ) -> None:
     catalogue = table.catalogue
-    sheet.write_string(header - 1, table.first, catalogue.id, styles.heading)
+    sheet.write_string(header - 1, table.first, _title(catalogue, words), styles.heading)
     for column, (name, values) in enumerate(catalogue.columns.items(), start=table.first):
         sheet.set_column(column, column, 13)
-        heading = f"{name}\n{_base(catalogue.units[name], words)}".strip()
+        called = catalogue.headings.get(name)
+        shown = "" if called is None else plain_symbols(called.of(words.language))
+        heading = f"{shown}\n{_base(catalogue.units[name], words)}".strip()
         sheet.write_string(header, column, heading, styles.head)
         for row, value in enumerate(values, start=header + 1):
             sheet.write_number(row, column, float(value), styles.computed[0])
     gap = table.first + len(catalogue.columns)
     sheet.set_column(gap, gap, 6)
+
+
+def _title(catalogue: Catalogue, words: Words) -> str:
+    """Return what a catalogue is called; one that no student needs may have only its id."""
+    return catalogue.id if catalogue.title is None else catalogue.title.of(words.language)
 
 
 def _base(unit: str, words: Words) -> str:

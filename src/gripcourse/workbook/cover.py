@@ -18,7 +18,7 @@ from gripcourse.workbook.layout import (
     WorkbookLayout,
     quoted,
 )
-from gripcourse.workbook.style import Styles, row_height, set_page, write_symbol
+from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page, write_symbol
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -34,6 +34,7 @@ WIDTHS: Final = {
 }
 """Of the columns, in characters."""
 
+_ROW: Final = 15.5  # points, on the average
 _TEXT_COLUMN: Final = SheetColumn.TITLE
 LOCKED: Final = {"select_locked_cells": True, "format_columns": True, "format_rows": True}
 """What a student may do with locked cells: look, copy, and change widths and heights."""
@@ -68,9 +69,17 @@ def write_cover(
     _write_guidance(sheet, cover, words, styles)
     _write_progress(sheet, placed, words, styles)
     _write_givens(book, sheet, cover, issued, words, styles)
-    set_page(sheet, title, issued.student.name)
+    set_page(sheet, title, issued.student.name, tall=pages_tall(_heights(cover)))
     sheet.protect("", LOCKED)
     sheet.activate()
+
+
+def _heights(cover: Cover) -> list[float]:
+    """Return the heights of all rows, as they are where nothing is wrapped."""
+    lines = (*cover.givens, *cover.constants)
+    return [_ROW] * cover.given_header + [
+        row_height([(line.title, WIDTHS[SheetColumn.TITLE])]) for line in lines
+    ]
 
 
 def _write_particulars(

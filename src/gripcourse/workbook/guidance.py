@@ -17,7 +17,7 @@ HOW_TO: Final[tuple[Message, ...]] = (
     DECIMAL_SIGN,
     message("A formula in a cell is as good as a number: its result is what counts."),
     message("Keep at least four significant figures. An empty cell is no answer, not a zero."),
-    message("The column beside the answers speaks up when a cell does not hold what is needed."),
+    message("The column beside the answers says when a cell does not hold what is needed."),
     message("Do not change the given data: answers are judged against what was issued."),
     message("Save as an .xlsx workbook, without a password, and hand in this file."),
 )

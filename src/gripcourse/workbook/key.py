@@ -91,7 +91,7 @@ def write_key_workbook(path: Path, plan: Plan, variant: Variant, words: Words) -
     Raises:
         OSError: the file cannot be written.
     """
-    write_bytes(path, key_workbook(plan, variant, words))
+    write_bytes(path, key_workbook(plan, variant, words), private=True)
 
 
 def key_workbook(plan: Plan, variant: Variant, words: Words) -> bytes:

@@ -51,7 +51,7 @@ def cited_works(plan: Plan) -> tuple[str, ...]:
 def tolerance_text(quantity: Quantity, words: Words) -> str:
     """Return the band of a quantity's own, or how else it is judged."""
     if quantity.kind is Kind.MANUAL:
-        return words.say(message("marked by a person"))
+        return words.say(message("marked by the instructor"))
     if quantity.kind is Kind.VERDICT:
         return words.say(message("yes or no"))
     if quantity.choice is not None:

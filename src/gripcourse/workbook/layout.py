@@ -12,6 +12,7 @@ from typing import Final
 
 from gripcourse.course.model import Section
 from gripcourse.course.quantity import Quantity
+from gripcourse.solver.asked import deciding
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
@@ -73,6 +74,7 @@ class SheetLine:
         number: as printed, `2.3` or `12`.
         symbol: as declared, in the reader's language.
         title, unit: in the reader's language.
+        decides: what decides the answer where the title leaves it open; empty for nothing.
         place: of the value: given, answered or marked by hand.
     """
 
@@ -81,6 +83,7 @@ class SheetLine:
     symbol: str
     title: str
     unit: str
+    decides: str
     place: CellPlace
 
 
@@ -130,11 +133,13 @@ class WorkbookLayout:
     Attributes:
         cover: the first sheet.
         sheets: of the sections, in the order of the course.
+        series: name of the sheet with the series and tables.
         meta: cells of the hidden sheet by field.
     """
 
     cover: Cover
     sheets: tuple[SectionSheet, ...]
+    series: str
     meta: Mapping[str, CellPlace]
 
     @property
@@ -158,9 +163,11 @@ def layout(plan: Plan, words: Words) -> WorkbookLayout:
     """
     name = _sheet_name(words.say(message("Assignment")), ())
     sheets = tuple(_section_sheets(plan, words, name))
+    taken = [name, HIDDEN_SHEET, *(sheet.name for sheet in sheets)]
     return WorkbookLayout(
         cover=_cover(plan, words, name, len(sheets)),
         sheets=sheets,
+        series=_sheet_name(words.say(message("Series")), taken),
         meta={field: CellPlace(HIDDEN_SHEET, row, 1) for row, field in enumerate(FIELDS)},
     )
 
@@ -176,9 +183,9 @@ def _cover(plan: Plan, words: Words, name: str, sections: int) -> Cover:
         guidance=guidance,
         progress=progress,
         given_header=given_header,
-        givens=_lines(plan.givens, name, first, words),
+        givens=_lines(plan, plan.givens, name, first, words),
         constants=_lines(
-            plan.constants, name, first + len(plan.givens), words, before=len(plan.givens)
+            plan, plan.constants, name, first + len(plan.givens), words, before=len(plan.givens)
         ),
     )
 
@@ -205,16 +212,26 @@ def _section_sheets(plan: Plan, words: Words, cover: str) -> Iterator[SectionShe
             name=name,
             number=number,
             section=section,
-            answered=_lines(answered, name, first, words, prefix),
-            manual=_lines(manual, name, first + len(answered), words, prefix, len(answered)),
+            answered=_lines(plan, answered, name, first, words, prefix=prefix),
+            manual=_lines(
+                plan,
+                manual,
+                name,
+                first + len(answered),
+                words,
+                prefix=prefix,
+                before=len(answered),
+            ),
         )
 
 
-def _lines(
+def _lines(  # noqa: PLR0913 (where rows stand, and what is in them)
+    plan: Plan,
     quantities: Iterable[Quantity],
     sheet: str,
     first: int,
     words: Words,
+    *,
     prefix: str = "",
     before: int = 0,
 ) -> tuple[SheetLine, ...]:
@@ -226,6 +243,7 @@ def _lines(
             symbol=quantity.symbol.of(words.language),
             title=quantity.title.of(words.language),
             unit=unit_text(quantity.unit, words.language),
+            decides=deciding(quantity, plan, words) if quantity.kind.answered else "",
             place=CellPlace(sheet, first + index, SheetColumn.VALUE),
         )
         for index, quantity in enumerate(quantities)

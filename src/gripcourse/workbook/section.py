@@ -3,6 +3,7 @@
 A check cell says what is wrong with the kind of an answer, never with its value.
 """
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.course.model import Course
@@ -13,7 +14,7 @@ from gripcourse.workbook import names
 from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN
 from gripcourse.workbook.layout import SECTION_HEADER, SectionSheet, SheetColumn, SheetLine
-from gripcourse.workbook.style import Styles, row_height, set_page
+from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 _TITLE_ROW: Final = 0
 _TASK_ROW: Final = 1
 _HINT_ROW: Final = 2
+_TITLE_HEIGHT: Final = 26
+_HEAD_HEIGHT: Final = 22
 _LONGEST_PROMPT_TITLE: Final = 32
 _LONGEST_PROMPT: Final = 255
 _WIDEST: Final = 1e15  # bound of an answer that declares none
@@ -56,18 +59,29 @@ def write_section(
         book.define_name(name, f"={line.place.reference}")
     for line in section.manual:
         write_line(sheet, line, styles)
-        said = words.say(message("marked by a person"))
+        said = words.say(message("marked by the instructor"))
         sheet.write_string(line.place.row, line.place.column, said, styles.manual)
     sheet.freeze_panes(SECTION_HEADER + 1, 0)
     sheet.repeat_rows(SECTION_HEADER)
-    set_page(sheet, course.title.of(words.language), issued.student.name)
+    heights = _heights(section, words)
+    title = course.title.of(words.language)
+    set_page(sheet, title, issued.student.name, tall=pages_tall(heights))
     sheet.protect("", LOCKED)
+
+
+def _heights(section: SectionSheet, words: Words) -> Iterator[float]:
+    """Yield the heights of all rows of a sheet."""
+    top = (section.section.task.of(words.language), words.say(DECIMAL_SIGN))
+    yield from (row_height([(text, sum(WIDTHS.values()))]) for text in top)
+    yield _TITLE_HEIGHT + 2 * _HEAD_HEIGHT
+    for line in (*section.answered, *section.manual):
+        yield row_height([(line.title, WIDTHS[SheetColumn.TITLE])])
 
 
 def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: Styles) -> None:
     """Write title, task and headings; merged cells do not grow by themselves: heights are set."""
     title = f"{section.number}. {section.section.title.of(words.language)}"
-    sheet.set_row(_TITLE_ROW, 26)
+    sheet.set_row(_TITLE_ROW, _TITLE_HEIGHT)
     sheet.write_string(_TITLE_ROW, 0, title, styles.title)
     task = section.section.task.of(words.language)
     for row, text, style in (
@@ -77,7 +91,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
         sheet.merge_range(row, 0, row, SheetColumn.CHECK, "", style)
         sheet.write_string(row, 0, text, style)
         sheet.set_row(row, row_height([(text, sum(WIDTHS.values()))]))
-    sheet.set_row(SECTION_HEADER, 22)
+    sheet.set_row(SECTION_HEADER, _HEAD_HEIGHT)
     for column, heading in enumerate(headings(words)):
         sheet.write_string(SECTION_HEADER, column, heading, styles.head)
 
@@ -131,8 +145,16 @@ def _prompt(line: SheetLine, text: str) -> dict[str, object]:
     """Return the note that a spreadsheet program shows beside the chosen cell."""
     return {
         "input_title": _cut(f"{line.number}  {line.symbol}".strip(), _LONGEST_PROMPT_TITLE),
-        "input_message": _cut(f"{line.title}. {text}", _LONGEST_PROMPT),
+        "input_message": _cut(_said(line, text), _LONGEST_PROMPT),
     }
+
+
+def _said(line: SheetLine, text: str) -> str:
+    """Join what there is to say; the title, which stands in the row too, goes first if it must."""
+    whole = ". ".join(filter(None, (line.title, line.decides, text)))
+    if len(whole) <= _LONGEST_PROMPT:
+        return whole
+    return ". ".join(filter(None, (line.decides, text)))
 
 
 def _answers(words: Words) -> tuple[str, str]:

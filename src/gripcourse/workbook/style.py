@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
-from gripcourse.formula.typeset import symbol_box
+from gripcourse.formula.typeset import declared_symbol
 from gripcourse.text.shown import shown
 
 if TYPE_CHECKING:
@@ -37,6 +37,10 @@ MOST_DECIMALS: Final = 12
 
 _LINE_HEIGHT: Final = 13.0  # points
 _PADDING: Final = 6.0
+_PAGE_HEIGHT: Final = (
+    1050.0  # points of rows on a page, as wide as the columns of a section make it
+)
+_DRAWN_TOGETHER: Final = 0.35  # of a page
 _WIDEST_LETTERS: Final = 0.9  # a letter of text beside the digits that columns are measured in
 
 RunKind: TypeAlias = Literal["italic", "upright", "sub"]
@@ -48,6 +52,7 @@ class Styles:
 
     title: "Format"
     heading: "Format"
+    heading_line: "Format"
     paragraph: "Format"
     hint: "Format"
     hint_line: "Format"
@@ -61,6 +66,7 @@ class Styles:
     computed: tuple["Format", ...]
     """By the number of decimals shown; the first shows whole numbers."""
     verdict: "Format"
+    size: "Format"
     answer: "Format"
     manual: "Format"
     check: "Format"
@@ -85,6 +91,7 @@ def make_styles(book: "Workbook") -> Styles:
     return Styles(
         title=style(bold=True, font_size=15),
         heading=style(bold=True, font_size=11),
+        heading_line=style(bold=True, text_wrap=True),
         paragraph=style(text_wrap=True, valign="top"),
         hint=style(text_wrap=True, italic=True, font_color=_FAINT, valign="top"),
         hint_line=style(italic=True, font_color=_FAINT),
@@ -100,6 +107,7 @@ def make_styles(book: "Workbook") -> Styles:
             *(style(**middle, num_format=f"0.0{'#' * n}") for n in range(MOST_DECIMALS)),
         ),
         verdict=style(**middle),
+        size=style(**middle),
         answer=style(
             border=1, border_color=_ANSWER_LINE, bg_color=_ANSWER, align="center", locked=False
         ),
@@ -131,19 +139,18 @@ def write_symbol(sheet: "Worksheet", row: int, column: int, symbol: str, styles:
 
 def symbol_runs(symbol: str) -> list[tuple[RunKind, str]]:
     """Split a declared symbol, or several joined by signs, into runs of one look."""
-    runs: list[tuple[RunKind, str]] = []
-    for index, word in enumerate(symbol.split()):
-        if index:
-            runs.append(("upright", " "))
-        runs += _runs(symbol_box(word))
+    if not symbol:
+        return []
     return [
         (kind, "".join(text for _, text in group))
-        for kind, group in groupby(runs, lambda run: run[0])
+        for kind, group in groupby(_runs(declared_symbol(symbol)), lambda run: run[0])
     ]
 
 
 def _runs(box: Box) -> Iterator[tuple[RunKind, str]]:
     match box:
+        case Text("relation", text):
+            yield "upright", f" {text} "
         case Text(kind, text):
             yield ("italic" if kind == "variable" else "upright"), text
         case Script(base, sub, None) if sub is not None:
@@ -174,12 +181,36 @@ def row_height(texts: Iterable[tuple[str, float]]) -> float:
     return _LINE_HEIGHT * max(lines, 1) + _PADDING
 
 
-def set_page(sheet: "Worksheet", left: str, right: str, *, landscape: bool = False) -> None:
-    """Set a sheet up for A4 paper, as wide as the page, with a line above and page numbers."""
+def pages_tall(heights: Iterable[float]) -> int:
+    """Return on how many pages rows of such heights, in points, are printed.
+
+    Rows that go a little beyond a page are drawn together into it: nobody wants the last three on
+    a page of their own.
+    """
+    return max(1, math.ceil(sum(heights) / _PAGE_HEIGHT - _DRAWN_TOGETHER))
+
+
+def plain_symbols(text: str) -> str:
+    """Write the symbols of a text, `D_1`, as a cell without formats can show them: `D1`."""
+    return text.replace("_", "")
+
+
+def set_page(
+    sheet: "Worksheet", left: str, right: str, *, landscape: bool = False, tall: int = 0
+) -> None:
+    """Set a sheet up for A4 paper, as wide as the page, with a line above and page numbers.
+
+    Args:
+        sheet: to set up.
+        left: what stands above the page at the left.
+        right: and at the right.
+        landscape: how the paper lies.
+        tall: pages that it is fitted to; 0 for as many as it takes.
+    """
     sheet.set_paper(PAPER_A4)
     if landscape:
         sheet.set_landscape()
-    sheet.fit_to_pages(1, 0)
+    sheet.fit_to_pages(1, tall)
     sheet.set_margins(left=0.6, right=0.6, top=0.8, bottom=0.7)
     half = _LONGEST_HEADER // 2
     sheet.set_header(f"&L{_header_text(left, half)}&R{_header_text(right, half)}")

@@ -17,6 +17,7 @@ from gripcourse.workbook import names
 from gripcourse.workbook.cover import write_cover
 from gripcourse.workbook.layout import WorkbookLayout, layout
 from gripcourse.workbook.section import write_section
+from gripcourse.workbook.series import write_series
 from gripcourse.workbook.style import make_styles
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ def answer_workbook(plan: Plan, issued: Issued, course: Course, words: Words) ->
     write_cover(book, placed, plan, issued, words, styles)
     for sheet in placed.sheets:
         write_section(book, sheet, issued, course, words, styles)
+    write_series(book, placed, plan, issued.student.name, words, styles)
     _write_identity(book, placed, issued)
     _set_properties(book, issued, course, words)
     book.close()

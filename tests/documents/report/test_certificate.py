@@ -66,6 +66,23 @@ def test_each_rule_has_its_limit_and_what_was_found(values: dict[str, object]) -
     assert not values["passed"]
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "no interference in 9 variants"),
+        ("ru", "пересечений нет, вариантов: 9"),
+        ("uk", "перетинів немає, варіантів: 9"),
+    ],
+)
+def test_bodies_that_keep_apart_are_said_with_how_many_were_tested(
+    audited: VariantAudit, course: Course, policy: Policy, language: str, said: str
+) -> None:
+    looked = replace(audited, overlaps=0)
+    checks = certificate_values(looked, SOURCE, course, policy, Words(language))["checks"]
+    assert isinstance(checks, list)
+    assert checks[3][2:] == (said, True)
+
+
 def test_what_is_to_be_looked_at_is_said_variant_by_variant(values: dict[str, object]) -> None:
     flagged = values["flagged"]
     assert isinstance(flagged, list)

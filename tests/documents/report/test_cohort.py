@@ -180,7 +180,9 @@ def test_the_headings_of_a_long_table_are_repeated(
     pages = pages_of(printed(reports[2:3] * 80, "en"))
     with_students = [page for page in pages if "Иван" in page]
     assert len(with_students) >= 2
-    assert all("Student Variant 1 2 3 4 5 Score Open Flags" in page for page in with_students)
+    assert all(
+        "Student Variant 1 2 3 4 5 Score Mark ECTS Open Flags" in page for page in with_students
+    )
 
 
 def test_sections_slips_and_fairness_have_their_tables(

@@ -102,7 +102,7 @@ class TestTheStudentsReport:
         assert [one.text for one in item.lines] == [line.text.of("en") for line in rubric.lines]
         points = [one.points.replace("\u00a0", "") for one in item.lines]
         assert points == ["0.8/0.8", "0.3/0.6", "0/0.6"]
-        assert item.said == "Marked by Петров П. П., 20 May 2025."
+        assert item.said == "Marked by Петров П. П., 20\u00a0May\u00a02025."
         assert item.notes == ("Нет масштаба.",)
 
     @pytest.mark.parametrize("language", LANGUAGES)
@@ -129,7 +129,7 @@ class TestTheStudentsReport:
         self, marked: Report, plan: Plan, policy: Policy, course: Course
     ) -> None:
         losses = student_values(marked, plan, policy, course, ENGLISH)["losses"]
-        assert [(one.points, one.verdict) for one in losses] == [("−0.9", "by a person")]
+        assert [(one.points, one.verdict) for one in losses] == [("−0.9", "by the instructor")]
 
     def test_an_overruled_verdict_is_a_persons_decision(
         self, overruled: Report, plan: Plan, policy: Policy
@@ -137,7 +137,7 @@ class TestTheStudentsReport:
         finding = next(one for one in overruled.findings if one.decision is not None)
         item = marked_item(finding, plan.quantities["drive_force"], policy, ENGLISH)
         assert item is not None
-        assert item.said.startswith("Decided by Петров П. П., 20 May 2025.")
+        assert item.said.startswith("Decided by Петров П. П., 20\u00a0May\u00a02025.")
         assert item.said.endswith("The automatic verdict was: wrong.")
         assert item.lines == ()
 
@@ -219,8 +219,8 @@ class TestTheCohort:
         text_of: Callable[[bytes], str],
     ) -> None:
         text = text_of(cohort_report([overruled, marked], policy, course, ENGLISH, graded_on))
-        assert "Marked by a person: General view drawing" in text
-        assert "Decided by a person" in text
+        assert "Marked by the instructor: General view drawing" in text
+        assert "Decided by the instructor" in text
         assert "Описка в условии." in text
 
     def test_without_marks_nothing_is_said_of_them(
@@ -232,8 +232,8 @@ class TestTheCohort:
         text_of: Callable[[bytes], str],
     ) -> None:
         text = text_of(cohort_report([perfect], policy, course, ENGLISH, graded_on))
-        assert "Marked by a person" not in text
-        assert "Decided by a person" not in text
+        assert "Marked by the instructor" not in text
+        assert "Decided by the instructor" not in text
 
     def test_the_grades_have_the_points(self, marked: Report, perfect: Report) -> None:
         def row(report: Report) -> Mapping[str, str]:

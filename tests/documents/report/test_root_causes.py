@@ -102,7 +102,7 @@ def test_an_answer_that_another_number_was_used_for_is_gone_over_first(
 def test_what_waits_for_a_person_is_said_with_its_points(perfect: Report, plan: Plan) -> None:
     steps = next_steps(perfect, plan, ENGLISH)
     assert len(steps.waiting) == 2
-    assert steps.waiting_points == "4"
+    assert steps.waiting_points == "up\u00a0to\u00a04\u00a0points"
     assert steps.any
 
 

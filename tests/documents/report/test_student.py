@@ -67,7 +67,7 @@ def test_points_that_wait_for_a_person_are_announced(
     perfect: Report, text: Callable[..., str]
 ) -> None:
     assert perfect.open_points == 4.0
-    assert "and up to 4 more that a person marks" in text(perfect, words=Words("en"))
+    assert "and up to 4 points more that the instructor marks" in text(perfect, words=Words("en"))
 
 
 def test_what_cost_points_is_named(
@@ -200,9 +200,9 @@ def test_roots_and_next_steps_come_before_the_answers(
         written.index(said)
         for said in (
             "What cost most points",
-            "What is behind it",
+            "Causes of lost points",
             "What to do next",
-            "Go over first: F",
+            "Review first: F",
             "Your answer",
         )
     ]
@@ -263,11 +263,21 @@ def test_an_empty_work_is_told_no_formula_and_each_section_once(
         if not one.outcome.traits.by_rubric:
             report = blank(report, one.quantity)
     written = text(report, words=Words("en"))
-    sections = len({one.section for one in report.findings})
-    assert written.count("You handed in nothing for this section.") == sections
-    assert "Nothing was handed in for:" in written
+    assert written.count("Nothing was handed in for:") == 1
+    assert "You handed in nothing" not in written
     assert "Cells without an answer" not in written
     assert "=" not in written[written.index("What to do next") :]
+
+
+def test_whoever_hands_in_the_workbook_of_another_is_told_so_without_a_name(
+    perfect: Report, text: Callable[..., str]
+) -> None:
+    flag = Flag(
+        FlagCode.ISSUED_TO_OTHER, message("The workbook was issued to {other}.", other="s002")
+    )
+    written = text(replace(perfect, flags=(flag,)), words=Words("en"))
+    assert "it was issued to another student. Hand in your own." in written
+    assert "s002" not in written
 
 
 def test_the_formula_of_a_blank_answer_waits_for_publication(

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gripcourse.documents.report.totals import (
+    peer_quartiles,
     quantity_totals,
     section_shares,
     section_totals,
@@ -15,6 +16,7 @@ from gripcourse.documents.report.totals import (
     spread,
 )
 from gripcourse.grading.model import Outcome, Report
+from gripcourse.text.words import Words
 
 Change = Callable[..., Report]
 
@@ -62,3 +64,11 @@ def test_mean_and_median_lie_between_the_lowest_and_the_highest(scores: list[flo
     for middle in (found.mean, found.median):
         assert middle is not None
         assert found.lowest - 1e-9 <= middle <= found.highest + 1e-9
+
+
+def test_a_class_is_told_in_quartiles_and_a_few_works_not_at_all() -> None:
+    earned = [number / 10 for number in range(1, 10)]
+    said = peer_quartiles(earned, Words("en"))
+    assert "9 in all, earned from 30% to 70%" in said
+    assert said.endswith("the median is 50%.")
+    assert peer_quartiles(earned[:5], Words("en")) == ""

@@ -2,9 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
+import shapely
 
-from gripcourse.drawing.diagram.letters import LetterBox, covered_lengths, lines_of, write_letters
+from gripcourse.drawing.diagram.letters import covered_lengths, strokes_of, write_letters
 from gripcourse.drawing.diagram.marks import (
     ArcMark,
     Fill,
@@ -18,9 +20,15 @@ from gripcourse.drawing.diagram.marks import (
     mirrored,
 )
 from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import Box
 
-SHEET = LetterBox(-50, -50, 50, 50)
-NOTHING = lines_of([])
+SHEET = Box(-50, -50, 50, 50)
+NOTHING = strokes_of([])
+
+
+def covered(box: Box, strokes: shapely.STRtree) -> float:
+    row = np.array([[box.left, box.bottom, box.right, box.top]])
+    return float(covered_lengths(row, strokes)[0])
 
 
 def path(*points: Point, line: LineKind = LineKind.OUTLINE, under: bool = False) -> Path:
@@ -29,7 +37,7 @@ def path(*points: Point, line: LineKind = LineKind.OUTLINE, under: bool = False)
 
 def test_a_symbol_stands_close_above_its_place() -> None:
     [written] = write_letters([Letter("F", ((0.0, 0.0),))], NOTHING, SHEET)
-    assert 0 < written.box.low < 1
+    assert 0 < written.box.bottom < 1
     assert written.box.left < 0 < written.box.right
     assert (written.base, written.below) == ("F", "")
 
@@ -43,23 +51,23 @@ def test_a_subscript_hangs_behind_its_letter() -> None:
 def test_two_symbols_at_one_place_stand_apart() -> None:
     one = Letter("D_max", ((0.0, 0.0),))
     first, second = write_letters([one, one], NOTHING, SHEET)
-    assert first.box.overlap(second.box) == 0
+    assert not first.box.overlaps(second.box)
 
 
 def test_a_symbol_moves_away_from_a_line() -> None:
-    lines = lines_of([path((-20, 2), (20, 2))])
+    lines = strokes_of([path((-20, 2), (20, 2))])
     [written] = write_letters([Letter("F", ((0.0, 0.0),))], lines, SHEET)
-    assert covered_lengths([written.box], lines)[0] == 0
+    assert covered(written.box, lines) == 0
 
 
 def test_a_symbol_does_not_leave_the_sheet() -> None:
-    corner = LetterBox(-50, -50, 0.5, 0.5)
+    corner = Box(-50, -50, 0.5, 0.5)
     [written] = write_letters([Letter("F", ((0.0, 0.0),))], NOTHING, corner)
-    assert corner.holds(written.box)
+    assert corner.joined(written.box) == corner
 
 
 def test_the_first_of_free_places_is_taken() -> None:
-    lines = lines_of([path((-8, y), (8, y)) for y in range(-8, 9)])
+    lines = strokes_of([path((-8, y), (8, y)) for y in range(-8, 9)])
     [written] = write_letters([Letter("F", ((0.0, 0.0), (30.0, 0.0)))], lines, SHEET)
     assert written.box.left > 20
 
@@ -75,13 +83,42 @@ def test_the_first_of_free_places_is_taken() -> None:
     ],
 )
 def test_the_line_under_a_box_is_measured(line: Path, length: float) -> None:
-    assert covered_lengths([LetterBox(0, 0, 4, 2)], lines_of([line]))[0] == pytest.approx(length)
+    assert covered(Box(0, 0, 4, 2), strokes_of([line])) == pytest.approx(length)
 
 
-def test_an_axis_under_a_symbol_counts_less() -> None:
-    box = LetterBox(0, 0, 4, 2)
-    axis = lines_of([path((-5, 1), (5, 1), line=LineKind.CENTRE)])
-    assert 0 < covered_lengths([box], axis)[0] < 4
+def test_a_symbol_stands_nearest_to_what_it_names() -> None:
+    low, high = ((-9.0, 0.0), (9.0, 0.0)), ((-9.0, 6.0), (9.0, 6.0))
+    letters = [Letter("a", ((0.0, 0.0),), (low,)), Letter("b", ((0.0, 6.0),), (high,))]
+    lines = strokes_of([path(*low), path(*high)])
+    for written, own, other in zip(
+        write_letters(letters, lines, SHEET), (low, high), (high, low), strict=True
+    ):
+        box = shapely.box(
+            *(written.box.left, written.box.bottom, written.box.right, written.box.top)
+        )
+        assert box.distance(shapely.LineString(own)) < box.distance(shapely.LineString(other))
+
+
+def test_a_symbol_that_finds_no_room_gets_a_leader() -> None:
+    lines = strokes_of([path((-8, y), (8, y)) for y in range(-8, 9)])
+    [written] = write_letters([Letter("F", ((0.0, 0.0),))], lines, SHEET)
+    assert written.leader[0] == (0.0, 0.0)
+    assert not written.has_arrow
+    assert len(written.marks) == 1
+
+
+def test_a_leader_is_drawn_to_where_its_symbol_moves() -> None:
+    tip = ((5.0, 0.0), 0.0)
+    [first] = write_letters([Letter("D", (tip[0],), (), (tip,), 6.0)], NOTHING, SHEET)
+    wall = strokes_of([path((x, -3), (x, 3)) for x in (11.5, 12.5, 13.5)])
+    [second] = write_letters([Letter("D", (tip[0],), (), (tip,), 6.0)], wall, SHEET)
+    for written in (first, second):
+        end = written.leader[-1]
+        near = shapely.box(
+            written.box.left, written.box.bottom, written.box.right, written.box.top
+        ).distance(shapely.Point(end))
+        assert near < 1
+    assert first.leader[-1] != second.leader[-1]
 
 
 def test_a_rod_ends_at_the_ring_of_its_joint() -> None:

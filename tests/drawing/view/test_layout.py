@@ -1,12 +1,13 @@
 import pytest
 
 from gripcourse.course.view import Face
-from gripcourse.drawing.paper.sheet import A2, A3, A4
+from gripcourse.drawing.paper.sheet import A2_UPRIGHT
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
 from gripcourse.drawing.view.face import length_text
 from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
 from gripcourse.text.words import Words
 
+HALF = 0.5  # of the free field
 SQUARE = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]
 
 
@@ -17,45 +18,57 @@ def around(half: float, scale: float) -> Box:
 def square(half: float, detail: float = 10.0) -> Arranged:
     """Arrange one square face."""
     pictured = Pictured(length=2 * half, detail=detail)
-    return arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+    found = arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+    assert found is not None
+    return found
 
 
-def test_what_is_well_shown_on_a_small_sheet_gets_no_larger_one() -> None:
-    assert square(30).sheet == A4
-    assert square(30).scale == (1, 1)
+def test_what_fills_a_sheet_gets_no_larger_one() -> None:
+    found = square(120)
+    assert (found.sheet.name, found.scale) == ("A3", (1, 1))
+    assert found.filled > HALF
 
 
-def test_what_would_be_much_reduced_gets_a_larger_sheet() -> None:
-    assert square(180).sheet == A3
-    assert square(180).scale == (1, 2)
+def test_what_would_leave_most_of_a_small_sheet_empty_gets_a_larger_one() -> None:
+    found = square(180)
+    assert (found.sheet.name, found.scale) == ("A2", (1, 1))
+    assert found.filled > HALF
 
 
-def test_what_needs_an_even_larger_sheet_gets_one() -> None:
-    assert square(460, detail=3.5).sheet == A2
+def test_what_is_high_stands_on_an_upright_sheet() -> None:
+    def high(scale: float) -> dict[Face, Box]:
+        return {Face.MAIN: Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)}
+
+    found = arrange(high, Pictured(length=480, detail=10), rows=7, lines=4)
+    assert found is not None
+    assert found.sheet == A2_UPRIGHT
 
 
-def test_what_has_fine_details_gets_a_larger_sheet() -> None:
-    assert square(90).sheet == A4
-    assert square(90, detail=1.0).sheet == A3
+def test_what_has_fine_details_gets_a_larger_scale() -> None:
+    assert square(460, detail=5).scale == (1, 4)
+    assert square(460, detail=2.5).scale == (1, 2.5)
 
 
 def test_details_that_no_sheet_shows_do_not_make_it_larger() -> None:
-    assert square(30, detail=0.01) == square(30)
+    assert square(120, detail=0.01) == square(120)
 
 
 def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> None:
     def boxes(scale: float) -> dict[Face, Box]:
         return {face: around(40, scale) for face in Face}
 
-    origins = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0).origins
+    found = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0)
+    assert found is not None
+    origins = found.origins
     assert origins[Face.END][1] == origins[Face.MAIN][1]
     assert origins[Face.END][0] > origins[Face.MAIN][0]
     assert origins[Face.PLAN][0] == origins[Face.MAIN][0]
     assert origins[Face.PLAN][1] < origins[Face.MAIN][1]
 
 
-def test_what_is_larger_than_any_sheet_is_drawn_at_the_smallest_scale() -> None:
-    assert square(1e6).scale == (1, 100)
+def test_what_is_larger_than_any_sheet_is_not_drawn() -> None:
+    pictured = Pictured(length=2e6, detail=5)
+    assert arrange(lambda scale: {Face.MAIN: around(1e6, scale)}, pictured, rows=0, lines=0) is None
 
 
 def test_a_covered_piece_of_a_line_is_not_seen() -> None:

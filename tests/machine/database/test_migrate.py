@@ -17,13 +17,15 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.engine import Dialect
 from sqlalchemy.schema import CreateTable
 
+from gripcourse.desk import schema as desk
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
 from gripcourse.machine.database.opening import open_engine
 
-TABLES = [*gradebook.metadata.sorted_tables, *register.metadata.sorted_tables]
+PARTS = (gradebook, register, desk)
+TABLES = [table for part in PARTS for table in part.metadata.sorted_tables]
 FIRST_VERSION = Path(__file__).with_name("first_version.sql").read_text(encoding="utf-8")
 
 
@@ -45,7 +47,9 @@ def test_every_row_of_the_first_version_is_kept(old: Path) -> None:
     rows = {line for line in dump(old) if line.startswith("INSERT") and "_format" not in line}
     assert len(rows) == 4
     book = open_gradebook(str(old))
-    assert rows <= set(dump(old))
+    # A row may have got columns behind those that it had.
+    now = dump(old)
+    assert all(any(line.startswith(row.removesuffix(");")) for line in now) for row in rows)
     (entry,) = book.entries()
     assert (entry.mark.marker, entry.mark.lines) == ("Петров", {"sizes": 0.5})
     with book.engine.connect() as connection:

@@ -23,7 +23,7 @@ _KINDS: Final = {
     Kind.CHOICE: message("decision"),
     Kind.PICK: message("read from a table"),
     Kind.VERDICT: message("verdict"),
-    Kind.MANUAL: message("marked by a person"),
+    Kind.MANUAL: message("marked by the instructor"),
 }
 _ROUNDED: Final = {
     Rounding.UP: message("the smallest entry that is not below the required value"),

@@ -202,7 +202,7 @@ def _spoken(finding: Finding) -> bool:
     if traits.right:
         explained = traits.follows and not _follows(finding)
         costs = finding.points < finding.max_points
-        return costs or explained or finding.against is Against.PRINTED
+        return costs or explained or finding.against in {Against.PRINTED, Against.ALTERNATIVE}
     return not traits.said_elsewhere
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from gripcourse.course.compose import declared_in
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.report.certificate_checks import check_lines, tested_for_bodies
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
 from gripcourse.documents.report.monotony import alike_rows, size_rows
@@ -42,16 +43,6 @@ class CertificateSource:
 
     name: str
     digest: str
-
-
-@dataclass(frozen=True, slots=True)
-class CertificateLine:
-    """A line of the table of checks."""
-
-    what: Message
-    limit: str
-    found: str
-    kept: bool
 
 
 def certificate(
@@ -91,7 +82,7 @@ def certificate_values(
         "count": len(audit.variants),
         "passed": audit.passed,
         "checks": [(words.say(one.what), one.limit, one.found, one.kept)
-                   for one in _checks(audit, words)],
+                   for one in check_lines(audit, tested_for_bodies(audit, course), words)],
         "plot": picture(share_plot(audit.apart.whole.histogram.tolist(),
                                    audit.rules.shared_points, words)),
         "sections": aligned_cells([
@@ -122,54 +113,6 @@ def certificate_values(
             [_slips(kind, counts, policy, words) for kind, counts in _by_kind(audit)]
         ),
     }  # fmt: skip
-
-
-def _checks(audit: VariantAudit, words: Words) -> Iterator[CertificateLine]:
-    rules, apart = audit.rules, audit.apart
-
-    def variants(found: int) -> str:
-        return words.say(message("{count} of {all}", count=found, all=len(audit.variants)))
-
-    broken = sum(bool(one.broken) for one in audit.variants)
-    yield CertificateLine(
-        message("Variants that cannot be solved or break a constraint of their space"),
-        "0",
-        variants(broken),
-        not broken,
-    )
-    near = sum(bool(one.slips) for one in audit.variants)
-    yield CertificateLine(
-        message("Variants in which a slip gives the right result to within {bands} tolerances",
-                bands=rules.slip_bands),
-        "0", variants(near), not near,
-    )  # fmt: skip
-    edges = sum(bool(one.edges) for one in audit.variants)
-    yield CertificateLine(
-        message("Variants in which a size changes when an answer it is taken for moves by {share}",
-                share=percent_text(rules.step_margin, words)),
-        "0", variants(edges), not edges,
-    )  # fmt: skip
-    if audit.overlaps is not None:
-        yield CertificateLine(
-            message("Variants with bodies that stand in each other, open and with the greatest and"
-                    " the smallest object"),
-            "0", variants(audit.overlaps), not audit.overlaps,
-        )  # fmt: skip
-    yield CertificateLine(message("Answers of the longest assignment over those of the shortest"),
-               words.number(rules.steps_ratio, 3), words.number(audit.ratio, 3),
-               audit.alike_steps)  # fmt: skip
-    whole = float(apart.whole.share.max(initial=0.0))
-    yield CertificateLine(
-        message("Points of computed quantities that one student gets with another's answers"),
-        percent_text(rules.shared_points, words), percent_text(whole, words),
-        not apart.whole.above,
-    )  # fmt: skip
-    section = max((float(one.share.max(initial=0.0)) for one in apart.sections), default=0.0)
-    yield CertificateLine(
-        message("The same inside one section"),
-        percent_text(rules.shared_section_points, words), percent_text(section, words),
-        not any(one.above for one in apart.sections),
-    )  # fmt: skip
 
 
 def _section(title: str, shares: Shares, pairs: int, words: Words) -> tuple[str, ...]:

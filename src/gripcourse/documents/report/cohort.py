@@ -16,6 +16,7 @@ from gripcourse.documents.report.items import FEWEST, item_statistics
 from gripcourse.documents.report.marked import decision_rows, marked_tables
 from gripcourse.documents.report.mistakes import kind_rows, slip_rows
 from gripcourse.documents.report.quantities import COUNTED, AskedQuantity, hardest, quantity_groups
+from gripcourse.documents.report.standing import grades_of
 from gripcourse.documents.report.totals import (
     quantity_totals,
     section_shares,
@@ -39,6 +40,7 @@ class StudentRow:
     name: str
     variant: str
     score: str
+    grades: tuple[str, ...]
     sections: tuple[str, ...]
     open_points: str
     flags: str
@@ -86,11 +88,13 @@ def cohort_values(
     sections = [section for section in course.sections if section.id in policy.section_points]
     rows = [_section(reports, section, number, policy, words)
             for number, section in enumerate(sections, start=1)]  # fmt: skip
-    students = [_student(one, [section.id for section in sections], words) for one in reports]
+    columns = [section.id for section in sections]
+    students = [_student(one, columns, policy, words) for one in reports]
     return {
         "course": course.title.of(words.language),
         "summary": list(_summary(reports, scores, words)),
         "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
+        "scales": [one.title.of(words.language) for one in policy.scales],
         "students": aligned_rows(students, "sections", "score", "open_points"),
         "score_plot": picture(score_plot(scores, words)) if scores else "",
         "section_plot": _section_plot(reports, sections, words),
@@ -156,12 +160,14 @@ def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words:
     return picture(box_plot(boxes, words)) if boxes else ""
 
 
-def _student(report: Report, sections: Sequence[str], words: Words) -> StudentRow:
+def _student(report: Report, sections: Sequence[str], policy: Policy, words: Words) -> StudentRow:
+    grades = [grade for _, grade in grades_of(report, policy.scales, words)]
     totals = section_totals(report) if report.judged else {}
     return StudentRow(
         name=report.name or report.student or PurePath(report.file).name,
         variant=report.variant or "—",
-        score=points_text(report.score, words) if report.judged else "—",
+        score=points_text(report.earned, words) if report.judged else "—",
+        grades=tuple(grades or ["—"] * len(policy.scales)),
         sections=tuple(
             points_text(totals[section].points, words) if section in totals else "—"
             for section in sections

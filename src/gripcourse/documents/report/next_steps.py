@@ -11,7 +11,7 @@ from gripcourse.documents.report.root_causes import first_affected
 from gripcourse.documents.report.totals import empty_sections, is_blank
 from gripcourse.grading.model import Finding, Report
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import points_text
+from gripcourse.text.amounts import points_up_to
 from gripcourse.text.words import Words
 
 _TYPED_LETTERS = 48  # of an unreadable cell: enough to find it and to see what is wrong
@@ -85,7 +85,7 @@ def next_steps(report: Report, plan: Plan, words: Words) -> NextSteps:
             _where(report, lambda one: is_blank(one) and one.section not in empty), plan, words
         ),
         waiting=_named(_where(report, lambda one: one.is_open), plan, words),
-        waiting_points=points_text(report.open_points, words),
+        waiting_points=points_up_to(report.open_points, words),
     )
 
 

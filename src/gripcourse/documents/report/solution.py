@@ -8,7 +8,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.assignment_sheet import drawn_diagram, given_data, option_pairs
 from gripcourse.documents.pdf import Document, picture, render_pdf
-from gripcourse.documents.report.worked import entering_units, worked_line
+from gripcourse.documents.report.worked import entering_units, notation_notes, worked_line
 from gripcourse.drawing.paper.title_block import variant_block
 from gripcourse.drawing.view.general_view import general_view, sheet_svg
 from gripcourse.formula.boxes import Box
@@ -67,6 +67,7 @@ def solution_values(
         "data": given_data(plan.givens, known, words),
         "constants": given_data(plan.constants, known, words),
         "chapters": list(_chapters(plan, known, course, words)),
+        "notes": notation_notes(plan, words),
         "works": [course.works[one].title.of(words.language) for one in _cited(plan, course)],
         "view": _general_view(plan, variant, known, words),
     }

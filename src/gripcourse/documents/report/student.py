@@ -2,10 +2,10 @@
 
 What the policy keeps back never reaches the template: where it reveals nothing, neither a reference
 value, nor a result that would be one, nor a number that is not the student's own is put into words.
-Flags are for the instructor and are not read here at all.
+Flags are for the instructor. One is for the student too: that the workbook is another's.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
 
@@ -16,17 +16,20 @@ from gripcourse.documents.report.answers import AnswerRow, answer_row, own_numbe
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.next_steps import next_steps
 from gripcourse.documents.report.root_causes import cause_rows
+from gripcourse.documents.report.standing import grades_of, timing_texts, waiting_text
 from gripcourse.documents.report.totals import (
     SectionTotal,
     empty_sections,
     is_blank,
+    peer_quartiles,
     section_totals,
 )
-from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.documents.report.worked import notation_notes
+from gripcourse.grading.model import Finding, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.plan import Plan
-from gripcourse.text.amounts import percent_text, points_text
-from gripcourse.text.words import Words, message
+from gripcourse.text.amounts import percent_text, points_text, points_up_to
+from gripcourse.text.words import Message, Words, message
 
 TEMPLATE = "student.html.j2"
 STYLES = ("page.css", "formula.css", "student.css")
@@ -44,8 +47,8 @@ class SectionBlock:
         points: `12 / 15`.
         percent: share of the points earned, 0…100, as the width of the bar.
         waiting: what still waits for a person, empty for nothing.
-        rows: one for each answer that there is anything to say of.
-        empty: whether nothing was handed in for it.
+        rows: one for each answer that there is anything to say of; none where nothing was handed
+            in, which the first page says.
     """
 
     title: str
@@ -53,7 +56,6 @@ class SectionBlock:
     percent: float
     waiting: str
     rows: tuple[AnswerRow, ...]
-    empty: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +69,15 @@ class Loss:
     verdict: str
 
 
-def student_report(
-    report: Report, plan: Plan, policy: Policy, course: Course, words: Words, graded_on: date
+def student_report(  # noqa: PLR0913 (the last is what a class of one leaves as it is)
+    report: Report,
+    plan: Plan,
+    policy: Policy,
+    course: Course,
+    words: Words,
+    graded_on: date,
+    *,
+    peers: Sequence[float] = (),
 ) -> bytes:
     """Make the report of one submission as a PDF file.
 
@@ -79,13 +88,20 @@ def student_report(
         course: titles and the folder with the templates.
         words: the language of the report.
         graded_on: the day that is printed.
+        peers: shares of the points that all judged works of the class earned; printed as quartiles
+            once the policy publishes the solution.
     """
-    values = student_values(report, plan, policy, course, words) | {"graded_on": graded_on}
+    values = student_values(report, plan, policy, course, words, peers) | {"graded_on": graded_on}
     return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
 
 
 def student_values(
-    report: Report, plan: Plan, policy: Policy, course: Course, words: Words
+    report: Report,
+    plan: Plan,
+    policy: Policy,
+    course: Course,
+    words: Words,
+    peers: Sequence[float] = (),
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `student_report` for the arguments."""
     reveal = policy.reveal is Reveal.REFERENCE
@@ -101,18 +117,25 @@ def student_values(
         "max_score": report.max_score,
         "share": "" if share is None else percent_text(share, words),
         "open_points": report.open_points,
+        "grades": grades_of(report, policy.scales, words),
+        "timing": timing_texts(report, words),
+        "waits": waiting_text(report, plan.quantities, words),
         "reveal": reveal,
-        "remarks": [words.say(remark) for remark in report.remarks],
+        "peers": peer_quartiles(peers, words) if reveal and report.judged else "",
+        "remarks": [words.say(remark) for remark in (*_misplaced(report), *report.remarks)],
         "sections": aligned_rows(sections, "points"),
         "dense": sum(row.detailed for one in sections for row in one.rows) > _AT_EASE,
         "losses": aligned_rows([_loss(one, plan, words) for one in _costly(report)], "points"),
         "causes": list(cause_rows(report, plan, words)),
         "steps": next_steps(report, plan, words),
         "notes": [
-            text.of(words.language)
-            for text in notes_of(
-                course.notes, NotedDocument.REPORT, plan.scheme.id, plan.quantities
-            )
+            *notation_notes(plan, words),
+            *(
+                text.of(words.language)
+                for text in notes_of(
+                    course.notes, NotedDocument.REPORT, plan.scheme.id, plan.quantities
+                )
+            ),
         ],
         "legend": [
             (outcome.traits.sign, words.say(outcome.traits.word), words.say(outcome.traits.meaning))
@@ -120,6 +143,14 @@ def student_values(
             if any(finding.outcome is outcome for finding in report.findings)
         ],
     }
+
+
+def _misplaced(report: Report) -> Iterator[Message]:
+    if any(flag.code is FlagCode.ISSUED_TO_OTHER for flag in report.flags):
+        yield message(
+            "This is not the workbook that was issued to you: it was issued to another student. "
+            "Hand in your own."
+        )
 
 
 def _sections(
@@ -147,7 +178,6 @@ def _sections(
             percent=100 * total.points / total.max_points if total.max_points else 0.0,
             waiting=_waiting(total, words),
             rows=tuple(rows),
-            empty=told_once,
         )
 
 
@@ -160,8 +190,8 @@ def _earned(total: SectionTotal, words: Words) -> str:
 def _waiting(total: SectionTotal, words: Words) -> str:
     if not total.open_points:
         return ""
-    points = points_text(total.open_points, words)
-    return words.say(message("+ up to {points} by hand", points=points))
+    points = points_up_to(total.open_points, words)
+    return words.say(message("and {points} by hand", points=points))
 
 
 def _costly(report: Report) -> list[Finding]:

@@ -6,6 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.text.amounts import percent_text
+from gripcourse.text.words import Words, message
+
+_CLASS = 8  # works, from which on quartiles say anything and nobody's share shows in them
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +91,27 @@ def shares(reports: Sequence[Report]) -> list[float]:
     return [
         report.score / report.max_score for report in reports if report.judged and report.max_score
     ]
+
+
+def peer_quartiles(earned: Sequence[float], words: Words) -> str:
+    """Say how a class did, without anybody in it: its quartiles; nothing of a few works.
+
+    Args:
+        earned: share of the points of each judged work.
+        words: the reader's language.
+    """
+    if len(earned) < _CLASS:
+        return ""
+    lower, median, upper = statistics.quantiles(earned, n=4, method="inclusive")
+    said = message(
+        "Half of the judged works, {count} in all, earned from {lower} to {upper} of the points; "
+        "the median is {median}.",
+        count=len(earned),
+        lower=percent_text(lower, words),
+        upper=percent_text(upper, words),
+        median=percent_text(median, words),
+    )
+    return words.say(said)
 
 
 def section_shares(reports: Sequence[Report], section: str) -> list[float]:

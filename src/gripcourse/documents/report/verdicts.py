@@ -12,5 +12,6 @@ AGAINST_WORDS: Mapping[Against, Message] = MappingProxyType(
         Against.REFERENCE: message("the reference"),
         Against.OWN_INPUTS: message("your own numbers"),
         Against.PRINTED: message("as printed"),
+        Against.ALTERNATIVE: message("another reading"),
     }
 )

@@ -13,7 +13,7 @@ from gripcourse.course.column_symbols import column_symbols, reads_value
 from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.documents.report.angles import in_radians
 from gripcourse.formula.boxes import Box, Row, Text
-from gripcourse.formula.tree import Formula, Name, Node, Operation, names
+from gripcourse.formula.tree import Call, Formula, Name, Node, Operation, names, walk
 from gripcourse.formula.typeset import equation, number_box, symbol_box, typeset
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
@@ -75,6 +75,15 @@ def entering_units(quantity: Quantity, plan: Plan, words: Words) -> tuple[tuple[
         for name, unit in entering.items()
         if unit
     )
+
+
+def notation_notes(plan: Plan, words: Words) -> tuple[str, ...]:
+    """Return what the lines of a plan's calculation write and no textbook explains."""
+    formulas = (plan.reference_formula(one.id) for one in plan.answered)
+    calls = (node for one in formulas if one is not None for node in walk(one.tree))
+    if not any(isinstance(node, Call) and node.function == "at_least" for node in calls):
+        return ()
+    return (words.say(message("min{{≥ b}} is the smallest size of the series not below b.")),)
 
 
 def _symbols(quantity: Quantity, formula: Formula, plan: Plan, words: Words) -> dict[str, Box]:

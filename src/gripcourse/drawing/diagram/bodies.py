@@ -5,7 +5,16 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.diagram.joints import JOINT, edge, line_of
-from gripcourse.drawing.diagram.marks import Letter, Mark, Path, RingMark, circle, place, polar
+from gripcourse.drawing.diagram.marks import (
+    Letter,
+    Mark,
+    Path,
+    RingMark,
+    chain,
+    circle,
+    place,
+    polar,
+)
 from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
@@ -99,4 +108,6 @@ def end_view(shape: PlacedElement) -> Iterator[Mark]:
                    LineKind.OUTLINE)  # fmt: skip
         yield Path((centre, polar(centre, radius + 9, turn)), LineKind.CENTRE)
     if shape.symbol:
-        yield Letter(shape.symbol, (polar(centre, radius, math.pi), polar(centre, radius, 0.0)))
+        rim = circle(centre, radius, LineKind.OUTLINE)
+        yield Letter(shape.symbol, (polar(centre, radius, math.pi), polar(centre, radius, 0.0)),
+                     (chain(rim),))  # fmt: skip

@@ -57,8 +57,7 @@ def _face(shape: PlacedElement, at: Point, turn: float, half: float) -> Iterator
         back += min(x for x, _ in front)
     corners = (*front, (back, reach), (back, -reach))
     yield Path(place(corners, at, turn), edge(shape), closed=True)
-    yield Mask(place(((max(x for x, _ in front), reach), (back, reach), (back, -reach),
-                      (max(x for x, _ in front), -reach)), at, turn))  # fmt: skip
+    yield Mask(place(corners, at, turn))
 
 
 def _front(shape: PlacedElement, surface: str, half: float) -> tuple[Point, ...]:
@@ -82,8 +81,9 @@ def _vee(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Ite
     deep, back = mouth / math.tan(half_angle), -shape.numbers["thick"]
     apex = polar(centre, -radius / math.sin(half_angle), turn)
     outer = ((deep, mouth), (back, mouth), (back, -mouth), (deep, -mouth))
-    yield Path(place(((0.0, 0.0), *outer), apex, turn), edge(shape), closed=True)
-    yield Mask(place(outer, apex, turn))
+    corners = place(((0.0, 0.0), *outer), apex, turn)
+    yield Path(corners, edge(shape), closed=True)
+    yield Mask(corners)
 
 
 def _two_faces(shape: PlacedElement, centre: Point, turn: float, radius: float) -> Iterator[Mark]:

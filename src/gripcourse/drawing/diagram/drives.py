@@ -8,14 +8,15 @@ from gripcourse.drawing.diagram.joints import JOINT, hatching
 from gripcourse.drawing.diagram.marks import (
     Letter,
     Mark,
+    Mask,
     Path,
     angle_of,
     between,
     circle,
+    head_along,
     place,
     polar,
 )
-from gripcourse.drawing.diagram.measures import head
 from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
@@ -59,6 +60,8 @@ def floating_cylinder(shape: PlacedElement) -> Iterator[Mark]:
     rear = min(JOINT + 2.0, length / 6)
     front = rear + 0.62 * (length - rear)
     yield from _body(start, turn, (rear, front), (between((rear, 0), (front, 0))[0], length))
+    box = ((rear, -_HALF), (front, -_HALF), (front, _HALF), (rear, _HALF))
+    yield Mask(place(box, start, turn))
     yield Path((start, polar(start, rear, turn)), LineKind.OUTLINE, under=True)
     yield from _pressure(shape, start, turn, (rear, front))
 
@@ -74,8 +77,8 @@ def _body(
     disc = ((piston, -_HALF), (piston + _PISTON, -_HALF), (piston + _PISTON, _HALF),
             (piston, _HALF))  # fmt: skip
     yield Path(place(disc, origin, turn), LineKind.OUTLINE, closed=True)
-    yield Path(place(((piston + _PISTON, 0), (rod[1], 0)), origin, turn), LineKind.OUTLINE,
-               under=True)  # fmt: skip
+    yield Path(place(((piston + _PISTON, 0), (front, 0)), origin, turn), LineKind.OUTLINE)
+    yield Path(place(((front, 0), (rod[1], 0)), origin, turn), LineKind.OUTLINE, under=True)
     for x in (rear + _ROOM, front - _ROOM):
         yield Path(place(((x, -_HALF), (x, -_HALF - _PORT)), origin, turn), LineKind.THIN)
 
@@ -89,8 +92,8 @@ def _pressure(
     x = ends[0] + _ROOM if shape.element.words["rod"] == "pushes" else ends[1] - _ROOM
     port, tip, tail = place(((x, -_HALF), (x, -_HALF - _PORT), (x, -_HALF - _FLOW)), origin, turn)
     yield Path((tail, tip), LineKind.THIN)
-    yield head(tip, angle_of(tail, port))
-    yield Letter(shape.symbol, (tail, between(tail, tip)))
+    yield head_along(tip, angle_of(tail, port))
+    yield Letter(shape.symbol, (tail, between(tail, tip)), ((tail, tip),))
 
 
 def motor(shape: PlacedElement) -> Iterator[Mark]:

@@ -5,7 +5,16 @@ from collections.abc import Iterator
 from typing import Final
 
 from gripcourse.drawing.diagram.joints import JOINT, edge
-from gripcourse.drawing.diagram.marks import ArcMark, Mark, Path, angle_of, between, place, polar
+from gripcourse.drawing.diagram.marks import (
+    ArcMark,
+    Mark,
+    Mask,
+    Path,
+    angle_of,
+    between,
+    place,
+    polar,
+)
 from gripcourse.drawing.diagram.places import PlacedElement
 from gripcourse.drawing.paper.document import LineKind
 
@@ -40,6 +49,7 @@ def rack(shape: PlacedElement) -> Iterator[Mark]:
     foot = -up * _ROOT * module
     outline = [(0.0, foot), *teeth, (length, foot), (length, back), (0.0, back)]
     yield Path(place(outline, start, turn), edge(shape), closed=True)
+    yield Mask(place(outline, start, turn))
     yield Path((start, end), LineKind.CENTRE)
 
 

@@ -91,7 +91,7 @@ def line_titles(plan: Plan, words: Words) -> tuple[str, str] | None:
 
 def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
     """Say what the diagram shows: its scheme, its positions, and what its symbols stand for."""
-    shown = {one.symbol for one in layout.written}
+    shown = {one.symbol for one in layout.written if one.is_quantity}
     meant = [
         f"{quantity.symbol.of(words.language)} — {quantity.title.of(words.language)}"
         for quantity in plan.quantities.values()

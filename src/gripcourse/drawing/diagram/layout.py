@@ -1,14 +1,15 @@
 """A diagram laid out: every mark in its place on a sheet, at the largest scale that fits."""
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Final, TypeAlias
 
 from gripcourse.course.diagram import Diagram, Element
 from gripcourse.drawing.diagram import bodies, contacts, drives, gears, joints, measures
-from gripcourse.drawing.diagram.letters import LetterBox, Written, bounds, lines_of, write_letters
-from gripcourse.drawing.diagram.marks import Letter, Mark, Path, cut_under, mirrored, shifted
+from gripcourse.drawing.diagram.letters import Written, bounds, strokes_of, write_letters
+from gripcourse.drawing.diagram.marks import Letter, Mark, Mask, Path, cut_under, mirrored, shifted
 from gripcourse.drawing.diagram.places import (
     MILLIMETRES,
     PlacedElement,
@@ -19,6 +20,7 @@ from gripcourse.drawing.diagram.places import (
     stops_of,
 )
 from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.text import Point
 from gripcourse.solver.plan import Plan
 
@@ -64,12 +66,14 @@ SYMBOLS: Final[Mapping[str, Symbol]] = {
     "radius": measures.radius,
     "diameter": measures.diameter,
     "letter": measures.letter,
+    "joint_name": measures.joint_name,
 }
 
 _SEEN_ALONG: Final = "end_view"  # the kind of element that stands apart from all others
 _APART: Final = 8.0  # mm of paper between it and them
 _MARGIN: Final = 0.6
 _AXIS: Final = 3.0  # how far the axis reaches beyond everything
+_TRIES: Final = 4  # scales at which letters do not find room, at most
 _STILL: Final = 1e-6  # mm of paper
 
 
@@ -114,16 +118,30 @@ def lay_out(
     stops = stops_of(plan, diagram, values)
     if not is_placed(stops.values()):
         return None
-    found = None
+    found: DiagramLayout | None = None
+    crowded, largest = 0, math.inf
     views = any(one.kind == _SEEN_ALONG for one in diagram.elements)
     for scale, beside in product(_thinkable(stops, widest), (True, False) if views else (True,)):
-        marks = _marks(plan, diagram, stops, scale, language)
-        marks += _seen_along(plan, diagram, stops, scale, language, bounds(marks), beside=beside)
-        size = bounds(marks)
-        if size.right - size.left > widest or size.high - size.low > HIGHEST:
+        if scale > largest:
             continue
-        found = _with_letters(marks, scale, widest)
-        if found.width <= widest and found.height <= HIGHEST:
+        marks = _marks(plan, diagram, stops, scale, language)
+        marks += _seen_along(plan, diagram, stops, scale, language, marks, beside=beside)
+        size = bounds(marks)
+        if size.width > widest or size.height > HIGHEST:
+            # What is too large shrinks no faster than the scale: symbols keep their size.
+            if not views:
+                largest = scale * min(widest / size.width, HIGHEST / size.height)
+            continue
+        laid = _with_letters(marks, size, scale, widest)
+        if laid.width > widest or laid.height > HIGHEST:
+            found = found or laid
+            continue
+        if all(one.is_clear for one in laid.written):
+            return laid
+        # Letters find room where everything else is a little smaller.
+        found = laid if crowded == 0 else found
+        crowded += 1
+        if crowded == _TRIES:
             break
     return found
 
@@ -140,25 +158,28 @@ def _thinkable(stops: Mapping[str, Stop], widest: float) -> Iterator[float]:
             yield scale
 
 
-def _with_letters(marks: list[Mark], scale: float, widest: float) -> DiagramLayout:
+def _with_letters(marks: list[Mark], size: Box, scale: float, widest: float) -> DiagramLayout:
     """Place the letters, and everything on the smallest sheet that holds it."""
-    drawn = [mark for mark in marks if not isinstance(mark, Letter)]
+    drawn: list[Mark] = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
-    size = bounds(drawn)
-    room = (widest - (size.right - size.left)) / 2, (HIGHEST - (size.high - size.low)) / 2
-    sheet = LetterBox(
-        size.left - room[0], size.low - room[1], size.right + room[0], size.high + room[1]
+    room = (widest - (size.width)) / 2, (HIGHEST - (size.height)) / 2
+    sheet = Box(
+        size.left - room[0], size.bottom - room[1], size.right + room[0], size.top + room[1]
     )
-    written = write_letters(letters, lines_of(drawn), sheet.wider(-_MARGIN))
-    boxes = [size, *(one.box for one in written)]
-    left, low = min(one.left for one in boxes) - _MARGIN, min(one.low for one in boxes) - _MARGIN
+    written = write_letters(letters, strokes_of(drawn), sheet.grown(-_MARGIN))
+    drawn = [*drawn, *(mark for one in written for mark in one.marks)]
+    whole = bounds(drawn)
+    for one in written:
+        whole = whole.joined(one.box)
+    whole = whole.grown(_MARGIN)
+    left, low = whole.left, whole.bottom
     return DiagramLayout(
         marks=tuple(shifted(mark, -left, -low) for mark in drawn),
         written=tuple(one.shifted(-left, -low) for one in written),
         origin=(-left, -low),
         scale=scale,
-        width=max(one.right for one in boxes) + _MARGIN - left,
-        height=max(one.high for one in boxes) + _MARGIN - low,
+        width=whole.width,
+        height=whole.height,
     )
 
 
@@ -171,7 +192,9 @@ def _marks(
         if element.kind != _SEEN_ALONG and element.is_drawn(plan.options):
             for shape in _shapes(element, plan, stops, scale, language):
                 drawn[shape.is_main] += _everywhere(shape)
-    marks = [mark for is_main in drawn for mark in cut_under(drawn[is_main])]
+    # What stands in the main position hides the lines of the other one, too.
+    before = [mark for mark in drawn[True] if isinstance(mark, Mask)]
+    marks = [*cut_under([*drawn[False], *before]), *cut_under(drawn[True])]
     if plan.scheme.kinematics is not None:
         size = bounds(marks)
         ends = (size.left - _AXIS, 0.0), (size.right + _AXIS, 0.0)
@@ -179,13 +202,13 @@ def _marks(
     return marks
 
 
-def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
+def _seen_along(  # noqa: PLR0913 (as for all marks, and the others)
     plan: Plan,
     diagram: Diagram,
     stops: Mapping[str, Stop],
     scale: float,
     language: str,
-    others: LetterBox,
+    drawn: Sequence[Mark],
     *,
     beside: bool,
 ) -> list[Mark]:
@@ -193,11 +216,12 @@ def _seen_along(  # noqa: PLR0913 (as for all marks, and where the others are)
     found: list[Mark] = []
     for element in diagram.elements:
         if element.kind == _SEEN_ALONG and element.is_drawn(plan.options):
+            others = bounds(drawn)
             for shape in _shapes(element, plan, stops, scale, language):
                 marks = list(SYMBOLS[element.kind](shape))
                 size = bounds(marks)
                 right = others.right + _APART - size.left
-                middle, below = (others.left + others.right) / 2, others.low - _APART - size.high
+                middle, below = (others.left + others.right) / 2, others.bottom - _APART - size.top
                 at = (right, 0.0) if beside else (middle, below)
                 found += [shifted(mark, *at) for mark in marks]
     return found
@@ -229,17 +253,25 @@ def _differ(one: PlacedElement, other: PlacedElement) -> bool:
 
 
 def _everywhere(shape: PlacedElement) -> Iterator[Mark]:
-    """Yield the marks of an element, repeated and mirrored as it is declared."""
-    marks = list(SYMBOLS[shape.element.kind](shape))
-    mirror = shape.element.mirror
+    """Yield the marks of an element, repeated and mirrored as it is declared.
+
+    One symbol tells what all its copies are: they have one name.
+    """
     count, rows = (round(shape.numbers[role]) for role in ("repeat", "rows"))
-    for column, row in product(range(count), range(rows)):
-        for mark in marks:
-            is_letter = isinstance(mark, Letter)
-            if is_letter and column + row:
-                continue  # one symbol tells what all are
-            moved = shifted(mark, column * shape.lengths["pitch"], row * shape.lengths["row_pitch"])
-            if mirror != "only":
-                yield moved
-            if mirror == "only" or (mirror == "both" and not is_letter):
-                yield mirrored(moved)
+    steps = [(column * shape.lengths["pitch"], row * shape.lengths["row_pitch"])
+             for column, row in product(range(count), range(rows))]  # fmt: skip
+    for mark in SYMBOLS[shape.element.kind](shape):
+        copies = [one for step in steps for one in _on_sides(shifted(mark, *step), shape)]
+        letters = [one for one in copies if isinstance(one, Letter)]
+        if letters:
+            names = tuple(thing for one in letters for thing in one.thing)
+            yield replace(letters[0], names=names)
+        else:
+            yield from copies
+
+
+def _on_sides(mark: Mark, shape: PlacedElement) -> Iterator[Mark]:
+    if shape.element.mirror != "only":
+        yield mark
+    if shape.element.mirror != "none":
+        yield mirrored(mark)

@@ -6,14 +6,21 @@ Everything is in millimetres of paper, x along the axis, y upwards, angles in ra
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import TypeAlias
+
+import shapely
+from shapely.geometry.base import BaseGeometry
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
+Chain: TypeAlias = tuple[Point, ...]
+"""Points joined by straight lines; a single one stands for itself."""
+
+HEAD = (3.0, 0.55)  # length and half width of the arrow of a dimension
 _STEP = math.pi / 24  # of an arc that is taken for a chain of chords
 _NEAR = 1e-9
+_QUARTER = 32  # chords of a quarter of a ring
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,10 +69,31 @@ class RingMark:
 
 @dataclass(frozen=True, slots=True)
 class Letter:
-    """A symbol to be written near one of several places, the best first."""
+    """A symbol to be written near one of several places, the best first.
+
+    Attributes:
+        symbol: as declared.
+        places: points of the thing that it names.
+        names: what the thing looks like; the symbol stands nearer to it than to any other thing
+            that has a symbol. Empty: the places themselves.
+        tips: where the arrow of a leader may touch the thing, and the direction in which the leader
+            goes from there; the first is the author's. Empty for a symbol that needs no leader
+            unless it stands far away.
+        long: of such a leader, at least.
+        is_quantity: whether it is the symbol of a quantity, and not the name of a joint.
+    """
 
     symbol: str
     places: tuple[Point, ...]
+    names: tuple[Chain, ...] = ()
+    tips: tuple[tuple[Point, float], ...] = ()
+    long: float = 0.0
+    is_quantity: bool = True
+
+    @property
+    def thing(self) -> tuple[Chain, ...]:
+        """What it names, as chains of points."""
+        return self.names or tuple((place,) for place in self.places)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,28 +137,58 @@ def place(shape: Iterable[Point], origin: Point, turn: float) -> tuple[Point, ..
     return tuple((origin[0] + x * cos - y * sin, origin[1] + x * sin + y * cos) for x, y in shape)
 
 
+def head_along(tip: Point, turn: float, size: tuple[float, float] = HEAD) -> Fill:
+    """Return an arrow head whose tip points along `turn`."""
+    long, half = size
+    return Fill(place(((0, 0), (-long, half), (-long, -half)), tip, turn))
+
+
+def head(tip: Point, tail: Point) -> Fill:
+    """Return the arrow head at the tip of a leader that comes from `tail`."""
+    return head_along(tip, angle_of(tail, tip))
+
+
 def mirrored(mark: Mark) -> Mark:
     """Return the mark on the other side of the axis."""
     match mark:
         case Path() | Fill() | Mask():
-            return replace(mark, points=tuple((x, -y) for x, y in mark.points))
+            return replace(mark, points=_flipped(mark.points))
         case ArcMark(centre, _, start, sweep):
             return replace(mark, centre=(centre[0], -centre[1]), start=-start - sweep)
         case RingMark(centre):
             return replace(mark, centre=(centre[0], -centre[1]))
         case Letter():
-            return replace(mark, places=tuple((x, -y) for x, y in mark.places))
+            return replace(
+                mark,
+                places=_flipped(mark.places),
+                names=tuple(map(_flipped, mark.names)),
+                tips=tuple(((x, -y), -turn) for (x, y), turn in mark.tips),
+            )
+
+
+def _flipped(points: Chain) -> Chain:
+    return tuple((x, -y) for x, y in points)
 
 
 def shifted(mark: Mark, x: float, y: float) -> Mark:
     """Return the mark moved."""
     match mark:
         case Path() | Fill() | Mask():
-            return replace(mark, points=tuple((one[0] + x, one[1] + y) for one in mark.points))
+            return replace(mark, points=moved(mark.points, x, y))
         case ArcMark(centre) | RingMark(centre):
             return replace(mark, centre=(centre[0] + x, centre[1] + y))
         case Letter():
-            return replace(mark, places=tuple((one[0] + x, one[1] + y) for one in mark.places))
+            return replace(
+                mark,
+                places=moved(mark.places, x, y),
+                names=tuple(moved(one, x, y) for one in mark.names),
+                tips=tuple(((tip[0] + x, tip[1] + y), turn) for tip, turn in mark.tips),
+            )
+
+
+def moved(points: Chain, x: float, y: float) -> Chain:
+    """Return points moved."""
+    return tuple((one[0] + x, one[1] + y) for one in points)
 
 
 def chain(mark: Mark) -> tuple[Point, ...]:
@@ -149,76 +207,44 @@ def chain(mark: Mark) -> tuple[Point, ...]:
             return ()
 
 
+def corners(mark: Mark) -> tuple[Point, ...]:
+    """Return points that reach as far as what is drawn; of letters, nothing."""
+    if isinstance(mark, RingMark) or (isinstance(mark, ArcMark) and is_circle(mark)):
+        (x, y), reach = mark.centre, mark.radius
+        return (x - reach, y - reach), (x + reach, y + reach)
+    return chain(mark)
+
+
 def cut_under(marks: Iterable[Mark]) -> Iterator[Mark]:
     """Yield what is seen of the marks: what is under a ring or a mask ends at its edge."""
     all_marks = list(marks)
-    covers = [mark for mark in all_marks if isinstance(mark, (RingMark, Mask))]
+    covers = [_cover(mark) for mark in all_marks if isinstance(mark, (RingMark, Mask))]
+    cover = shapely.union_all(covers)
+    shapely.prepare(cover)
     for mark in all_marks:
         if isinstance(mark, Path) and mark.under:
-            yield from _cut(mark, covers)
+            yield from _cut(mark, cover)
         elif not isinstance(mark, Mask):
             yield mark
 
 
-def _cut(path: Path, covers: Iterable[RingMark | Mask]) -> Iterator[Path]:
-    points = chain(path)
-    for start, end in pairwise(points):
-        for a, b in _outside(start, end, covers):
-            yield Path((a, b), path.line)
+def _cover(mark: RingMark | Mask) -> BaseGeometry:
+    """Return what a mark hides."""
+    if isinstance(mark, RingMark):
+        return shapely.Point(mark.centre).buffer(mark.radius, quad_segs=_QUARTER)
+    return shapely.Polygon(mark.points).buffer(0)
 
 
-def _outside(
-    start: Point, end: Point, covers: Iterable[RingMark | Mask]
-) -> Iterator[tuple[Point, Point]]:
-    """Yield the parts of a line that nothing covers."""
-    covered = sorted(one for cover in covers for one in _shares(start, end, cover))
-    at = 0.0
-    for enter, leave in (*covered, (1.0, 1.0)):
-        if enter > at + _NEAR:
-            yield between(start, end, at), between(start, end, enter)
-        at = max(at, leave)
-
-
-def _shares(start: Point, end: Point, cover: RingMark | Mask) -> Iterator[tuple[float, float]]:
-    """Yield the shares of a line between which it runs inside a ring or a mask."""
-    if isinstance(cover, Mask):
-        crossed = sorted({0.0, 1.0, *_crossings(start, end, cover.points)})
-        for enter, leave in pairwise(crossed):
-            if _is_inside(between(start, end, (enter + leave) / 2), cover.points):
-                yield enter, leave
-    elif (found := _in_ring(start, end, cover)) is not None:
-        yield found
-
-
-def _crossings(start: Point, end: Point, corners: tuple[Point, ...]) -> Iterator[float]:
-    """Yield the shares of a line at which it crosses the edges of a polygon."""
-    ux, uy = end[0] - start[0], end[1] - start[1]
-    for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
-        vx, vy, wx, wy = b[0] - a[0], b[1] - a[1], a[0] - start[0], a[1] - start[1]
-        cross = ux * vy - uy * vx
-        if abs(cross) > _NEAR and 0 <= (wx * uy - wy * ux) / cross <= 1:
-            share = (wx * vy - wy * vx) / cross
-            if 0 < share < 1:
-                yield share
-
-
-def _is_inside(point: Point, corners: tuple[Point, ...]) -> bool:
-    x, y = point
-    left_of = 0
-    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        if min(ay, by) <= y < max(ay, by):
-            left_of += x < ax + (bx - ax) * (y - ay) / (by - ay)
-    return left_of % 2 == 1
-
-
-def _in_ring(start: Point, end: Point, ring: RingMark) -> tuple[float, float] | None:
-    """Return the shares of a line between which it runs inside a ring."""
-    along = (end[0] - start[0], end[1] - start[1])
-    off = (start[0] - ring.centre[0], start[1] - ring.centre[1])
-    square = along[0] ** 2 + along[1] ** 2
-    half = along[0] * off[0] + along[1] * off[1]
-    rest = half**2 - square * (off[0] ** 2 + off[1] ** 2 - ring.radius**2)
-    if square < _NEAR or rest <= 0:
-        return None
-    enter, leave = (-half - math.sqrt(rest)) / square, (-half + math.sqrt(rest)) / square
-    return (max(enter, 0.0), min(leave, 1.0)) if leave > 0 and enter < 1 else None
+def _cut(path: Path, cover: BaseGeometry) -> Iterator[Path]:
+    """Yield the pieces of a path that are not covered."""
+    whole = shapely.LineString(chain(path))
+    if not shapely.intersects(cover, whole):
+        yield replace(path, under=False)
+        return
+    seen = whole.difference(cover)
+    if seen.length >= whole.length - _NEAR:
+        yield replace(path, under=False)
+        return
+    for piece in shapely.get_parts(seen):
+        if piece.length > _NEAR:
+            yield Path(tuple((float(x), float(y)) for x, y in piece.coords), path.line)

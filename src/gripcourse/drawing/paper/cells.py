@@ -1,17 +1,20 @@
 """Lines and cells of the tables on a sheet. Lengths in mm."""
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import LEADING, Point, add_text, set_in
+from gripcourse.drawing.paper.text import LEADING, Point, add_text, set_in, text_width
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
 
 PAD = 1.0  # free beside the words of a cell
 SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
+_SUBSCRIPT = re.compile(r"_(\w+)")
+_SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +69,34 @@ class Cells:
                 align="MIDDLE_CENTER" if middle else "MIDDLE_LEFT",
                 widest=room[0],
             )
+
+    def symbols(self, text: str, corner: Point, size: Point, height: float, most: int) -> None:
+        """Write into a cell from its left side, what follows `_` as a subscript: `d_ш = 5`."""
+        room = (size[0] - 2 * PAD, size[1])
+        found = set_in(text.replace("_", ""), height, room, most)
+        pitch = found.height * LEADING
+        level = corner[1] + size[1] / 2 + pitch * (len(found.lines) - 1) / 2
+        written = iter(text.split())
+        for line in found.lines:
+            marked = " ".join(word for word, _ in zip(written, line.split(), strict=False))
+            self._symbols(marked, (corner[0] + PAD, level), found.height, room[0])
+            level -= pitch
+
+    def _symbols(self, line: str, at: Point, height: float, widest: float) -> None:
+        plain = line.replace("_", "")
+        squeeze = min(1.0, widest / max(text_width(plain, height), widest))
+        x, y = at
+        for number, run in enumerate(_SUBSCRIPT.split(line)):
+            is_below = number % 2 == 1
+            high = height * _SMALLER if is_below else height
+            low = y - (_DROP * height if is_below else 0.0)
+            wide = text_width(run, high) * squeeze
+            if run.strip():
+                before = wide - text_width(run.lstrip(), high) * squeeze
+                place = self._place((x + before, low))
+                rest = max(wide - before, height)
+                add_text(self.pen.layout, run, place, high, align="MIDDLE_LEFT", widest=rest)
+            x += wide
 
     def _place(self, point: Point) -> Point:
         return self.left + point[0], self.bottom + point[1]

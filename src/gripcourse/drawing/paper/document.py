@@ -10,7 +10,7 @@ from enum import StrEnum
 from io import StringIO
 from typing import TYPE_CHECKING
 
-from gripcourse.drawing.paper.text import FONT_FILE
+from gripcourse.drawing.paper.text import FONT_FAMILY, FONT_FILE, TEXT_STYLE
 from gripcourse.text.conventions import decimal_sign
 
 if TYPE_CHECKING:
@@ -30,17 +30,12 @@ class LineKind(StrEnum):
     TEXT = "TEXT"  # words
 
 
-TEXT_STYLE = "GOST"
 DIMENSION_STYLE = "GOST"
 TEXT_HEIGHT = 3.5  # mm, capital letters of dimensions and notes (GOST 2.304)
 ARROW = 3.5  # mm, GOST 2.307 asks for 2.5 at least
 
-_SOLID, _DASHED, _DASH_DOT, _DASH_TWO_DOTS = (
-    "CONTINUOUS",
-    "GOST_DASHED",
-    "GOST_DASH_DOT",
-    "GOST_DASH_TWO_DOTS",
-)
+# Programs that know their own line types only find these by name.
+_SOLID, _DASHED, _DASH_DOT, _DASH_TWO_DOTS = ("CONTINUOUS", "HIDDEN", "CENTER", "DIVIDE")
 # Strokes (positive) and gaps (negative) of paper, mm. GOST 2.303: strokes of 2 to 8 mm for hidden
 # edges, of 5 to 30 mm for axes and neighbouring things.
 _LINETYPES = {
@@ -94,7 +89,7 @@ def new_document(language: str) -> "Drawing":
         document.linetypes.add(name, pattern=[total, *pattern], description=description)
     for kind, (linetype, weight) in _LAYERS.items():
         document.layers.add(kind.value, linetype=linetype, lineweight=weight)
-    document.styles.add(TEXT_STYLE, font=FONT_FILE)
+    document.styles.add(TEXT_STYLE, font=FONT_FILE).set_extended_font_data(FONT_FAMILY)
     _add_dimension_style(document, language)
     return document
 
@@ -109,7 +104,7 @@ def dxf_bytes(document: "Drawing") -> bytes:
 
 
 def _add_dimension_style(document: "Drawing", language: str) -> None:
-    document.dimstyles.add(
+    style = document.dimstyles.add(
         DIMENSION_STYLE,
         dxfattribs={
             "dimtxsty": TEXT_STYLE,
@@ -139,3 +134,4 @@ def _add_dimension_style(document: "Drawing", language: str) -> None:
             "dimlfac": 1.0,
         },
     )
+    style.copy_to_header(document)  # some programs look for it there only

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.cells import LARGE, NORMAL, PAD, SMALL, Cells, Pen
 from gripcourse.drawing.paper.document import LineKind
+from gripcourse.drawing.paper.margin import draw_margin
 from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.text import add_text
 from gripcourse.drawing.paper.title_block import (
@@ -17,7 +18,7 @@ from gripcourse.drawing.paper.title_block import (
     TitleBlock,
     draw_title_block,
 )
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Message, Words, message
 
 if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
@@ -40,7 +41,10 @@ class Format:
 A4 = Format("A4", 210.0, 297.0)
 A3 = Format("A3", 420.0, 297.0)
 A2 = Format("A2", 594.0, 420.0)
-FORMATS = (A4, A3, A2)
+A3_UPRIGHT = Format("A3", A3.height, A3.width)
+A2_UPRIGHT = Format("A2", A2.height, A2.width)
+# From the smallest to the largest, each in the directions that the title block allows (GOST 2.301).
+FORMATS = ((A4,), (A3, A3_UPRIGHT), (A2, A2_UPRIGHT))
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +57,19 @@ class PartsRow:
     sizes: str
 
 
+@dataclass(frozen=True, slots=True)
+class Notes:
+    """Numbered lines under a heading; a line that begins with an asterisk explains that."""
+
+    heading: Message
+    lines: tuple[str, ...]
+
+
 _ROW = 8.0
 _LINE = 6.0
 _INDENT = 3.0  # of characteristics, from the frame
 _COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
-_CORNER = (70.0, 14.0)  # the designation again, upside down, in the upper left corner
+_CORNER = (70.0, 14.0)  # field 26: the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
 _BESIDE = 4.0
 _FORMAT_LEFT, _FORMAT_LOW = 20.0, 1.2  # of the name of the format, under the frame
@@ -73,8 +85,8 @@ def block_box(sheet: Format, rows: int) -> Box:
 
 
 def lines_boxes(sheet: Format, rows: int, lines: int) -> tuple[Box, ...]:
-    """Return where characteristics may stand: over the parts list, or left of the title block."""
-    block, size = block_box(sheet, rows), _LINE * (lines + 1)
+    """Return where lines may stand: over the parts list, or left of the title block."""
+    block, size = block_box(sheet, rows), _LINE * lines
     over = Box(block.left, block.top, block.right, block.top + _ABOVE_LIST + size)
     left = block.left - BLOCK_WIDTH - _BESIDE
     beside = Box(left, block.bottom + _BESIDE, left + BLOCK_WIDTH, block.bottom + _BESIDE + size)
@@ -85,20 +97,27 @@ def corner_box(sheet: Format) -> Box:
     """Return what the designation in the upper left corner takes."""
     frame = sheet.frame
     long, short = _CORNER
-    if sheet.width > sheet.height:
+    if _is_turned(sheet):
         return Box(frame.left, frame.top - long, frame.left + short, frame.top)
     return Box(frame.left, frame.top - short, frame.left + long, frame.top)
+
+
+def _is_turned(sheet: Format) -> bool:
+    """Tell whether field 26 runs down the sheet: where the title block stands at a short side."""
+    return sheet.height > sheet.width and sheet is not A4
 
 
 def draw_sheet(
     layout: "Modelspace", sheet: Format, block: TitleBlock, scale: str, words: Words
 ) -> None:
     """Draw the frame and fill in the title block."""
+    _set_extents(layout, sheet)
     pen = Pen(layout)
     outer, frame = Box(0.0, 0.0, sheet.width, sheet.height), sheet.frame
     pen.box(outer, LineKind.THIN)
     pen.box(frame, LineKind.OUTLINE)
-    _draw_corner(pen, corner_box(sheet), block.designation, turned=sheet.width > sheet.height)
+    _draw_corner(pen, corner_box(sheet), block.designation, turned=_is_turned(sheet))
+    draw_margin(pen, frame, words)
     cell = Cells(pen, frame.right - BLOCK_WIDTH, frame.bottom)
     draw_title_block(cell, block, scale, words)
     size = words.say(message("Format {name}", name=sheet.name))
@@ -125,25 +144,42 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], wor
         for column, text in enumerate((row.number, row.title, row.count, row.sizes)):
             middle = row is heading or column in {0, 2}
             place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
-            cell.words(text, place, size, NORMAL, middle=middle, most=2)
+            if text is row.sizes and row is not heading:
+                cell.symbols(text, place, size, NORMAL, most=2)
+            else:
+                cell.words(text, place, size, NORMAL, middle=middle, most=2)
     top = _ROW * (len(rows) + 1)
     cell.line((0.0, top), (BLOCK_WIDTH, top))
     for edge in edges:
         cell.line((edge, 0.0), (edge, top))
 
 
-def draw_characteristics(
-    layout: "Modelspace", box: Box, lines: Sequence[str], words: Words
-) -> None:
-    """Write characteristics to the top of a box."""
-    if not lines:
-        return
-    cell = Cells(Pen(layout), box.left, box.top)
-    heading = words.say(message("Technical characteristics"))
-    cell.words(heading, (0.0, -_LINE), (box.width, _LINE), NORMAL, middle=True)
-    for number, line in enumerate(lines, 1):
-        place = (_INDENT, -_LINE * (number + 1))
-        cell.words(f"{number}. {line}", place, (box.width - _INDENT, _LINE), NORMAL)
+def draw_notes(layout: "Modelspace", box: Box, notes: Sequence[Notes], words: Words) -> None:
+    """Write notes to the top of a box, one below the other."""
+    cell, level = Cells(Pen(layout), box.left, box.top), 0.0
+    for one in notes:
+        level -= _LINE
+        heading = words.say(one.heading)
+        cell.words(heading, (0.0, level), (box.width, _LINE), NORMAL, middle=True)
+        for number, line in enumerate(one.lines, 1):
+            level -= _LINE
+            text = line if is_explanation(line) else f"{number}. {line}"
+            cell.words(text, (_INDENT, level), (box.width - _INDENT, _LINE), NORMAL)
+
+
+def _set_extents(layout: "Modelspace", sheet: Format) -> None:
+    """Tell how large the drawing is: some programs place all of it by that."""
+    low, high = (0.0, 0.0, 0.0), (sheet.width, sheet.height, 0.0)
+    layout.reset_extents(low, high)
+    for one in (layout, layout.doc.active_layout()):  # what paper shows is printed by the second
+        one.reset_limits(low[:2], high[:2])
+    # The library takes a corner at the origin for none, and leaves these as they are.
+    layout.doc.header["$EXTMIN"], layout.doc.header["$EXTMAX"] = low, high
+
+
+def is_explanation(line: str) -> bool:
+    """Tell whether a line says what an asterisk means: it stands last and has no number."""
+    return line.startswith("*")
 
 
 def _draw_corner(pen: Pen, box: Box, designation: str, *, turned: bool) -> None:

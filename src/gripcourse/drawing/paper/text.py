@@ -1,5 +1,6 @@
 """Letters on a drawing: one font, one line, any content."""
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
@@ -14,6 +15,9 @@ Point = tuple[float, float]
 
 FONT_FILE = "PTS55F.ttf"
 FONT_FAMILY = "PT Sans"
+# LibreCAD looks for a font of its own under the name of the style: this one, after GOST 2.304, has
+# Cyrillic and Greek letters. Other programs take the file.
+TEXT_STYLE = "lc_opengost-br"
 CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
 _SECOND_FILE = "DejaVuSans.ttf"  # for what the first lacks: Greek letters
 _SECOND_CAP_HEIGHT = 0.729
@@ -22,6 +26,7 @@ NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 LEADING = 1.45  # from one line to the next, in heights of capital letters
 _WIDE = 0.9  # of their width and more: nobody sees that letters are squeezed
 _WIDE_ENOUGH = 0.6  # of their width: such letters are still read well
+_READ_HEIGHT = 1.8  # mm, the smallest letters of GOST 2.304
 _LEAST_HEIGHT = 1.0  # mm: smaller letters cannot be read
 _CUT = "…"
 _END = "|"
@@ -67,10 +72,23 @@ def add_text(  # noqa: PLR0913 (a text is its place, size, direction and layer)
         dxf_text(line),
         height=height,
         rotation=rotation,
-        dxfattribs={"style": "GOST", "layer": layer, "width": squeeze},
+        dxfattribs={"style": TEXT_STYLE, "layer": layer, "width": squeeze},
     )
     entity.set_placement(at, align=TextEntityAlignment[align])
+    wide = text_width(line, height) * squeeze
+    entity.dxf.insert = _start(at, align, (wide, height), rotation)
     return entity
+
+
+def _start(at: Point, align: str, size: Point, rotation: float) -> Point:
+    """Return where the base line of a text begins: some programs know of no other alignment."""
+    across = {"LEFT": 0.0, "CENTER": 0.5, "RIGHT": 1.0}[align.rpartition("_")[2]] * size[0]
+    up = size[1] / 2 if align.startswith("MIDDLE_") else 0.0
+    turn = math.radians(rotation)
+    return (
+        at[0] - across * math.cos(turn) + up * math.sin(turn),
+        at[1] - across * math.sin(turn) - up * math.cos(turn),
+    )
 
 
 def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
@@ -84,6 +102,11 @@ def fitted(text: str, height: float, widest: float | None) -> tuple[str, float]:
     while line and text_width(line + _CUT, height) * NARROWEST > widest:
         line = line[:-1]
     return line.rstrip() + _CUT, NARROWEST
+
+
+def height_within(text: str, height: float, width: float) -> float:
+    """Return the height at which a line fits into a width, as far as it can still be read."""
+    return max(min(_READ_HEIGHT, height), height * min(1.0, width / text_width(text, height)))
 
 
 def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Setting:
@@ -107,6 +130,9 @@ def set_in(text: str, height: float, room: tuple[float, float], most: int) -> Se
 def _set(text: str, height: float, room: tuple[float, float], count: int) -> Setting:
     high = min(height, room[1] / (LEADING * count))
     lines = tuple(wrapped(text, high, room[0], count)) or ("",)
+    squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
+    # Smaller rather than narrower letters: not every program can draw those.
+    high = max(min(_READ_HEIGHT, high), high * squeeze)
     squeeze = min(room[0] / max(text_width(one, high), room[0]) for one in lines)
     if squeeze < NARROWEST:
         high = max(min(_LEAST_HEIGHT, high), high * squeeze / NARROWEST)

@@ -43,6 +43,7 @@ class TitleBlock:
         checked: who checks it.
         organisation: group and school.
         date: of the drawing, as it shall be written.
+        mass: of what is drawn, kg.
     """
 
     designation: str
@@ -52,6 +53,7 @@ class TitleBlock:
     checked: str = ""
     organisation: str = ""
     date: str = ""
+    mass: str = ""
 
 
 def variant_block(plan: Plan, variant: str, student: str, words: Words) -> TitleBlock:
@@ -137,7 +139,7 @@ def _draw_document(cell: Cells, block: TitleBlock, scale: str, words: Words) -> 
     ):
         cell.words(words.say(text), (left, 35.0), (width, 5.0), SMALL, middle=True)
     cell.words(words.say(message("E")), (135.0, 20.0), (5.0, 15.0), NORMAL, middle=True)
-    cell.words("—", (150.0, 20.0), (17.0, 15.0), NORMAL, middle=True)
+    cell.words(block.mass or "—", (150.0, 20.0), (17.0, 15.0), NORMAL, middle=True)
     cell.words(scale, (167.0, 20.0), (18.0, 15.0), LARGE, middle=True)
     cell.words(words.say(message("Sheet")), (135.0, 15.0), (20.0, 5.0), SMALL)
     cell.words(words.say(message("Sheets {count}", count=1)), (155.0, 15.0), (30.0, 5.0), SMALL)

@@ -41,6 +41,7 @@ class Piece:
         half: half the width of a bar, shape (n,); None for what has corners.
         low, high: between which distances from the plane of the view it lies, on both sides of the
             plane, shape (n,).
+        enters: how much deeper than by elasticity it may press into what it touches, shape (n,).
         voids: what is cut out of it.
         is_fixed: whether it stands where it stands in every position.
         box: left, bottom, right and top of it, shape (4, n).
@@ -54,6 +55,7 @@ class Piece:
     half: Array | None
     low: Array | float
     high: Array | float
+    enters: Array | float
     voids: tuple["Piece", ...]
     is_fixed: bool
     box: Array
@@ -138,7 +140,7 @@ def pieces_of(part: ViewPart, scene: Scene) -> Iterator[Piece]:
 
 def names_of(part: ViewPart) -> set[str]:
     """Return the names that the solid shapes of a part are computed from."""
-    depth = {name for one in part.depth if one is not None for name in one.names}
+    depth = {name for one in (*part.depth, part.enters) if one is not None for name in one.names}
     shapes = (shape for shape in part.shapes if shape.face is Face.MAIN)
     return depth.union(*(_names(shape) for shape in shapes))
 
@@ -164,6 +166,8 @@ def _copies(
     points, half = _FIGURES[shape.kind](needs), _half(needs) if shape.kind == "bar" else None
     depth = scene.arrays(shape.depth or part.depth)
     low, high = (0.0, np.inf) if depth is None or not depth.size else depth.T
+    enters = 0.0 if part.enters is None else scene.arrays((part.enters,))
+    enters = 0.0 if enters is None else np.ravel(enters)
     fixed = scene.moving.isdisjoint(_names(shape)) or bool(part.placed_at)
     for moves in product(*(_moves(one, scene) for one in shape.repeats)):
         moved = points
@@ -171,7 +175,9 @@ def _copies(
             moved = _turned(moved - about, turn) + about + shift
         moved = moved * np.array([1.0, side])
         box = _box(moved, half)
-        yield Piece(part, shape.key, shape.kind, side, moved, half, low, high, voids, fixed, box)
+        yield Piece(
+            part, shape.key, shape.kind, side, moved, half, low, high, enters, voids, fixed, box
+        )
 
 
 def _needs(shape: ViewShape, scene: Scene) -> Mapping[str, Array] | None:

@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from gripcourse.course.view import Face, View, ViewDimension, ViewLabel, ViewPart
+from gripcourse.course.view import Face, Side, View, ViewDimension, ViewLabel, ViewPart
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import (
     Arc,
@@ -17,6 +17,7 @@ from gripcourse.drawing.paper.strokes import (
     reach_of,
 )
 from gripcourse.drawing.paper.text import Point
+from gripcourse.drawing.view.extension_lines import begun, reach
 from gripcourse.drawing.view.numbers import Numbers, numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, as_other, shown
 from gripcourse.solver.plan import Plan
@@ -24,6 +25,7 @@ from gripcourse.text.units import factor
 
 _NEVER_COVERED = {LineKind.CENTRE, LineKind.HIDDEN}
 _NEAR = 1e-3
+_TOLERANCE = 0.15  # mm: dimensions are written to tenths
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +64,22 @@ class Measured:
 
 
 @dataclass(frozen=True, slots=True)
+class Overall:
+    """An overall dimension that no quantity gives: for reference."""
+
+    face: Face
+    side: Side
+    start: Point
+    end: Point
+
+    @property
+    def value(self) -> float:
+        """What it measures."""
+        along = 1 if self.side is Side.RIGHT else 0
+        return self.end[along] - self.start[along]
+
+
+@dataclass(frozen=True, slots=True)
 class Labelled:
     """A label with its place and the numbers that stand in its text, lengths in mm."""
 
@@ -80,6 +98,8 @@ class Figure:
         cuts: faces to be hatched, by face.
         positions: parts with numbers, as they are numbered.
         measured, labelled: dimensions and labels of all faces.
+        overall: what the drawn things measure over all, where no dimension says it.
+        largest: the part that reaches farthest.
     """
 
     upright: bool
@@ -88,6 +108,8 @@ class Figure:
     positions: Sequence[Position]
     measured: Sequence[Measured]
     labelled: Sequence[Labelled]
+    overall: Sequence[Overall]
+    largest: ViewPart
 
     @property
     def faces(self) -> tuple[Face, ...]:
@@ -117,13 +139,17 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     there = [part for part in view.parts if not part.positions or view.position in part.positions]
     drawn = [(part, list(shown(part, main))) for part in there]
     shapes = [one for _, found in drawn for one in found]
+    seen = _seen(drawn, _ghosts(view, other))
+    measured = [_begun(one, seen) for one in _measured(view, main, other, solved)]
     return Figure(
         upright=view.upright,
-        seen=_seen(drawn, _ghosts(view, other)),
+        seen=seen,
         cuts={face: list(_cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
-        measured=list(_measured(view, main, other, solved)),
+        measured=measured,
         labelled=list(_labelled(view, main)),
+        overall=list(_overall(seen, measured)),
+        largest=max(drawn, key=_size)[0],
     )
 
 
@@ -200,6 +226,50 @@ def _measured(
         start, end = numbers.point(one.start), numbers.point(one.end)
         if start is not None and end is not None and one.quantity in numbers.values:
             yield Measured(one, solved[one.quantity], start, end)
+
+
+def _size(one: tuple[ViewPart, Sequence[Shown]]) -> float:
+    points = [
+        point for shape in one[1] for stroke in shape.outline.strokes for point in points_of(stroke)
+    ]
+    box = box_of(points or [(0.0, 0.0)])
+    return max(box.width, box.height)
+
+
+def _begun(one: Measured, seen: Mapping[Face, Sequence[Seen]]) -> Measured:
+    """Let the extension lines of a dimension begin at lines of the drawing."""
+    strokes, side = [line.stroke for line in seen[one.declared.face]], one.declared.side
+    return replace(one, start=begun(one.start, side, strokes), end=begun(one.end, side, strokes))
+
+
+def _overall(
+    seen: Mapping[Face, Sequence[Seen]], measured: Sequence[Measured]
+) -> Iterator[Overall]:
+    """Yield length and height of the main face, and the width of another one.
+
+    What a plan measures along the axis need not be said again above it.
+    """
+    for face, side in (
+        (Face.MAIN, Side.BELOW),
+        (Face.MAIN, Side.RIGHT),
+        (Face.END, Side.BELOW),
+        (Face.PLAN, Side.RIGHT),
+    ):
+        edges = [one.stroke for one in seen[face] if one.kind is LineKind.OUTLINE]
+        if edges:
+            found = Overall(face, side, *reach(edges, side))
+            if not any(_is_same(found, one) for one in measured):
+                yield found
+
+
+def _is_same(overall: Overall, one: Measured) -> bool:
+    upright = {Side.LEFT, Side.RIGHT}
+    same_way = (one.declared.side in upright) == (overall.side in upright)
+    return (
+        same_way
+        and (one.declared.face is overall.face or one.declared.face is Face.PLAN)
+        and abs(one.value - overall.value) < _TOLERANCE
+    )
 
 
 def _labelled(view: View, numbers: Numbers) -> Iterator[Labelled]:

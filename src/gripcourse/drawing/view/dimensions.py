@@ -3,7 +3,6 @@
 All lengths are millimetres of paper, in the coordinates of the face.
 """
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -11,9 +10,10 @@ from typing import TYPE_CHECKING
 from gripcourse.course.view import Side
 from gripcourse.drawing.paper.document import ARROW, DIMENSION_STYLE, TEXT_HEIGHT, LineKind
 from gripcourse.drawing.paper.strokes import Box
-from gripcourse.drawing.paper.text import Point, text_width
+from gripcourse.drawing.paper.text import Point, add_text, text_width
 
 if TYPE_CHECKING:
+    from ezdxf.entities.dimension import Dimension
     from ezdxf.layouts.layout import Modelspace
 
 FIRST_ROW = 10.0  # from the outline, GOST 2.307
@@ -22,7 +22,6 @@ _BESIDE = 1.5  # what is free beside a number
 _ABOVE = 1.0  # the number over its line
 _TAIL = 2.0 * ARROW  # the line behind an arrow that points inward
 _HALF = 1e-6
-_FINER = re.compile(r"[.,]\d{2}")  # more decimals than one
 _TRIES = (0.5, 0.3, 0.7, 0.15, 0.85)
 
 
@@ -31,7 +30,6 @@ class Wanted:
     """A dimension to be placed: its number as it will be written, its two points."""
 
     text: str
-    sign: str
     start: Point
     end: Point
     side: Side
@@ -100,7 +98,7 @@ def place(wanted: Iterable[Wanted], outline: Box) -> list[Placed]:
 def draw_dimensions(
     layout: "Modelspace", placed: Sequence[Placed], scale: float, by: Point
 ) -> None:
-    """Draw dimensions that measure what they stand at, on paper moved by `by`, in its scale."""
+    """Draw dimensions of what stands on paper in a scale, moved by `by`."""
     for one in placed:
         wanted, upright = one.wanted, one.wanted.upright
         base = (one.line, wanted.start[1]) if upright else (wanted.start[0], one.line)
@@ -109,7 +107,8 @@ def draw_dimensions(
             p1=_moved(wanted.start, by),
             p2=_moved(wanted.end, by),
             angle=90 if upright else 0,
-            text=_written(wanted, scale),
+            # Written out: many programs do not know of a factor of one dimension's own.
+            text=wanted.text,
             dimstyle=DIMENSION_STYLE,
             override={"dimlfac": 1 / scale, "dimdec": 1},
             dxfattribs={"layer": LineKind.DIMENSION},
@@ -118,19 +117,28 @@ def draw_dimensions(
         middle = ((box.left + box.right) / 2, (box.bottom + box.top) / 2)
         dimension.set_location(_moved(middle, by), leader=False, relative=False)
         dimension.render()
+        _write_plainly(dimension.dimension, one, middle=_moved(middle, by))
         _draw_shelf(layout, one, by)
 
 
-def _written(wanted: Wanted, scale: float) -> str:
-    """Let the document measure, in tenths; what those do not tell is written out.
+def _write_plainly(dimension: "Dimension", one: Placed, middle: Point) -> None:
+    """Write the number of a dimension as one line: some programs do not show what may be more."""
+    from ezdxf.entities.mtext import MText  # noqa: PLC0415 (0.3 s: only who draws pays for it)
 
-    That is half a tenth, which may be rounded either way, and a size that is written more finely.
-    """
-    low, high = wanted.span
-    tenths = 10 * (high - low) / scale
-    is_half = abs(tenths % 1 - 0.5) < _HALF
-    is_finer = _FINER.search(wanted.text) is not None
-    return wanted.text if is_half or is_finer else f"{wanted.sign}<>"
+    block = dimension.get_geometry_block()
+    if block is None:
+        return
+    for number in [one for one in block if isinstance(one, MText)]:
+        block.delete_entity(number)
+        add_text(
+            block,
+            one.wanted.text,
+            middle,
+            TEXT_HEIGHT,
+            align="MIDDLE_CENTER",
+            layer=LineKind.DIMENSION,
+            rotation=90.0 if one.wanted.upright else 0.0,
+        )
 
 
 def _draw_shelf(layout: "Modelspace", one: Placed, by: Point) -> None:

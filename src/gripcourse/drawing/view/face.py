@@ -9,7 +9,7 @@ from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, Stroke, at_place, placed
 from gripcourse.drawing.paper.text import Point
-from gripcourse.drawing.view.contents import Figure, Measured
+from gripcourse.drawing.view.contents import Figure, Measured, Overall
 from gripcourse.drawing.view.dimensions import Placed, Wanted, draw_dimensions, place
 from gripcourse.drawing.view.leaders import Leader, Note, draw_leaders, place_leaders
 from gripcourse.text.words import Words
@@ -20,11 +20,14 @@ if TYPE_CHECKING:
 POSITION_HEIGHT = 5.0  # mm, one or two sizes above dimensions (GOST 2.316)
 _AXIS_BEYOND = 5.0  # mm of paper that an axis reaches beyond the outline
 _HATCH_SPACING = 2.0  # mm of paper
-_HATCH_ANGLE = 45.0
+_PITCH = 3.175  # of the standard pattern, mm
+_ANSI31 = [45.0, (0.0, 0.0), (-_PITCH / 2**0.5, _PITCH / 2**0.5), []]
+_LEANING = {"right": 0.0, "left": 90.0}
 _ORIGIN = (0.0, 0.0)
 _FIGURES = 7  # tenths of a millimetre of any machine, thousandths of a small size
 _SERIES_DECIMALS = 3  # no series is finer
 _SAME = 1e-9
+FOR_REFERENCE = "*"
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +76,7 @@ def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLa
     for axis in axes:
         outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
+    wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
     dimensions = place(wanted, bare)
     numbers = [one.text_box for one in dimensions]
     below = outline
@@ -110,11 +114,15 @@ def draw_stroke(layout: "Modelspace", stroke: Stroke, kind: LineKind) -> None:
 def _wanted(one: Measured, scale: float, words: Words) -> Wanted:
     return Wanted(
         text=one.declared.sign + length_text(one.value, words),
-        sign=one.declared.sign,
         start=at_place(one.start, scale, _ORIGIN),
         end=at_place(one.end, scale, _ORIGIN),
         side=one.declared.side,
     )
+
+
+def _for_reference(one: Overall, scale: float, words: Words) -> Wanted:
+    start, end = at_place(one.start, scale, _ORIGIN), at_place(one.end, scale, _ORIGIN)
+    return Wanted(length_text(round(one.value, 1), words) + FOR_REFERENCE, start, end, one.side)
 
 
 def _notes(shown: Figure, face: Face, scale: float, words: Words) -> Iterator[Note]:
@@ -139,8 +147,8 @@ def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
 
 def _draw_hatch(layout: "Modelspace", ring: Sequence[Point], hatch: str) -> None:
     hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
-    step = _HATCH_SPACING / 2**0.5
-    lean = 1.0 if hatch == "right" else -1.0
-    lines = [[lean * _HATCH_ANGLE, (0.0, 0.0), (-lean * step, step), []]]
-    hatch_entity.set_pattern_fill("GOST", definition=lines, color=256)
+    # The standard pattern, so that programs with patterns of their own find it.
+    size, angle = _HATCH_SPACING / _PITCH, _LEANING[hatch]
+    pattern = [_ANSI31]
+    hatch_entity.set_pattern_fill("ANSI31", 256, angle, size, definition=pattern)
     hatch_entity.paths.add_polyline_path(ring, is_closed=True)

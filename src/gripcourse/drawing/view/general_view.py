@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face, View
 from gripcourse.drawing.paper.document import new_document
-from gripcourse.drawing.paper.sheet import PartsRow, draw_characteristics, draw_list, draw_sheet
+from gripcourse.drawing.paper.sheet import (
+    FORMATS,
+    Notes,
+    PartsRow,
+    draw_list,
+    draw_notes,
+    draw_sheet,
+    is_explanation,
+)
 from gripcourse.drawing.paper.strokes import Box
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import capital
@@ -17,15 +25,17 @@ from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.contents import Figure, figure
 from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout, length_text
 from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import Words
+from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 _FIGURES = 4  # of a characteristic
 _MOST_LINES = 6
+_MASS_FIGURES = 2  # outlines leave out ribs, rounds and holes
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +46,7 @@ class GeneralView:
     faces: Mapping[Face, FaceLayout]
     arranged: Arranged
     rows: tuple[PartsRow, ...]
-    lines: tuple[str, ...]
+    notes: tuple[Notes, ...]
     document: "Drawing"
 
 
@@ -51,29 +61,49 @@ def general_view(
         values: of every quantity, in declared units.
         block: what the title block says.
         words: of the reader.
+
+    Raises:
+        CourseError: no sheet has room for the views at any scale.
     """
     plain = figure(plan, view, values)
-    lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
+    notes = tuple(_notes(view, plan, values, words))
+    lines = sum(1 + len(one.lines) for one in notes)
 
     def boxes(scale: float) -> Mapping[Face, Box]:
         return {face: face_layout(plain, face, scale, words).box for face in plain.faces}
 
     main = plain.extent(Face.MAIN)
     pictured = Pictured(max(main.width, main.height), plain.detail)
-    arranged = arrange(boxes, pictured, len(plain.positions), len(lines))
+    arranged = arrange(boxes, pictured, len(plain.positions), lines)
+    if arranged is None:
+        raise CourseError([_too_large(plain)])
     over, under = arranged.scale
     shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
     faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
     rows = tuple(_rows(shown, plan, values, words))
+    block = replace(block, mass=_mass(plan, view, values, words))
     document = new_document(words.language)
     layout = document.modelspace()
     scale = f"{words.number(over)}:{words.number(under)}"
     draw_sheet(layout, arranged.sheet, block, scale, words)
     draw_list(layout, arranged.sheet, rows, words)
-    draw_characteristics(layout, arranged.lines, lines, words)
+    draw_notes(layout, arranged.lines, notes, words)
     for face, origin in arranged.origins.items():
         draw_face(layout, shown, face, faces[face], arranged.factor, origin)
-    return GeneralView(shown, faces, arranged, rows, lines, document)
+    return GeneralView(shown, faces, arranged, rows, notes, document)
+
+
+def _too_large(plain: Figure) -> Problem:
+    extent = plain.extent(Face.MAIN)
+    what = message(
+        "The views do not fit a sheet of {sheet} at any scale: the main one is {width} by"
+        " {height} mm.",
+        sheet=FORMATS[-1][0].name,
+        width=round(extent.width),
+        height=round(extent.height),
+    )
+    remedy = message("Correct the lengths that this part is drawn from.")
+    return Problem(plain.largest.file, plain.largest.key, what, remedy)
 
 
 def sheet_svg(drawn: GeneralView, block: TitleBlock) -> tuple[str, str]:
@@ -104,12 +134,33 @@ def _rows(
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
     quantity = plan.quantities[name]
-    symbol = quantity.symbol.of(words.language).replace("_", "")
+    symbol = quantity.symbol.of(words.language)
     value = values[name]
     written = length_text(value, words) if quantity.unit == "mm" else words.number(value, _FIGURES)
     unit = "" if quantity.unit == "mm" else unit_text(quantity.unit, words.language)
     joint = "" if unit in {"", "°"} else " "
     return f"{symbol} = {written}{joint}{unit}"
+
+
+def _mass(plan: Plan, view: View, values: Mapping[str, float], words: Words) -> str:
+    from gripcourse.drawing.view.mass import mass_of  # noqa: PLC0415 (shapely: only who draws)
+
+    mass = mass_of(plan, view, values)
+    return "" if mass is None else words.number(mass, _MASS_FIGURES)
+
+
+def _notes(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[Notes]:
+    """Yield what is written beside the drawing, without empty parts."""
+    lines = tuple(_lines(view, plan, values, words))[:_MOST_LINES]
+    required = tuple(
+        sorted((one.of(words.language) for one in view.requirements), key=is_explanation)
+    )
+    for heading, found in (
+        (message("Technical characteristics"), lines),
+        (message("Technical requirements"), required),
+    ):
+        if found:
+            yield Notes(heading, found)
 
 
 def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[str]:

@@ -2,7 +2,8 @@
 
 The bodies are those that the view draws (`bodies`). They are compared two by two in every position
 of the kinematics, with the object among them, where they share a depth. Parts that `meets` declares
-may overlap; a part does not overlap itself, but may its own copy on the other side of the axis.
+may overlap, and what a part touches it may press into a little; a part does not overlap itself, but
+may its own copy on the other side of the axis.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -28,6 +29,7 @@ from gripcourse.formula.evaluate import Array, Column
 from gripcourse.solver.solve import Values
 
 TOLERANCE = 0.01  # mm: what touches is no interference
+PRESSED = 0.2  # mm that a jaw may stand in what it holds
 _CHUNK = 2048  # variants whose bodies are held at once
 
 
@@ -152,7 +154,7 @@ def _pairs(scenes: Mapping[str, Sequence[Piece]]) -> Iterator[tuple[PartPair, Ar
         for first, second in combinations(pieces, 2):
             if _may_collide(first, second) and (number == 0 or not _is_known(first, second)):
                 depth = _depth(first, second)
-                if depth is not None:
+                if depth is not None and (depth := _beyond(depth, first, second)).any():
                     yield PartPair(first.part.id, second.part.id, position), depth
 
 
@@ -228,6 +230,14 @@ def _is_known(first: Piece, second: Piece) -> bool:
         and not first.part.positions
         and not second.part.positions
     )
+
+
+def _beyond(depth: Array, first: Piece, second: Piece) -> Array:
+    """Return the overlaps that are more than the pressure of one that holds the other."""
+    for one, other in ((first, second), (second, first)):
+        if other.part.id in one.part.touches:
+            return np.asarray(np.where(depth > PRESSED + one.enters, depth, 0.0))
+    return depth
 
 
 def _depth(first: Piece, second: Piece) -> Array | None:

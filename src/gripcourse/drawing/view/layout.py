@@ -11,6 +11,7 @@ from gripcourse.drawing.paper.text import Point
 
 # GOST 2.302, the largest first; as drawing : nature.
 SCALES: Sequence[tuple[float, float]] = (
+    (2.5, 1),
     (2, 1),
     (1, 1),
     (1, 2),
@@ -35,6 +36,7 @@ _NOTHING = 1e-6
 _LEAST_LENGTH, _LEAST_REDUCED = 60.0, 95.0
 _REDUCED = 1 / 2.5
 _LEAST_DETAIL = 0.75  # mm of paper: smaller circles cannot be told from dots
+_FILLED = 0.5  # of the free field that the views take at least, if any sheet lets them
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +61,14 @@ class Arranged:
         scale: as drawing : nature.
         origins: where the origin of each face lies.
         lines: where the characteristics stand.
+        filled: how much of the field the faces take, that tables and notes leave free.
     """
 
     sheet: Format
     scale: tuple[float, float]
     origins: Mapping[Face, Point]
     lines: Box
+    filled: float
 
     @property
     def factor(self) -> float:
@@ -74,38 +78,49 @@ class Arranged:
 
 def arrange(
     boxes: Callable[[float], Mapping[Face, Box]], pictured: Pictured, rows: int, lines: int
-) -> Arranged:
-    """Find the smallest sheet on which a thing is well shown, at the largest scale there.
+) -> Arranged | None:
+    """Find the smallest sheet that a thing fills and is well shown on, at the largest scale there.
 
-    Where no sheet shows its details, its size alone decides; else the largest scale of all.
+    Where it fills none, the one that it fills most. Where no sheet shows its details, its size
+    alone decides; else the largest scale of all.
 
     Args:
         boxes: gives the box of each face round its own origin, with dimensions and leaders, in
             millimetres of paper, at a scale.
         pictured: what has to be recognised.
         rows: of the parts list.
-        lines: of the characteristics.
+        lines: of the notes.
+
+    Returns:
+        None where no sheet has room for it at any scale.
     """
     at_scale = cache(boxes)
     found: list[Arranged] = []
-    for sheet in FORMATS:
-        for one in _largest(at_scale, sheet, rows, lines):
-            if _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL:
-                return one
-            found.append(one)
-    if found:
-        large = (one for one in found if _is_large(one, pictured))
-        return next(large, max(found, key=lambda one: one.factor))
-    sheet, (over, under) = FORMATS[-1], SCALES[-1]
-    origins = dict.fromkeys(boxes(over / under), (sheet.width / 2, sheet.height / 2))
-    return Arranged(sheet, (over, under), origins, lines_boxes(sheet, rows, lines)[0])
+    for size in FORMATS:
+        there = [one for sheet in size for one in _largest(at_scale, sheet, rows, lines)]
+        best = max(there, key=lambda one: (one.factor, one.filled), default=None)
+        if best is None:
+            continue
+        found.append(best)
+        if _is_shown(best, pictured) and best.filled >= _FILLED:
+            return best
+    for fits in (_is_shown, _is_large):
+        there = [one for one in found if fits(one, pictured)]
+        filled = (one for one in there if one.filled >= _FILLED)
+        if there:
+            return next(filled, max(there, key=lambda one: one.filled))
+    return max(found, key=lambda one: one.factor, default=None)
+
+
+def _is_shown(one: Arranged, pictured: Pictured) -> bool:
+    return _is_large(one, pictured) and pictured.detail * one.factor >= _LEAST_DETAIL
 
 
 def _is_large(one: Arranged, pictured: Pictured) -> bool:
     length = pictured.length * one.factor
     if one.factor >= _REDUCED:
         return length >= _LEAST_LENGTH
-    return length >= _LEAST_REDUCED and one.sheet is not FORMATS[0]
+    return length >= _LEAST_REDUCED and one.sheet not in FORMATS[0]
 
 
 def _largest(
@@ -118,8 +133,17 @@ def _largest(
             taken = (block_box(sheet, rows), corner_box(sheet), box)
             origins = _origins(at_scale, sheet.frame.grown(-_MARGIN), taken)
             if origins is not None:
-                yield Arranged(sheet, (over, under), origins, box)
+                yield Arranged(sheet, (over, under), origins, box, _filled(at_scale, sheet, taken))
                 return
+
+
+def _filled(boxes: Mapping[Face, Box], sheet: Format, taken: Sequence[Box]) -> float:
+    free = _area(sheet.frame) - sum(map(_area, taken))
+    return sum(map(_area, boxes.values())) / free
+
+
+def _area(box: Box) -> float:
+    return box.width * box.height
 
 
 def _origins(

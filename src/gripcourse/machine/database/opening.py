@@ -16,7 +16,7 @@ from sqlalchemy.pool import NullPool
 
 from gripcourse.errors import GradebookError, NextStep, Problem
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
-from gripcourse.machine.files import make_private, making, replacing
+from gripcourse.machine.files import make_private, make_private_folder, making, replacing
 from gripcourse.text.words import Message, message
 
 _SECONDS_TO_WAIT = 60.0  # for another program that writes to the same file
@@ -36,7 +36,7 @@ def open_engine(place: str) -> Engine:
     file = _file_of(url)
     if file is not None:
         if "://" not in place:
-            file.parent.mkdir(parents=True, exist_ok=True)
+            make_private_folder(file.parent)
         if not file.exists():
             _make(file)
         _refuse_empty(file)

@@ -28,6 +28,7 @@ MOST_ELEMENTS: Final = 200_000  # XML elements; a cell is one or two, an answer 
 DEEPEST: Final = 100  # elements inside each other; office programs stay below 20
 MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that a range covers
 MOST_RANGES: Final = 5_000
+MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,6 +220,8 @@ class _Scan:
         name = element.rpartition(":")[2] if ":" in element else element
         if name == "sheet":
             self._count("sheet", 1, MOST_SHEETS, WhyRefused.TOO_LARGE)
+        elif name == "Relationship":
+            self._count("relation", 1, MOST_RELATIONS, WhyRefused.TOO_LARGE)
         elif name in _RANGES:
             self._count("range", 1, MOST_RANGES, WhyRefused.MERGED)
             self._count(

@@ -90,13 +90,19 @@ def first_of_merged(package: Package, part: str, places: Collection[Place]) -> d
 def stored_cells(
     package: Package, part: str, wanted: Collection[Place]
 ) -> Mapping[Place, StoredCell]:
-    """Read the wanted cells of a sheet; those that are not stored are left out."""
+    """Read the wanted cells of a sheet; those that are not stored are left out.
+
+    Raises:
+        ValueError: a cell is stored twice: programs disagree which of the two counts.
+    """
     rows = {row for row, _ in wanted}
     found: dict[Place, StoredCell] = {}
     for number, row in _rows(package, part):
-        if number in rows:
-            cells = ((place, cell) for place, cell in _of_row(row, number) if place in wanted)
-            found |= {place: _stored(cell) for place, cell in cells}
+        for place, cell in _of_row(row, number) if number in rows else ():
+            if place in found:
+                raise ValueError(place)
+            if place in wanted:
+                found[place] = _stored(cell)
     return found
 
 

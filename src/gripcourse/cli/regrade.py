@@ -1,0 +1,202 @@
+"""`gripcourse regrade`, `undo`, `publish`, `waive`, `history`: parse, one call, print."""
+
+import getpass
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import regrade_text
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    PROCESSORS,
+    CourseOption,
+    GradebookOption,
+    LanguageOption,
+    WorkersOption,
+    course_folder,
+    gradebook_place,
+    say_limits,
+    words_for,
+)
+from gripcourse.text.words import message
+
+# Every command imports what it needs itself: numpy, pandas and the database cost half a second.
+# ruff: noqa: PLC0415
+
+app = typer.Typer()
+
+WhyOption = Annotated[str, typer.Option("--why", help="The reason, kept for good.")]
+ByOption = Annotated[
+    str | None, typer.Option("--by", help="Who does it; default: the user of this machine.")
+]
+
+
+@app.command(cls=SpokenCommand)
+def regrade(  # noqa: PLR0913 (one parameter per option)
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="file", help="Workbooks, or folders with workbooks.")
+    ],
+    *,
+    only: Annotated[
+        str | None,
+        typer.Option("--only", metavar="raised|lowered|unchanged", help="Show only such works."),
+    ] = None,
+    apply: Annotated[
+        bool, typer.Option("--apply", help="Let the new results count; needs a reason.")
+    ] = False,
+    why: WhyOption = "",
+    allow_lower: Annotated[
+        bool, typer.Option("--allow-lower", help="Published results may get worse.")
+    ] = False,
+    by: ByOption = None,
+    whose: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
+        ),
+    ] = None,
+    workers: WorkersOption = PROCESSORS,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Show what today's course and policy would change about graded works; apply it if asked."""
+    from gripcourse.gradebook.journal import Signed
+    from gripcourse.usecases import regrade as command
+    from gripcourse.usecases.collect import collect
+    from gripcourse.usecases.mark import existing_gradebook
+    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.whose import read_whose
+
+    words = words_for(language)
+    direction = regrade_text.chosen_direction(only)
+    if apply and not why.strip():
+        raise cli_text.misuse(
+            message("A regrade needs a reason."),
+            message("Say why: whoever asks in a year reads it."),
+        )
+    files = collect(paths).files
+    context = open_grading(course_folder(course))
+    context = replace(context, whose=read_whose(whose or (), files, context.register))
+    place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
+    existing_gradebook(place)
+    say_limits(words)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Grading")), len(files))
+        found = command.regrade(files, context, place, workers, now, lambda _: tick())
+    if found.incidents:
+        cli_text.write_incident("\n".join(found.incidents))
+    typer.echo(regrade_text.regrade_text(found, direction, words))
+    if apply:
+        signed = Signed(by or getpass.getuser(), now, why)
+        done = command.apply_regrade(found, place, signed, allow_lower=allow_lower)
+        confirm(regrade_text.applied_text(done, words))
+    waits = found.lost or found.strangers or found.failed or (found.to_apply and not apply)
+    raise typer.Exit(NEEDS_PERSON if waits else DONE)
+
+
+@app.command(cls=SpokenCommand)
+def undo(
+    *,
+    why: WhyOption = "",
+    by: ByOption = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Take the last regrade back; it stays on record."""
+    from gripcourse.gradebook.journal import Signed
+    from gripcourse.usecases.regrade import undo_regrade
+
+    words = words_for(language)
+    place = gradebook_place(gradebook, course_folder(course))
+    done = undo_regrade(place, Signed(by or getpass.getuser(), datetime.now(UTC), why))
+    confirm(regrade_text.undone_text(done, words))
+
+
+@app.command(cls=SpokenCommand)
+def publish(
+    students: Annotated[
+        list[str] | None, typer.Argument(metavar="student", help="Only these; default: everybody.")
+    ] = None,
+    *,
+    by: ByOption = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Keep that students are told their results: from now on only a regrade changes them."""
+    from gripcourse.gradebook.journal import Signed
+    from gripcourse.usecases import regrade as command
+
+    words = words_for(language)
+    place = gradebook_place(gradebook, course_folder(course))
+    signed = Signed(by or getpass.getuser(), datetime.now(UTC))
+    confirm(regrade_text.published_text(command.publish(place, students or (), signed), words))
+
+
+@app.command(cls=SpokenCommand)
+def waive(  # noqa: PLR0913 (one parameter per option)
+    student: Annotated[str, typer.Argument(metavar="student", help="Whose lateness.")],
+    *,
+    until: Annotated[
+        str | None,
+        typer.Option(
+            "--until",
+            metavar="time",
+            help="Until when it costs nothing; default: ever.",
+        ),
+    ] = None,
+    withdraw: Annotated[
+        bool, typer.Option("--withdraw", help="Let the student's waivers count no longer.")
+    ] = False,
+    why: WhyOption = "",
+    by: ByOption = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Let a student's lateness cost nothing, at all or until a moment; the reason is kept."""
+    from gripcourse.gradebook.deadlines import moment_of
+    from gripcourse.gradebook.timing import Waiver
+    from gripcourse.policy.time_rules import zone_of
+    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.waive import waive as enter
+
+    words = words_for(language)
+    context = open_grading(course_folder(course))
+    moment = None if until is None else moment_of(until, zone_of(context.policy.late))
+    if until is not None and moment is None:
+        raise cli_text.misuse(
+            message("'{text}' is no day.", text=until),
+            message("Write 2026-12-01, or 2026-12-01 18:00."),
+        )
+    place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
+    wanted = Waiver(student, 0, moment, withdraw, by or getpass.getuser(), now, why)
+    enter(wanted, place, context.register)
+    confirm(words.say(message("Kept. Grade again to renew the reports.")))
+
+
+@app.command(cls=SpokenCommand)
+def history(
+    student: Annotated[str, typer.Argument(metavar="student", help="Whose grade.")],
+    *,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Show everything that happened to a student's grade: when, by whom, and why."""
+    from gripcourse.usecases.history import history as ask
+    from gripcourse.usecases.opening import open_grading
+
+    words = words_for(language)
+    context = open_grading(course_folder(course))
+    place = gradebook_place(gradebook, context.course.root)
+    typer.echo(regrade_text.history_text(ask(place, student, context.register), words))

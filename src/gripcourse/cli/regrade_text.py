@@ -1,0 +1,174 @@
+"""What is printed of regrades, of what students were told, and of a student's history."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gripcourse.cli.text import misuse, table_text
+from gripcourse.text.shown import shown
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, Words, message
+
+# `gripcourse --help` needs nothing of what is graded.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    from gripcourse.gradebook.journal import Published, Regrade
+    from gripcourse.gradebook.model import Attempt, Result
+    from gripcourse.gradebook.regrade import Shift, WorkChange
+    from gripcourse.usecases.history import Event
+    from gripcourse.usecases.regrade import Regrading
+
+_NAMED = 10  # files or works that a line names
+_HEADS = (
+    message("student"),
+    message("file"),
+    message("points"),
+    message("new points"),
+    message("changed since"),
+)
+_VERSIONS = {
+    "engine": message("the program"),
+    "course": message("the course"),
+    "policy": message("the policy"),
+}
+
+
+def chosen_direction(written: str | None) -> "Shift | None":
+    """Read which works are to be shown; None for all that change.
+
+    Raises:
+        UsageError: there is no such filter.
+    """
+    from gripcourse.gradebook.regrade import Shift
+
+    if written is None or written in list(Shift):
+        return None if written is None else Shift(written)
+    what = message("There is no filter '{name}'.", name=written)
+    raise misuse(what, did_you_mean(written, list(Shift)))
+
+
+def regrade_text(found: "Regrading", only: "Shift | None", words: Words) -> str:
+    """Return old and new points of each work, what changed about each item, and the counts."""
+    from gripcourse.gradebook.regrade import Shift
+
+    asked = found.to_apply if only is None else found.going(only)
+    lines = []
+    if asked:
+        heads = [words.say(one) for one in _HEADS]
+        rows = [_row(one, words) for one in asked]
+        lines.append(table_text(heads, rows, right={2, 3}))
+    lines += [line for one in asked for line in _items(one, words)]
+    counts = {one: len(found.going(one)) for one in Shift}
+    lines.append(
+        words.say(
+            message(
+                "{raised} raised, {lowered} lowered, {unchanged} unchanged.",
+                raised=counts[Shift.RAISED],
+                lowered=counts[Shift.LOWERED],
+                unchanged=counts[Shift.UNCHANGED],
+            )
+        )
+    )
+    lines += _left_out(found, words)
+    return "\n".join(lines)
+
+
+def applied_text(done: Sequence["Attempt"], words: Words) -> str:
+    """Return what stands since a regrade was applied."""
+    if not done:
+        return words.say(message("Nothing was changed: all of it stands just so already."))
+    said = message(
+        "Regrade {number} was applied to {count} works. Grade again to renew the reports.",
+        number=done[0].regrade or 0,
+        count=len(done),
+    )
+    return words.say(said)
+
+
+def undone_text(done: "Regrade", words: Words) -> str:
+    """Return what was taken back."""
+    said = message("Regrade {number} was taken back.", number=done.undoes or 0)
+    return f"{words.say(said)} {words.say(message('Grade again to renew the reports.'))}"
+
+
+def published_text(told: Sequence["Published"], words: Words) -> str:
+    """Return how many results are published now."""
+    if not told:
+        return words.say(message("Everybody was told just so already."))
+    return words.say(
+        message("{count} results are published; a regrade may change them.", count=len(told))
+    )
+
+
+def history_text(events: Sequence["Event"], words: Words) -> str:
+    """Return a student's history as lines: when, by whom, what, why."""
+    if not events:
+        return words.say(message("Nothing has happened yet."))
+    lines = []
+    for one in events:
+        # Moments are kept and shown in UTC: a history is read in more than one place.
+        when = f"{one.at:%Y-%m-%d %H:%M}Z"
+        who = shown(one.person) or words.say(message("the program"))
+        why = f" — {shown(one.why)}" if one.why else ""
+        lines.append(f"{when}  {who}: {words.say(one.what)}{why}")
+    return "\n".join(lines)
+
+
+def _row(one: "WorkChange", words: Words) -> tuple[str, ...]:
+    changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
+    return (
+        one.work.student,
+        shown(Path(one.work.attempt.file).name),
+        words.number(one.before.score, 4),
+        words.number(one.after.score, 4),
+        changed or "—",
+    )
+
+
+def _items(change: "WorkChange", words: Words) -> Iterator[str]:
+    for one in change.items:
+        said = message(
+            "{student}, {item}: {before} → {after}.",
+            student=change.work.student,
+            item=one.quantity,
+            before=_result(one.before),
+            after=_result(one.after),
+        )
+        yield words.say(said)
+
+
+def _result(result: "Result | None") -> Message:
+    if result is None:
+        return message("not asked for")
+    return message(
+        "{outcome}, {points} of {most}",
+        outcome=result.outcome.traits.word,
+        points=round(result.points, 2),
+        most=round(result.max_points, 2),
+    )
+
+
+def _left_out(found: "Regrading", words: Words) -> Iterator[str]:
+    kinds = (
+        (
+            message("Cannot be judged any more; what was graded stands: {names}."),
+            [one.work.student for one in found.lost],
+        ),
+        (
+            message("The gradebook does not know these files; grade them first: {names}."),
+            [shown(Path(one).name) for one in found.strangers],
+        ),
+        (
+            message("Could not be graded: {names}."),
+            [shown(Path(one).name) for one in found.failed],
+        ),
+        (
+            message("Graded before and not among these files: {names}."),
+            [f"{one.student} ({shown(Path(one.attempt.file).name)})" for one in found.missing],
+        ),
+    )
+    for said, names in kinds:
+        if names:
+            more = f", … ({len(names)})" if len(names) > _NAMED else ""
+            yield words.say(Message(said.text, {"names": ", ".join(names[:_NAMED]) + more}))

@@ -1,0 +1,59 @@
+"""What the desk keeps for good: files handed in, self-checks, requests, publications."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+
+@dataclass(frozen=True, slots=True)
+class HandIn:
+    """A file that a student handed in.
+
+    Attributes:
+        student: id.
+        number: counts the student's files from 1.
+        digest: SHA-256 of its bytes, hexadecimal; the file is kept under it.
+        size: in bytes.
+        name: as the student calls it.
+        at: when its bytes were safe on the disk.
+    """
+
+    student: str
+    number: int
+    digest: str
+    size: int
+    name: str
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class LoggedCheck:
+    """A self-check: of which bytes, whether numbers were compared, and how many were left then."""
+
+    student: str
+    number: int
+    digest: str
+    told: bool
+    left: int | None
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class RegradeRequest:
+    """A student asks in a sentence to have an item looked at again."""
+
+    student: str
+    number: int
+    item: str
+    sentence: str
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class Publication:
+    """Results were published, or the last publication was withdrawn, by whom and why."""
+
+    number: int
+    published: bool
+    by: str
+    why: str
+    at: datetime

@@ -1,0 +1,133 @@
+"""The appendix of an assignment: the series, tables and formulas that a student needs at hand."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.documents.report.worked import entering_units, worked_line
+from gripcourse.formula.boxes import Box
+from gripcourse.solver.needed_tables import NeededTable, needed_tables, tables_by_taker
+from gripcourse.solver.plan import Plan
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Message, Words, message
+
+_FIGURES = 12  # sizes are printed as they are declared, never rounded
+_WIDE = 8  # columns, from which on a table takes the width of the page
+_FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
+
+
+@dataclass(frozen=True, slots=True)
+class AppendixTable:
+    """A series or a table, ready to print.
+
+    Attributes:
+        number: as the questions cite it.
+        title: with the standard.
+        takers: symbols of the answers that are found with it.
+        unit: of a series.
+        sizes: of a series; empty for a table.
+        headings: name and unit of each column of a table.
+        rows: numbers of a table as text.
+        wide: whether it takes the width of the page.
+        across: whether its columns are printed as lines.
+    """
+
+    number: int
+    title: str
+    takers: tuple[str, ...]
+    unit: str
+    sizes: tuple[str, ...]
+    headings: tuple[tuple[str, str], ...]
+    rows: tuple[tuple[str, ...], ...]
+    wide: bool
+    across: bool
+
+
+@dataclass(frozen=True, slots=True)
+class AppendixFormula:
+    """A formula of a work that students do not have: what it gives, and its bare numbers' units."""
+
+    title: str
+    line: Box
+    units: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class QuotedWork:
+    """A work that students do not have, with the formulas that are cited from it."""
+
+    title: str
+    formulas: tuple[AppendixFormula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Appendix:
+    """What goes with an assignment: its series, its tables, and formulas of works not at hand."""
+
+    series: tuple[AppendixTable, ...]
+    tables: tuple[AppendixTable, ...]
+    works: tuple[QuotedWork, ...]
+
+    @property
+    def any(self) -> bool:
+        """Whether there is anything to print."""
+        return bool(self.series or self.tables or self.works)
+
+
+def appendix_of(plan: Plan, words: Words) -> Appendix:
+    """Return the appendix of a plan's assignment."""
+    found = [(one.is_series, _table(one, words)) for one in needed_tables(plan)]
+    return Appendix(
+        series=tuple(one for is_series, one in found if is_series),
+        tables=tuple(one for is_series, one in found if not is_series),
+        works=tuple(_works(plan, words)),
+    )
+
+
+def cited_tables(plan: Plan) -> dict[str, Message]:
+    """Return by id what a question says of where in the appendix its answer is taken from."""
+    return {
+        name: message("app. {numbers}", numbers=", ".join(str(one.number) for one in tables))
+        for name, tables in tables_by_taker(needed_tables(plan)).items()
+    }
+
+
+def _table(one: NeededTable, words: Words) -> AppendixTable:
+    catalogue, language = one.catalogue, words.language
+    title = catalogue.source if catalogue.title is None else catalogue.title
+    written = tuple(tuple(words.number(size, _FIGURES) for size in row) for row in one.rows)
+    units = tuple(unit_text(catalogue.units[name], language) for name in one.columns)
+    across = len(one.columns) <= _FEW and len(one.rows) > _LONG
+    taken = (q.symbol.of(language) for q in one.takers if q.kind is not Kind.VERDICT)
+    return AppendixTable(
+        number=one.number,
+        title=title.of(language),
+        takers=tuple(dict.fromkeys(symbol for symbol in taken if symbol)),
+        unit=units[0],
+        sizes=tuple(row[0] for row in written) if one.is_series else (),
+        headings=tuple(
+            (catalogue.headings[name].of(language) if name in catalogue.headings else "", unit)
+            for name, unit in zip(one.columns, units, strict=True)
+        ),
+        rows=() if one.is_series else written,
+        wide=len(one.columns) > _WIDE or across,
+        across=across,
+    )
+
+
+def _works(plan: Plan, words: Words) -> Iterator[QuotedWork]:
+    for work in plan.course.works.values():
+        if work.at_hand:
+            continue
+        cited = (q for q in plan.answered if q.source.work == work.id and q.kind is Kind.FORMULA)
+        formulas = tuple(one for q in cited if (one := _formula(q, plan, words)) is not None)
+        if formulas:
+            yield QuotedWork(work.title.of(words.language), formulas)
+
+
+def _formula(quantity: Quantity, plan: Plan, words: Words) -> AppendixFormula | None:
+    line = worked_line(quantity, {}, None, plan, words)
+    if line is None:
+        return None
+    title = quantity.title.of(words.language)
+    return AppendixFormula(title, line, entering_units(quantity, plan, words))

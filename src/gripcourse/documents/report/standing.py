@@ -1,0 +1,91 @@
+"""Where a work stands: scales, points that wait for a person, attempts and lateness."""
+
+from collections.abc import Mapping
+from datetime import datetime
+
+from gripcourse.course.quantity import Quantity
+from gripcourse.grading.model import Report
+from gripcourse.policy.scales import CountedPoints, Scale, grade_text
+from gripcourse.text.amounts import percent_text, points_text
+from gripcourse.text.words import Message, Words, message
+
+
+def standing_of(report: Report) -> CountedPoints:
+    """Return the points of a report, with those that wait for a person."""
+    return CountedPoints(
+        earned=report.earned,
+        possible=report.max_score + report.open_points,
+        waiting=report.open_points * (1 - (report.timing.deduction if report.timing else 0.0)),
+    )
+
+
+def grades_of(report: Report, scales: tuple[Scale, ...], words: Words) -> list[tuple[str, str]]:
+    """Return title and grade of each scale; none for a file that was not judged."""
+    if not report.judged:
+        return []
+    standing = standing_of(report)
+    return [
+        (scale.title.of(words.language), grade_text(scale, standing, words)) for scale in scales
+    ]
+
+
+def waiting_text(report: Report, quantities: Mapping[str, Quantity], words: Words) -> str:
+    """Say how many points wait for a person, and for which items; nothing where none do.
+
+    Args:
+        report: of a judged file.
+        quantities: of its plan, by id.
+        words: the reader's language.
+    """
+    if not report.judged or not report.open_points:
+        return ""
+    names = [
+        quantities[one.quantity].title.of(words.language)
+        if one.quantity in quantities
+        else one.quantity
+        for one in report.findings
+        if one.is_open
+    ]
+    said = message(
+        "{points} of {total} points wait for a person: {names}.",
+        points=points_text(report.open_points, words),
+        total=points_text(report.max_score + report.open_points, words),
+        names="; ".join(names),
+    )
+    return words.say(said)
+
+
+def timing_texts(report: Report, words: Words) -> list[str]:
+    """Say which attempt a work is, whether it counts, and what lateness costs."""
+    timing = report.timing
+    if timing is None or not report.judged:
+        return []
+    said: list[Message] = []
+    if timing.of > 1:
+        number, of = timing.number, timing.of
+        said.append(
+            message("Attempt {number} of {of}: this one counts.", number=number, of=of)
+            if timing.counts
+            else message("Attempt {number} of {of}: another one counts.", number=number, of=of)
+        )
+    if timing.days_late and timing.handed_in and timing.deadline:
+        said.append(
+            message(
+                "Handed in {when}, the deadline was {deadline}: {days} days late. Lateness takes "
+                "{share} off, {earned} of {score} points count.",
+                when=_moment(timing.handed_in, timing.deadline),
+                deadline=_moment(timing.deadline, timing.deadline),
+                days=timing.days_late,
+                share=percent_text(timing.deduction, words),
+                earned=points_text(report.earned, words),
+                score=points_text(report.score, words),
+            )
+        )
+    if timing.waived:
+        said.append(message("Lateness was waived: {why}", why=timing.waived))
+    return [words.say(one) for one in said]
+
+
+def _moment(moment: datetime, zone_of: datetime) -> str:
+    """Write a moment in the time zone of the deadline, which is the course's."""
+    return f"{moment.astimezone(zone_of.tzinfo):%Y-%m-%d %H:%M}"

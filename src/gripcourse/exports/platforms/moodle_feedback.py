@@ -1,0 +1,63 @@
+"""The zip of feedback files that Moodle hands out to its participants.
+
+Moodle ignores without a word what is not named as it wants: the participant's number must stand
+between the first two low lines, and the plug-in after it.
+"""
+
+import io
+import re
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Final
+
+from gripcourse.exports.platforms.moodle_worksheet import FilledWorksheet
+from gripcourse.exports.platforms.works import GradedWork, PlatformRow
+from gripcourse.text.words import Message, Words, message
+
+# What Moodle takes out of names.
+_DROPPED: Final = re.compile(r"[\x00-\x1f\x7f&<>\"`|':\\/]")
+_REPORT: Final = message("report")
+_EPOCH: Final = (1980, 1, 1, 0, 0, 0)
+_READABLE: Final = 0o644
+
+
+def feedback_zip(
+    filled: FilledWorksheet, report_of: Callable[[GradedWork], Path], words: Words
+) -> tuple[bytes, tuple[Message, ...]]:
+    """Return the zip, the same bytes for the same reports, and notes on works without a report.
+
+    Args:
+        filled: the worksheet with its grades.
+        report_of: tells where a work's report lies.
+        words: the language of the names of files.
+    """
+    stream, notes = io.BytesIO(), []
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for row, work in _of_works(filled):
+            report = report_of(work)
+            if not row.number or not report.is_file():
+                notes.append(message("There is no report of {student}.", student=work.said))
+                continue
+            info = zipfile.ZipInfo(feedback_name(row, work, words), _EPOCH)
+            info.external_attr = _READABLE << 16
+            archive.writestr(info, report.read_bytes(), zipfile.ZIP_DEFLATED)
+    return stream.getvalue(), tuple(notes)
+
+
+def feedback_name(row: PlatformRow, work: GradedWork, words: Words) -> str:
+    """Return the name of a report in the zip, with its folder."""
+    full_name = row.name or (work.part.name if work.part else "")
+    file = f"{words.say(_REPORT)}_{work.report.variant}.pdf"
+    return f"{_clean(full_name)}_{row.number}_assignfeedback_file/{_DROPPED.sub('', file)}"
+
+
+def _clean(name: str) -> str:
+    return _DROPPED.sub("", name.replace("_", " ")).strip(" .~")
+
+
+def _of_works(filled: FilledWorksheet) -> Iterator[tuple[PlatformRow, GradedWork]]:
+    for _, _, row in filled.worksheet.rows():
+        work = filled.matching.works.get(row.line)
+        if work is not None:
+            yield row, work

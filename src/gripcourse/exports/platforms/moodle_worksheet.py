@@ -1,0 +1,226 @@
+"""Moodle's offline grading worksheet with the grades filled in.
+
+Its import fails silently in many ways, so the instructor's own export is the base: numbers of the
+participants, headings, encoding and order come from it. Only the grade and the comment are filled
+in, the grade with a decimal point, which every language of Moodle reads; a row without a work stays
+byte for byte. A date of the last grade that Moodle wrote and cannot read again would make it skip
+the row: it is written so that it can.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.platforms.moodle_words import (
+    HEADINGS,
+    MONTHS,
+    NOT_CHANGEABLE,
+    REQUIRED,
+    MoodleColumn,
+)
+from gripcourse.exports.platforms.raw_table import RawTable, read_raw_table
+from gripcourse.exports.platforms.works import GradedWork, Matching, PlatformRow, match
+from gripcourse.machine.content import Readable
+from gripcourse.text.words import Message, message
+
+_NUMBER: Final = re.compile(r"(\d+)$")
+_DATE: Final = re.compile(
+    r"(?P<day>\d{1,2})\s+(?P<month>[^\W\d_]+)\s+(?P<year>\d{4})\D+"
+    r"(?P<hour>\d{1,2}):(?P<minute>\d\d)\s*(?P<half>[AaPp][Mm])?"
+)
+_NONE: Final = {"", "-"}
+_NOON: Final = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Worksheet:
+    """A worksheet as it was understood.
+
+    Attributes:
+        table: as it came.
+        language: of its headings.
+        columns: where each known column stands.
+    """
+
+    table: RawTable
+    language: str
+    columns: Mapping[MoodleColumn, int]
+
+    def cell(self, row: Sequence[str], column: MoodleColumn) -> str:
+        """Return what a row has in a column; nothing where there is no such column."""
+        return row[self.columns[column]].strip() if column in self.columns else ""
+
+    def rows(self) -> Iterator[tuple[int, tuple[str, ...], PlatformRow]]:
+        """Yield the place of each person's row, its cells and who it is about."""
+        for place, cells in enumerate(self.table.rows[1:], start=1):
+            if not any(cells):
+                continue
+            number = _NUMBER.search(self.cell(cells, MoodleColumn.IDENTIFIER))
+            keys = [cell for at, cell in enumerate(cells) if at not in self.columns.values()]
+            name = self.cell(cells, MoodleColumn.NAME)
+            yield (
+                place,
+                cells,
+                PlatformRow(place + 1, number[1] if number else "", tuple(keys), name),
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class FilledWorksheet:
+    """A worksheet with its grades.
+
+    Attributes:
+        content: the file for Moodle.
+        filled: how many rows have a grade now: so many Moodle should say that it updated.
+        notes: works without a row and rows that were left alone, each with the reason.
+        matching: which row is whose.
+        worksheet: as it was.
+    """
+
+    content: bytes
+    filled: int
+    notes: tuple[Message, ...]
+    matching: Matching
+    worksheet: Worksheet
+
+
+def read_worksheet(source: Readable) -> Worksheet:
+    """Read a grading worksheet as Moodle exports it.
+
+    Raises:
+        UsageError: headings that Moodle must have are in no known language or missing.
+        OSError: it cannot be read.
+    """
+    table = read_raw_table(source, lambda header: max(map(len, _all_columns(header).values())))
+    by_language = _all_columns(table.header)
+    language = max(by_language, key=lambda one: len(by_language[one]))
+    columns = by_language[language]
+    missing = [one for one in REQUIRED if one not in columns]
+    if missing:
+        raise UsageError([_unknown(table, one) for one in missing])
+    return Worksheet(table, language, columns)
+
+
+def fill_worksheet(
+    worksheet: Worksheet, works: Sequence[GradedWork], comment: Callable[[GradedWork], str]
+) -> FilledWorksheet:
+    """Fill the grades of works into a worksheet.
+
+    Args:
+        worksheet: as it was exported.
+        works: that count.
+        comment: makes the HTML of a comment.
+
+    Raises:
+        UsageError: rows that Moodle could not tell apart, or a scale instead of points.
+    """
+    rows = tuple(worksheet.rows())
+    matching = match(works, [row for _, _, row in rows], worksheet.table.file)
+    changed: dict[int, tuple[str, ...]] = {}
+    notes = list(matching.notes)
+    for place, cells, row in rows:
+        work = matching.works.get(row.line)
+        if work is None:
+            continue
+        if worksheet.cell(cells, MoodleColumn.CHANGEABLE) in NOT_CHANGEABLE:
+            notes.append(_locked(work, row))
+            continue
+        changed[place] = _filled(worksheet, cells, work, comment(work), row)
+        date = worksheet.columns[MoodleColumn.GRADED_AT]
+        if changed[place][date].strip() not in _NONE and not _is_readable(changed[place][date]):
+            notes.append(_odd_date(work, row, changed[place][date]))
+    content = worksheet.table.with_rows(changed)
+    return FilledWorksheet(content, len(changed), tuple(notes), matching, worksheet)
+
+
+def _all_columns(header: Sequence[str]) -> dict[str, dict[MoodleColumn, int]]:
+    """Find the columns of a row of headings, for each language."""
+    places = {cell.strip(): place for place, cell in enumerate(header)}
+    return {
+        language: {column: places[word] for column, word in words.items() if word in places}
+        for language, words in HEADINGS.items()
+    }
+
+
+def _filled(
+    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, comment: str, row: PlatformRow
+) -> tuple[str, ...]:
+    filled = list(cells)
+    maximum = _maximum(worksheet, cells, work, row)
+    filled[worksheet.columns[MoodleColumn.GRADE]] = f"{work.share * maximum:.2f}"
+    if MoodleColumn.COMMENT in worksheet.columns:
+        filled[worksheet.columns[MoodleColumn.COMMENT]] = comment
+    date = worksheet.columns[MoodleColumn.GRADED_AT]
+    if worksheet.language != "en":
+        filled[date] = _readable_date(filled[date], worksheet.language)
+    return tuple(filled)
+
+
+def _maximum(
+    worksheet: Worksheet, cells: Sequence[str], work: GradedWork, row: PlatformRow
+) -> float:
+    """Return the points that the platform has for the assignment; without any, our own."""
+    written = worksheet.cell(cells, MoodleColumn.MAXIMUM)
+    if not written and not worksheet.cell(cells, MoodleColumn.SCALE):
+        return work.total
+    try:
+        return float("".join(written.split()).replace(",", "."))
+    except ValueError:
+        what = message("The assignment has a scale of words there, no points.")
+        remedy = message("Set the assignment to points in Moodle and export the worksheet again.")
+        place = message("row {row}", row=row.line)
+        raise UsageError([Problem(worksheet.table.file, place, what, remedy)]) from None
+
+
+def _readable_date(written: str, language: str) -> str:
+    """Return a localised date as Moodle can read it; what is no such date stays."""
+    found = _DATE.search(written)
+    if found is None:
+        return written
+    month = found["month"].casefold()
+    names = next((names for names in (MONTHS[language], MONTHS["en"]) if month in names), None)
+    if names is None:
+        return written
+    hour = int(found["hour"])
+    if found["half"] and hour <= _NOON:
+        hour = hour % _NOON + _NOON * (found["half"].casefold() == "pm")
+    number = names.index(month) + 1
+    return f"{found['year']}-{number:02d}-{int(found['day']):02d} {hour:02d}:{found['minute']}"
+
+
+def _is_readable(written: str) -> bool:
+    """Tell whether a date holds nothing but English words and digits."""
+    return written.isascii()
+
+
+def _unknown(table: RawTable, column: MoodleColumn) -> Problem:
+    return Problem(
+        table.file,
+        "",
+        message(
+            "No heading is {known}. The headings are: {found}.",
+            known=" / ".join(f"'{words[column]}'" for words in HEADINGS.values()),
+            found=", ".join(table.header),
+        ),
+        message("Switch Moodle to English, Russian or Ukrainian and export the worksheet again."),
+    )
+
+
+def _locked(work: GradedWork, row: PlatformRow) -> Message:
+    return message(
+        "Row {row}: the grade of {student} cannot be changed in Moodle; it was left alone.",
+        row=row.line,
+        student=work.said,
+    )
+
+
+def _odd_date(work: GradedWork, row: PlatformRow, date: str) -> Message:
+    return message(
+        "Row {row}: Moodle may not understand the date '{date}' and skip {student}; allow it to"
+        " update records that were changed since.",
+        row=row.line,
+        date=date,
+        student=work.said,
+    )

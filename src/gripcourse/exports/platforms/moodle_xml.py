@@ -1,0 +1,123 @@
+"""Variants as questions that Moodle imports: one of many parts for each, for a self-test.
+
+The answers are in the file: it is for the instructor. Moodle reads only a decimal point and only an
+absolute tolerance, and it knows nothing of consequences: a part counts by its own number alone.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+from html import escape
+from typing import Final
+from xml.etree import ElementTree as ET
+
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.documents.assignment_sheet import given_data
+from gripcourse.policy.bands import band
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
+from gripcourse.solver.plan import plan_of
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.shown import shown
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words, message
+from gripcourse.variants.model import Variant
+
+_LOWERED: Final = re.compile(r"_([^\W_]+)")
+_DIGITS: Final = 10  # significant
+_LEAST: Final = 1e-9  # a tolerance of zero would refuse what floating point rounds
+_WEIGHT: Final = 10  # weights are whole numbers: tenths of points
+_PENALTY: Final = "0.3333333"
+
+
+def moodle_xml(variants: Iterable[Variant], course: Course, policy: Policy, words: Words) -> bytes:
+    """Return the questions as Moodle XML.
+
+    Args:
+        variants: each becomes a question in a category of its own.
+        course: whose variants they are.
+        policy: points and tolerances.
+        words: the language of the questions.
+    """
+    quiz = ET.Element("quiz")
+    for variant in variants:
+        _add_category(quiz, variant, course, words)
+        _add_question(quiz, variant, course, policy, words)
+    ET.indent(quiz)
+    return bytes(ET.tostring(quiz, encoding="utf-8", xml_declaration=True))
+
+
+def _add_category(quiz: ET.Element, variant: Variant, course: Course, words: Words) -> None:
+    question = ET.SubElement(quiz, "question", type="category")
+    # A stroke divides categories; a doubled one is a stroke.
+    parts = (course.title.of(words.language), _title(variant, words))
+    path = "/".join(("$course$", "top", *(shown(one).replace("/", "//") for one in parts)))
+    ET.SubElement(ET.SubElement(question, "category"), "text").text = path
+    ET.SubElement(question, "idnumber").text = shown(f"{course.id}-{variant.id}")
+
+
+def _add_question(
+    quiz: ET.Element, variant: Variant, course: Course, policy: Policy, words: Words
+) -> None:
+    question = ET.SubElement(quiz, "question", type="cloze")
+    ET.SubElement(ET.SubElement(question, "name"), "text").text = shown(_title(variant, words))
+    text = ET.SubElement(question, "questiontext", format="html")
+    ET.SubElement(text, "text").text = shown("".join(_html(variant, course, policy, words)))
+    ET.SubElement(ET.SubElement(question, "generalfeedback", format="html"), "text").text = ""
+    ET.SubElement(question, "penalty").text = _PENALTY
+    ET.SubElement(question, "hidden").text = "0"
+    ET.SubElement(question, "idnumber").text = shown(f"{course.id}-{variant.id}")
+
+
+def _title(variant: Variant, words: Words) -> str:
+    return words.say(message("Variant {id}", id=variant.id))
+
+
+def _html(variant: Variant, course: Course, policy: Policy, words: Words) -> Iterator[str]:
+    """Yield the text of a question: what is given, then a line for each answer."""
+    plan = plan_of(course, variant.composition)
+    language = words.language
+    yield f"<p>{escape(plan.scheme.task.of(language))}</p><ul>"
+    for datum in given_data(plan.givens, variant.given, words):
+        value = f"{datum.value} {datum.unit}".strip()
+        yield f"<li>{escape(datum.title)}: {_symbol(datum.symbol)} = {escape(value)}</li>"
+    yield "</ul>"
+    values, points = solve_variant(plan, variant.given), points_of(plan, policy)
+    for section in course.sections:
+        asked = [one for one in plan.answered if one.section == section.id]
+        if asked:
+            yield f"<h4>{escape(section.title.of(language))}</h4>"
+        for quantity in asked:
+            answer = _answer(quantity, values[quantity.id], points[quantity.id], policy, words)
+            yield _line(quantity, answer, language)
+
+
+def _line(quantity: Quantity, answer: str, language: str) -> str:
+    unit = escape(unit_text(quantity.unit, language))
+    symbol = _symbol(quantity.symbol.of(language))
+    named = quantity.kind is not Kind.VERDICT and symbol
+    return (
+        f"<p>{escape(quantity.title.of(language))}: "
+        f"{f'{symbol} = ' if named else ''}{answer} {unit}</p>"
+    )
+
+
+def _answer(quantity: Quantity, value: float, points: float, policy: Policy, words: Words) -> str:
+    """Return an answer as Moodle's text holds it: weight, kind, what is right and how nearly."""
+    weight = max(1, round(_WEIGHT * points))
+    if quantity.kind is Kind.VERDICT:
+        yes, no = words.say(message("yes")), words.say(message("no"))
+        right, wrong = (yes, no) if value else (no, yes)
+        return f"{{{weight}:MC:={right}~{wrong}}}"
+    tolerance = max(band(quantity, value, policy), _LEAST * abs(value))
+    return f"{{{weight}:NM:={_plain(value)}:{_plain(tolerance)}}}"
+
+
+def _plain(value: float) -> str:
+    """Write a number with a point and without an exponent."""
+    return f"{Decimal(f'{value:.{_DIGITS}g}'):f}"
+
+
+def _symbol(symbol: str) -> str:
+    return _LOWERED.sub(r"<sub>\1</sub>", escape(symbol))

@@ -1,0 +1,128 @@
+"""A platform's table as it came: encoding, separator, line ends, and every row as it stood.
+
+What nobody fills in goes back byte for byte.
+"""
+
+import csv
+import io
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from charset_normalizer import from_bytes
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import Readable, content_of, shown_name
+from gripcourse.text.words import message
+
+_SEPARATORS: Final = (",", ";", "\t", ":")
+_BOM: Final = b"\xef\xbb\xbf"
+_CYRILLIC: Final = "cp1251"
+# A row ends at a line end outside of quotes.
+_RECORD: Final = re.compile(r'(?:[^"\r\n]|"(?:[^"]|"")*(?:"|$))*(?:\r\n|\n|\r|$)')
+_LINE_ENDS: Final = "\r\n"
+
+RateHeader = Callable[[Sequence[str]], int]
+"""Tells how many headings of a row are known."""
+
+
+@dataclass(frozen=True, slots=True)
+class RawTable:
+    """A table as it came.
+
+    Attributes:
+        file: what it is called.
+        encoding: of its text.
+        separator: between cells.
+        records: every row as it stood, with its line end.
+        rows: the cells of each record.
+    """
+
+    file: str
+    encoding: str
+    separator: str
+    records: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    @property
+    def header(self) -> tuple[str, ...]:
+        """The headings."""
+        return self.rows[0]
+
+    def with_rows(self, changed: Mapping[int, Sequence[str]]) -> bytes:
+        """Return the file with some rows changed, by their place among the records."""
+        written = [
+            self._written(changed[place], record) if place in changed else record
+            for place, record in enumerate(self.records)
+        ]
+        return "".join(written).encode(self.encoding, errors="xmlcharrefreplace")
+
+    def _written(self, cells: Sequence[str], record: str) -> str:
+        stream = io.StringIO(newline="")
+        csv.writer(stream, delimiter=self.separator, lineterminator="").writerow(cells)
+        end = record[len(record.rstrip(_LINE_ENDS)) :]
+        return stream.getvalue() + end
+
+
+def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
+    """Read a table in whatever way a platform or a spreadsheet program wrote it.
+
+    Args:
+        source: the file, or its bytes.
+        known: tells how many headings of a row are known: the separator with the most is right.
+
+    Raises:
+        UsageError: it is no table of text, or a row has other cells than the headings.
+        OSError: it cannot be read.
+    """
+    data, file = content_of(source), shown_name(source)
+    encoding = _encoding(data)
+    if encoding is None:
+        what = message("This is no table of text.")
+        remedy = message("Download the table again, as CSV; a workbook is something else.")
+        raise UsageError([Problem(file, "", what, remedy)])
+    text = data.decode(encoding)
+    records = tuple(found[0] for found in _RECORD.finditer(text) if found[0])
+    if not records:
+        what, remedy = message("The table is empty."), message("Export it again.")
+        raise UsageError([Problem(file, "", what, remedy)])
+    separator = max(_SEPARATORS, key=lambda one: known(_cells(records[0], one)))
+    rows = tuple(_cells(record, separator) for record in records)
+    problems = [
+        Problem(
+            file,
+            message("row {row}", row=number),
+            message(
+                "It has {count} cells, the headings are {wanted}.",
+                count=len(row),
+                wanted=len(rows[0]),
+            ),
+            message("Export the table from the platform again and leave its rows as they are."),
+        )
+        for number, row in enumerate(rows, start=1)
+        if row and len(row) != len(rows[0])
+    ]
+    if problems:
+        raise UsageError(problems)
+    return RawTable(file, encoding, separator, records, rows)
+
+
+def _cells(record: str, separator: str) -> tuple[str, ...]:
+    rows = csv.reader([record.rstrip(_LINE_ENDS)], delimiter=separator)
+    if "\n" in record.rstrip(_LINE_ENDS) or "\r" in record.rstrip(_LINE_ENDS):
+        rows = csv.reader(io.StringIO(record.rstrip(_LINE_ENDS), newline=""), delimiter=separator)
+    return tuple(next(rows, ()))
+
+
+def _encoding(data: bytes) -> str | None:
+    if data.startswith(_BOM):
+        return "utf-8-sig"
+    if b"\0" in data:
+        return "utf-16" if data.startswith((b"\xff\xfe", b"\xfe\xff")) else None
+    try:
+        data.decode()
+    except UnicodeDecodeError:
+        best = from_bytes(data, cp_isolation=[_CYRILLIC, "koi8_r", "cp866"]).best()
+        return _CYRILLIC if best is None else best.encoding
+    return "utf-8"

@@ -1,0 +1,78 @@
+"""Counting self-checks: who may be told how often whether numbers fit each other.
+
+A file of its own beside the gradebook, kept by the server that answers: a workbook can be changed
+to name anybody, so who asks is what the server knows of whoever is signed in.
+"""
+
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+_SECONDS_TO_WAIT: Final = 30.0
+
+
+@dataclass(frozen=True, slots=True)
+class CheckLedger:
+    """Where self-checks are counted, and for whom.
+
+    Attributes:
+        path: of the file; it is made where there is none.
+        who: the student, as the server knows who is signed in.
+    """
+
+    path: Path
+    who: str
+
+
+def take_one(ledger: CheckLedger, most: int) -> int | None:
+    """Count one more self-check.
+
+    Args:
+        ledger: where, and for whom.
+        most: how many the student may have.
+
+    Returns:
+        How many are left after this one; None where there was none left.
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+    try:
+        with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT, isolation_level=None)) as file:
+            # Two questions of one student at once must not both get the last one.
+            file.execute("BEGIN IMMEDIATE")
+            file.execute(
+                "CREATE TABLE IF NOT EXISTS checks (who TEXT PRIMARY KEY, taken INTEGER NOT NULL)"
+            )
+            question = "SELECT taken FROM checks WHERE who = ?"
+            row = file.execute(question, (ledger.who,)).fetchone()
+            taken = 0 if row is None else int(row[0])
+            if taken < most:
+                file.execute(
+                    "INSERT INTO checks VALUES (?, 1)"
+                    " ON CONFLICT (who) DO UPDATE SET taken = taken + 1",
+                    (ledger.who,),
+                )
+            file.execute("COMMIT")
+    except sqlite3.Error as fault:
+        raise OSError(None, str(fault), str(ledger.path)) from fault
+    return most - taken - 1 if taken < most else None
+
+
+def left_of(ledger: CheckLedger, most: int) -> int:
+    """Return how many self-checks are left, without taking one.
+
+    Raises:
+        OSError: the file cannot be read.
+    """
+    if not ledger.path.is_file():
+        return most
+    try:
+        with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT)) as file:
+            question = "SELECT taken FROM checks WHERE who = ?"
+            row = file.execute(question, (ledger.who,)).fetchone()
+    except sqlite3.Error as fault:
+        raise OSError(None, str(fault), str(ledger.path)) from fault
+    return most if row is None else max(0, most - int(row[0]))

@@ -1,0 +1,284 @@
+"""The journal of the gradebook: regrades with their reasons, and what students were told.
+
+Entries are added, never changed: taking a regrade back is an entry, too.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from itertools import groupby
+
+from sqlalchemy import select
+
+from gripcourse.gradebook import schema
+from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.rows import Row, in_utc, stored
+from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows, new_attempts
+from gripcourse.gradebook.timing import Waiver
+from gripcourse.gradebook.works import StudentWork
+from gripcourse.grading.model import PointSums
+from gripcourse.machine.database.opening import refusals_named
+
+
+@dataclass(frozen=True, slots=True)
+class Signed:
+    """Who did something, when and why; the reason is empty where none is asked for."""
+
+    person: str
+    done_at: datetime
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Regrade:
+    """A regrade that was applied, or one that takes another back.
+
+    Attributes:
+        number: counts all from 1.
+        undoes: number of the regrade that it takes back; None for one that was applied.
+        signed: by whom, when and why.
+    """
+
+    number: int
+    undoes: int | None
+    signed: Signed
+
+
+@dataclass(frozen=True, slots=True)
+class Published:
+    """What a student was told about one work.
+
+    Attributes:
+        number: of the publication.
+        student: id.
+        attempt: number of the attempt that stood then.
+        points, max_points: with the marks that counted then.
+        signed: by whom and when.
+    """
+
+    number: int
+    student: str
+    attempt: int
+    points: float
+    max_points: float
+    signed: Signed
+
+
+def regrades(book: Gradebook) -> tuple[Regrade, ...]:
+    """Return all regrades, oldest first.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    question = select(schema.regrades).order_by(schema.regrades.c.number)
+    with refusals_named(book.place), book.engine.connect() as connection:
+        found = list(connection.execute(question).mappings())
+    return tuple(
+        Regrade(
+            row["number"],
+            row["undoes"],
+            Signed(row["person"], in_utc(row["done_at"]), row["why"]),
+        )
+        for row in found
+    )
+
+
+def applied(all_: Sequence[Regrade]) -> tuple[Regrade, ...]:
+    """Return the regrades that stand: applied, and not taken back."""
+    undone = {one.undoes for one in all_}
+    return tuple(one for one in all_ if one.undoes is None and one.number not in undone)
+
+
+def keep_regrade(
+    book: Gradebook, attempts: Sequence[Attempt], signed: Signed
+) -> tuple[Attempt, ...]:
+    """Keep a regrade: its entry and the attempts that stand from now on, whole or not at all.
+
+    Args:
+        book: the gradebook.
+        attempts: of works that are known.
+        signed: by whom, when and why.
+
+    Returns:
+        The attempts with their numbers; none where all stand just so already, without an entry.
+
+    Raises:
+        GradebookError: the database failed; nothing was kept.
+    """
+    students = {one.student for one in attempts}
+
+    def fresh() -> tuple[Attempt, ...]:
+        number = _next_regrade(book)
+        found = new_attempts(attempts, book.attempts(students), book.undone())
+        return tuple(replace(one, regrade=number) for one in found)
+
+    def rows_of(found: tuple[Attempt, ...]) -> Writing:
+        number = next(one.regrade for one in found)
+        entry = _regrade_row(Regrade(number or 0, None, signed))
+        return [(schema.regrades, [entry]), *attempt_rows(found)]
+
+    return book.add(fresh, rows_of)
+
+
+def keep_undoing(book: Gradebook, signed: Signed) -> tuple[Regrade, ...]:
+    """Take the last regrade that stands back, by a new entry.
+
+    Returns:
+        The entry; nothing where no regrade stands.
+
+    Raises:
+        GradebookError: the database failed; nothing was kept.
+    """
+
+    def fresh() -> tuple[Regrade, ...]:
+        stands = applied(regrades(book))
+        return (Regrade(_next_regrade(book), stands[-1].number, signed),) if stands else ()
+
+    return book.add(fresh, lambda found: [(schema.regrades, [_regrade_row(found[0])])])
+
+
+def publications(book: Gradebook) -> tuple[Published, ...]:
+    """Return what students were told, oldest first.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    one = schema.publications.c
+    question = select(schema.publications).order_by(one.number, one.student, one.attempt)
+    with refusals_named(book.place), book.engine.connect() as connection:
+        found = list(connection.execute(question).mappings())
+    return tuple(
+        Published(
+            number=row["number"],
+            student=row["student"],
+            attempt=row["attempt"],
+            points=row["points"],
+            max_points=row["max_points"],
+            signed=Signed(row["person"], in_utc(row["done_at"])),
+        )
+        for row in found
+    )
+
+
+def keep_publication(
+    book: Gradebook, told: Mapping[StudentWork, PointSums], signed: Signed
+) -> tuple[Published, ...]:
+    """Keep that students are told what stands; who was told just so already is not kept twice.
+
+    Raises:
+        GradebookError: the database failed; nothing was kept.
+    """
+
+    def fresh() -> tuple[Published, ...]:
+        before = publications(book)
+        known = {
+            (student, attempt): list(group)[-1].points
+            for (student, attempt), group in groupby(
+                sorted(before, key=_key), key=lambda one: (one.student, one.attempt)
+            )
+        }
+        number = max((one.number for one in before), default=0) + 1
+        return tuple(
+            Published(number, work.student, work.attempt.number, sums.score, sums.max_score, signed)
+            for work, sums in told.items()
+            if known.get((work.student, work.attempt.number)) != sums.score
+        )
+
+    return book.add(
+        fresh, lambda found: [(schema.publications, [_published_row(one) for one in found])]
+    )
+
+
+def published_works(book: Gradebook) -> frozenset[tuple[str, str]]:
+    """Return student and digest of each work that its student was told about.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    told = publications(book)
+    digests = {
+        (one.student, one.number): one.digest
+        for one in (book.attempts({one.student for one in told}) if told else ())
+    }
+    return frozenset((one.student, digests[one.student, one.attempt]) for one in told)
+
+
+def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
+    """Return the waivers of each student, oldest first.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    one = schema.waivers.c
+    question = select(schema.waivers).order_by(one.student, one.number)
+    with refusals_named(book.place), book.engine.connect() as connection:
+        found = list(connection.execute(question).mappings())
+    made = [
+        Waiver(
+            student=row["student"],
+            number=row["number"],
+            until=None if row["until"] is None else in_utc(row["until"]),
+            withdrawn=bool(row["withdrawn"]),
+            person=row["person"],
+            done_at=in_utc(row["done_at"]),
+            why=row["why"],
+        )
+        for row in found
+    ]
+    return {name: tuple(group) for name, group in groupby(made, key=lambda one: one.student)}
+
+
+def keep_waiver(book: Gradebook, waiver: Waiver) -> Waiver:
+    """Keep a waiver, numbered.
+
+    Raises:
+        GradebookError: the database failed; nothing was kept.
+    """
+
+    def fresh() -> tuple[Waiver, ...]:
+        before = waivers(book).get(waiver.student, ())
+        return (replace(waiver, number=len(before) + 1),)
+
+    return book.add(fresh, lambda found: [(schema.waivers, [_waiver_row(found[0])])])[0]
+
+
+def _waiver_row(one: Waiver) -> Row:
+    return {
+        "student": one.student,
+        "number": one.number,
+        "until": None if one.until is None else stored(one.until),
+        "withdrawn": one.withdrawn,
+        "person": one.person,
+        "done_at": stored(one.done_at),
+        "why": one.why,
+    }
+
+
+def _key(one: Published) -> tuple[str, int, int]:
+    return one.student, one.attempt, one.number
+
+
+def _next_regrade(book: Gradebook) -> int:
+    return max((one.number for one in regrades(book)), default=0) + 1
+
+
+def _regrade_row(one: Regrade) -> Row:
+    return {
+        "number": one.number,
+        "undoes": one.undoes,
+        "person": one.signed.person,
+        "done_at": stored(one.signed.done_at),
+        "why": one.signed.why,
+    }
+
+
+def _published_row(one: Published) -> Row:
+    return {
+        "number": one.number,
+        "student": one.student,
+        "attempt": one.attempt,
+        "person": one.signed.person,
+        "done_at": stored(one.signed.done_at),
+        "points": one.points,
+        "max_points": one.max_points,
+    }

@@ -1,0 +1,125 @@
+"""Attempts and time: what lateness costs, and which work of a student counts. Pure."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from gripcourse.gradebook.model import GradebookEntry
+from gripcourse.gradebook.works import StudentWork, points_of
+from gripcourse.grading.model import Timing
+from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
+
+_DAY = timedelta(days=1)
+
+
+@dataclass(frozen=True, slots=True)
+class Waiver:
+    """That somebody's lateness is not counted; the last one of a student counts.
+
+    Attributes:
+        student: id.
+        number: counts the student's from 1; 0 before it is kept.
+        until: until when handing in costs nothing; None for ever.
+        withdrawn: whether the waivers before it count no longer.
+        person, done_at, why: who decided, when and why.
+    """
+
+    student: str
+    number: int
+    until: datetime | None
+    withdrawn: bool
+    person: str
+    done_at: datetime
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """What a policy says of time and attempts; see `policy.time_rules`."""
+
+    late: LateRule | None
+    attempts: AttemptRule | None
+
+
+def timings_of(
+    works: Sequence[StudentWork],
+    marked: Mapping[str, GradebookEntry],
+    deadline: datetime | None,
+    waiver: Waiver | None,
+    rules: Rules,
+) -> dict[str, Timing]:
+    """Return the timing of each work of one student, by digest.
+
+    Args:
+        works: of the student.
+        marked: the marks of the student that count, by quantity.
+        deadline: of the student; None for none.
+        waiver: the student's last; None for none.
+        rules: of the policy.
+    """
+    ordered = sorted(works, key=lambda one: (one.handed_in or one.first.graded_at, one.number))
+    costs = {one.digest: _cost(one.handed_in, deadline, waiver, rules.late) for one in ordered}
+    most = rules.attempts.most if rules.attempts else 0
+    may = [one for one in (ordered[:most] if most else ordered) if one.attempt.judged]
+    counting = _counting(may, marked, {name: cost for name, (_, cost) in costs.items()}, rules)
+    waived = waiver.why if waiver is not None and not waiver.withdrawn else ""
+    return {
+        one.digest: Timing(
+            number=number,
+            of=len(ordered),
+            counts=counting is None or one.digest == counting,
+            handed_in=one.handed_in,
+            deadline=deadline,
+            days_late=costs[one.digest][0],
+            deduction=costs[one.digest][1],
+            waived=waived,
+        )
+        for number, one in enumerate(ordered, start=1)
+    }
+
+
+def _cost(
+    handed_in: datetime | None,
+    deadline: datetime | None,
+    waiver: Waiver | None,
+    rule: LateRule | None,
+) -> tuple[int, float]:
+    """Return the days begun after the deadline, and the share of the points that they cost."""
+    if rule is None or handed_in is None or deadline is None:
+        return 0, 0.0
+    last = deadline
+    if waiver is not None and not waiver.withdrawn:
+        if waiver.until is None:
+            return 0, 0.0
+        last = max(deadline, waiver.until)
+    over = handed_in - last
+    if over <= timedelta(hours=rule.grace):
+        return 0, 0.0
+    days = math.ceil(over / _DAY)
+    return days, min(days * rule.per_day, rule.most)
+
+
+def _counting(
+    works: Sequence[StudentWork],
+    marked: Mapping[str, GradebookEntry],
+    costs: Mapping[str, float],
+    rules: Rules,
+) -> str | None:
+    """Return the digest of the work that counts; None where the policy has no rule."""
+    if rules.attempts is None:
+        return None
+    if not works:
+        return ""
+    if rules.attempts.counts is Counts.FIRST:
+        return works[0].digest
+    if rules.attempts.counts is Counts.LAST:
+        return works[-1].digest
+
+    def worth(work: StudentWork) -> float:
+        sums = points_of(work.attempt.results, marked)
+        possible = sums.max_score + sums.open_points
+        return sums.score * (1 - costs[work.digest]) / possible if possible else 0.0
+
+    # Of two that are worth the same the later one: its report is the one that was read last.
+    return max(reversed(works), key=worth).digest

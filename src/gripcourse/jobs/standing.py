@@ -1,0 +1,86 @@
+"""Workers that stay between jobs, for who has to answer at once.
+
+A batch opens its workers and lets them go; a server would let every visitor wait for a new process
+that first unpacks the course.
+"""
+
+import pickle
+import threading
+import uuid
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor
+from typing import Any
+
+from gripcourse.jobs.lost import Lost
+from gripcourse.jobs.pools import PROCESSES, Pool
+from gripcourse.jobs.work import Task, do, install, perform
+from gripcourse.jobs.workers import run_each
+
+
+class StandingWorkers:
+    """Workers for one task, bounded like those of a batch; they may be asked from any thread.
+
+    Attributes:
+        task: what is done with each item.
+        workers: how many processes.
+        pool: whose memory is apart; None for none: each job in the thread that asks, unbounded.
+    """
+
+    def __init__(
+        self,
+        work: Callable[[Any, Any], Any],
+        shared: object,
+        *,
+        workers: int,
+        seconds: float,
+        pool: Pool | None = PROCESSES,
+    ) -> None:
+        limits = None if pool is None else pool.limits
+        self.task = Task(work, shared, seconds, limits)
+        self.workers = workers
+        self.pool = pool
+        self._name = uuid.uuid4().hex
+        self._lock = threading.Lock()
+        self._opened: Executor | None = None
+
+    def do(self, item: object) -> Any | Lost:  # noqa: ANN401 (whatever the work returns)
+        """Do a job and wait for it; what fails on our side is `Lost`."""
+        if self.pool is None:
+            return do(self.task, item)
+        executor = self._executor(self.pool)
+        try:
+            return executor.submit(perform, self._name, item).result()
+        except (BrokenExecutor, RuntimeError):
+            # A worker died, of this job or of a neighbour's, and all that were opened with it are
+            # of no use. Alone it is found out whose job it was.
+            self._discard(executor)
+        jobs = run_each(
+            self.task.work,
+            [item],
+            self.task.shared,
+            workers=1,
+            seconds=self.task.seconds,
+            pool=self.pool,
+        )
+        ((_, outcome),) = jobs
+        return outcome
+
+    def close(self) -> None:
+        """Let the workers go."""
+        with self._lock:
+            opened, self._opened = self._opened, None
+        if opened is not None:
+            opened.shutdown(cancel_futures=True)
+
+    def _executor(self, pool: Pool) -> Executor:
+        with self._lock:
+            if self._opened is None:
+                first = (self._name, pickle.dumps(self.task), pool.limits)
+                self._opened = pool.open(self.workers, install, first)
+            return self._opened
+
+    def _discard(self, executor: Executor) -> None:
+        with self._lock:
+            if self._opened is executor:
+                self._opened = None
+        executor.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,156 @@
+"""The files inside a zip: named as their owners named them, read one by one, never unpacked.
+
+Nothing of an archive is ever written to the disk, so that no name in it can lead anywhere. A member
+is read only as far as it may be large, whatever size the archive declares.
+"""
+
+import stat
+import unicodedata
+import zipfile
+import zlib
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Final
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.words import message
+
+LARGEST_MEMBER: Final = 64_000_000  # bytes; more than any workbook that is looked at
+MOST_MEMBERS: Final = 100_000
+_OF_A_DOCUMENT: Final = frozenset({"[Content_Types].xml", "mimetype"})
+_UTF8: Final = 1 << 11
+_ENCRYPTED: Final = 1
+_DAMAGE: Final = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError)
+
+
+class Unusable(StrEnum):
+    """Why a member is not read; the value stands in JSON and in tables."""
+
+    UNSAFE_PATH = "unsafe_path"
+    ENCRYPTED = "encrypted"
+    TOO_LARGE = "too_large"
+    NO_FILE = "no_file"
+
+
+class UnreadableMemberError(OSError):
+    """A member that is damaged, or larger than it said."""
+
+
+@dataclass(frozen=True, slots=True)
+class PackedMember:
+    """One file of an archive.
+
+    Attributes:
+        place: its number in the archive, from 0.
+        name: with folders, as its owner wrote it; no two of an archive are the same.
+        unusable: why it is not to be read; None where it is.
+    """
+
+    place: int
+    name: str
+    unusable: Unusable | None
+
+
+def is_bundle(path: Path) -> bool:
+    """Tell whether a file is a zip of other files, not a document that is a zip by itself."""
+    if path.suffix.lower() != ".zip" or not zipfile.is_zipfile(path):
+        return False
+    with _opened(path) as opened:
+        return _OF_A_DOCUMENT.isdisjoint(opened.namelist())
+
+
+def members_of(archive: Path) -> tuple[PackedMember, ...]:
+    """List the files of a zip, sorted by name.
+
+    Raises:
+        UsageError: it is damaged, no zip at all, or has too many members.
+        OSError: it cannot be read.
+    """
+    with _opened(archive) as opened:
+        found = opened.infolist()
+    if len(found) > MOST_MEMBERS:
+        what = message(
+            "It has {count} members; at most {most} are looked at.",
+            count=len(found),
+            most=MOST_MEMBERS,
+        )
+        remedy = message("Unpack it, and name the folder with what was handed in.")
+        raise UsageError([Problem(str(archive), "", what, remedy)])
+    taken: Counter[str] = Counter()
+    members = []
+    for place, info in enumerate(found):
+        if not info.is_dir():
+            name = _free(_name(info), taken)
+            members.append(PackedMember(place, name, _unusable(info, name)))
+    return tuple(sorted(members, key=lambda one: one.name))
+
+
+def read_member(archive: Path, place: int) -> bytes:
+    """Return the content of a member.
+
+    Args:
+        archive: a zip.
+        place: of the member; see `PackedMember`.
+
+    Raises:
+        UnreadableMemberError: it is damaged, or larger than any file that is looked at.
+        OSError: the archive cannot be read.
+    """
+    try:
+        with zipfile.ZipFile(archive) as opened, opened.open(opened.infolist()[place]) as stream:
+            data = stream.read(LARGEST_MEMBER + 1)
+    except _DAMAGE as fault:
+        raise UnreadableMemberError(str(fault)) from fault
+    if len(data) > LARGEST_MEMBER:
+        raise UnreadableMemberError(str(len(data)))
+    return data
+
+
+@contextmanager
+def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
+    try:
+        with zipfile.ZipFile(archive) as opened:
+            yield opened
+    except _DAMAGE as fault:
+        what = message("This is no zip that can be read: it is damaged or something else.")
+        remedy = message("Download it again, or unpack it and name the folder.")
+        raise UsageError([Problem(str(archive), "", what, remedy)]) from fault
+
+
+def _name(info: zipfile.ZipInfo) -> str:
+    """Return the name of a member as its owner wrote it, with one sign for each letter."""
+    name = info.filename
+    if not info.flag_bits & _UTF8:
+        # Without the flag a name is in whatever code page the packer had: macOS writes UTF-8,
+        # Windows in Russia and Ukraine cp866. The library reads it as cp437.
+        raw = name.encode("cp437", errors="replace")
+        try:
+            name = raw.decode()
+        except UnicodeDecodeError:
+            name = raw.decode("cp866", errors="replace")
+    return unicodedata.normalize("NFC", name.replace("\\", "/"))
+
+
+def _free(name: str, taken: Counter[str]) -> str:
+    """Return a name that no member before has: archives may hold one name twice."""
+    taken[name] += 1
+    if taken[name] == 1:
+        return name
+    path = PurePosixPath(name)
+    return _free(str(path.with_name(f"{path.stem} ({taken[name]}){path.suffix}")), taken)
+
+
+def _unusable(info: zipfile.ZipInfo, name: str) -> Unusable | None:
+    path = PurePosixPath(name)
+    if path.is_absolute() or ".." in path.parts or PureWindowsPath(name).drive or not path.name:
+        return Unusable.UNSAFE_PATH
+    mode = info.external_attr >> 16
+    if mode and not stat.S_ISREG(mode) and stat.S_IFMT(mode):
+        return Unusable.NO_FILE
+    if info.flag_bits & _ENCRYPTED:
+        return Unusable.ENCRYPTED
+    return Unusable.TOO_LARGE if info.file_size > LARGEST_MEMBER else None

@@ -1,0 +1,1 @@
+"""A second kind of virtual students: other mistakes than the grader knows, another arithmetic."""

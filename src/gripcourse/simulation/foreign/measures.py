@@ -1,0 +1,279 @@
+"""What the second generator's students did against what the grader says."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+from gripcourse.grading.model import Finding, FlagCode, Report
+from gripcourse.grading.outcome import Outcome
+from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, ForeignMistake
+from gripcourse.simulation.foreign.model import JudgedForeign
+from gripcourse.simulation.model import Mix
+from gripcourse.simulation.rates import Rate, added
+from gripcourse.slips.model import USED
+
+_OWNER = frozenset({FlagCode.COPIED_FROM})
+_SPOILED = 2  # answers that a number used wrongly must spoil before it can be told
+
+
+@dataclass(frozen=True, slots=True)
+class MistakeRates:
+    """What was said of one kind of mistake: shares of the works with it.
+
+    Attributes:
+        once: charged at most once.
+        named: named as what it is; None where the grader has no word for it.
+        misnamed: given a name that is another mistake's.
+        blamed: in which another quantity is blamed.
+    """
+
+    once: Rate
+    named: Rate | None
+    misnamed: Rate
+    blamed: Rate
+
+    def __add__(self, other: "MistakeRates") -> "MistakeRates":
+        """Count two samples together."""
+        named = [one for one in (self.named, other.named) if one is not None]
+        return MistakeRates(
+            once=self.once + other.once,
+            named=named[0] + named[1] if len(named) > 1 else next(iter(named), None),
+            misnamed=self.misnamed + other.misnamed,
+            blamed=self.blamed + other.blamed,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignEvaluation:
+    """How well the grader treats students whom its makers did not invent.
+
+    Attributes:
+        students: how many.
+        rates: what was measured.
+        by_kind: by kind of mistake.
+        misses: works that the grader treats wrongly, each with what is wrong.
+        incidents: traces of what failed on our side.
+    """
+
+    students: int
+    rates: Mapping[str, Rate]
+    by_kind: Mapping[ForeignMistake, MistakeRates]
+    misses: tuple[tuple[str, JudgedForeign], ...]
+    incidents: tuple[str, ...]
+
+    def __add__(self, other: "ForeignEvaluation") -> "ForeignEvaluation":
+        """Count two cohorts together."""
+        return ForeignEvaluation(
+            students=self.students + other.students,
+            rates={name: rate + other.rates[name] for name, rate in self.rates.items()},
+            by_kind=added(self.by_kind, other.by_kind),
+            misses=(*self.misses, *other.misses),
+            incidents=(*self.incidents, *other.incidents),
+        )
+
+    @property
+    def missed(self) -> tuple[str, ...]:
+        """Names of the required rates that are not reached."""
+        return tuple(name for name, rate in self.rates.items() if not rate.reached)
+
+
+def evaluate_foreign(judged: Sequence[JudgedForeign], mix: Mix) -> ForeignEvaluation:
+    """Set what was done against what was said.
+
+    Args:
+        judged: every student's work and report.
+        mix: what the grader is held to, and which flags mean copying.
+    """
+    kinds = {
+        kind: [one for one in _mistaken(judged) if _kind(one) is kind] for kind in ForeignMistake
+    }
+    tests: tuple[tuple[str, Callable[[JudgedForeign], bool]], ...] = (
+        ("honest_refused", lambda one: _is_honest(one) and any(_refused(one))),
+        ("charged_more", lambda one: one.work.done is not None and _charged(one) > 1),
+        ("misnamed", _is_misnamed),
+        ("blamed", _is_blamed),
+        ("not_named", lambda one: _has_word(one) and not _is_named(one)),
+    )
+    return ForeignEvaluation(
+        students=len(judged),
+        rates=dict(_rates(judged, mix)),
+        by_kind={kind: _by_kind(found) for kind, found in kinds.items() if found},
+        misses=tuple((name, one) for name, test in tests for one in judged if test(one)),
+        incidents=tuple(one.incident for one in judged if one.incident),
+    )
+
+
+def _mistaken(judged: Sequence[JudgedForeign], *, coarse: bool = False) -> list[JudgedForeign]:
+    """Return the works with a mistake, of those who write enough figures or of the others."""
+    return [one for one in judged if one.work.done is not None and one.work.habits.coarse is coarse]
+
+
+def _rates(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rate]]:
+    works, required = _mistaken(judged), mix.required
+    yield "incidents", Rate(sum(bool(one.incident) for one in judged), len(judged), at_most=0.0)
+    fine = [one for one in judged if _is_honest(one) and not one.work.habits.coarse]
+    coarse = [one for one in judged if _is_honest(one) and one.work.habits.coarse]
+    refused = [found for one in fine for found in _refused(one)]
+    yield "honest_refused", Rate(sum(refused), len(refused), at_most=required.honest_refused)
+    refused = [found for one in coarse for found in _refused(one)]
+    yield "coarse_refused", Rate(sum(refused), len(refused))
+    once = [one for one in works if _charged(one) <= 1]
+    yield "charged_once", Rate(len(once), len(works), at_least=required.charged_once)
+    spoiling = [one for one in works if len(one.work.reaches) >= _SPOILED]
+    once = [one for one in spoiling if _charged(one) <= 1]
+    yield "charged_once_of_spoiling", Rate(len(once), len(spoiling), at_least=required.charged_once)
+    coarse_works = _mistaken(judged, coarse=True)
+    yield "coarse_charged_once", _share(coarse_works, lambda one: _charged(one) <= 1)
+    yield "unseen", _share(works, lambda one: not _charged(one))
+    yield "misnamed", _share(works, _is_misnamed, at_most=required.misnamed)
+    yield "blamed", _share(works, _is_blamed, at_most=required.blamed)
+    word = [one for one in works if _has_word(one)]
+    yield "named", _share(word, _is_named, at_least=required.named)
+    yield from _copies(judged, mix)
+
+
+def _copies(judged: Sequence[JudgedForeign], mix: Mix) -> Iterator[tuple[str, Rate]]:
+    required, copying = mix.required, mix.copying_flags - _OWNER
+    kinds = {
+        "copies_flagged": (Doing.COPY, required.copy_flagged),
+        "moved_copies_flagged": (Doing.MOVED_COPY, required.moved_copy_flagged),
+        "mixtures_flagged": (Doing.MIXTURE, required.mixture_flagged),
+        "stolen_flagged": (Doing.STOLEN_FILE, required.copy_flagged),
+    }
+    for name, (doing, least) in kinds.items():
+        found = [one for one in judged if one.work.doing is doing]
+        yield name, _share(found, lambda one: _has(one.report, copying), at_least=least)
+    sources = {source for one in judged for source in one.work.sources}
+    own = [one for one in judged if not one.work.sources and one.work.student not in sources]
+    most = required.honest_flagged
+    yield "own_flagged", _share(own, lambda one: _has(one.report, copying), at_most=most)
+    stolen = {one.work.owner for one in judged if one.work.doing is Doing.STOLEN_FILE}
+    only = stolen - {
+        source
+        for one in judged
+        if one.work.doing is not Doing.STOLEN_FILE
+        for source in one.work.sources
+    }
+    owners = [one for one in judged if one.work.student in only]
+    yield (
+        "owners_named",
+        _share(
+            owners,
+            lambda one: _has(one.report, _OWNER) and not _has(one.report, copying),
+            at_least=1.0,
+        ),
+    )
+
+
+def _share(
+    works: Sequence[JudgedForeign],
+    test: Callable[[JudgedForeign], bool],
+    *,
+    at_most: float | None = None,
+    at_least: float | None = None,
+) -> Rate:
+    return Rate(sum(map(test, works)), len(works), at_most=at_most, at_least=at_least)
+
+
+def _by_kind(works: Sequence[JudgedForeign]) -> MistakeRates:
+    word = [one for one in works if _has_word(one)]
+    return MistakeRates(
+        once=_share(works, lambda one: _charged(one) <= 1),
+        named=_share(word, _is_named) if word else None,
+        misnamed=_share(works, _is_misnamed),
+        blamed=_share(works, _is_blamed),
+    )
+
+
+def _kind(one: JudgedForeign) -> ForeignMistake | None:
+    return None if one.work.done is None else one.work.done.kind
+
+
+def _is_honest(one: JudgedForeign) -> bool:
+    return one.work.doing is Doing.HONEST
+
+
+def _answers(one: JudgedForeign) -> Iterator[Finding]:
+    """Yield what was found out about the cells that are filled."""
+    return (found for found in one.report.findings if found.quantity in one.work.cells)
+
+
+def _refused(one: JudgedForeign) -> Iterator[bool]:
+    """Tell of each answer whether it is refused; coarse ones may be called too rough."""
+    for found in _answers(one):
+        rough = found.outcome is Outcome.ROUGH and one.work.habits.coarse
+        right = found.outcome.traits.right and found.outcome is not Outcome.ROUGH
+        yield not (right or rough)
+
+
+def _charged(one: JudgedForeign) -> int:
+    """Return how many answers lost points, other than for being too rough."""
+    lost = (
+        found.points < found.max_points
+        for found in _answers(one)
+        if found.outcome is not Outcome.ROUGH
+    )
+    return sum(lost)
+
+
+def _names(found: Finding) -> AbstractSet[object]:
+    return {slip for slip in (found.slip, *found.tied) if slip is not None}
+
+
+def _is_right_name(one: JudgedForeign, found: Finding) -> bool:
+    """Tell whether a name is the mistake's, or one that comes to the very same number."""
+    done = one.work.done
+    if done is None or found.quantity not in one.work.reaches:
+        return False
+    kinds = MISTAKES[done.kind].names
+    return any(
+        (slip.kind in kinds and (slip.kind != USED or slip.detail == done.root))
+        or (found.quantity, slip) in one.twins
+        for slip in (found.slip, *found.tied)
+        if slip is not None
+    )
+
+
+def _named(one: JudgedForeign) -> Iterable[Finding]:
+    return (found for found in _answers(one) if found.outcome.traits.named)
+
+
+def _is_misnamed(one: JudgedForeign) -> bool:
+    """Tell whether a method is named that was not used."""
+    return one.work.done is not None and any(
+        found.slip is not None and found.slip.kind != USED and not _is_right_name(one, found)
+        for found in _named(one)
+    )
+
+
+def _is_blamed(one: JudgedForeign) -> bool:
+    """Tell whether something is said to be wrong where nothing is."""
+    done = one.work.done
+    if done is None:
+        return False
+    places = {done.root, *one.work.reaches}
+    wrong = (found.quantity for found in _answers(one) if found.outcome.traits.mistake)
+    used = (
+        found.slip.detail
+        for found in _named(one)
+        if found.slip is not None and found.slip.kind == USED
+    )
+    causes = (cause.quantity for cause in one.report.causes)
+    return not places.issuperset({*wrong, *used, *causes})
+
+
+def _has_word(one: JudgedForeign) -> bool:
+    """Tell whether the grader could say what was done: it has a word, and enough to go by."""
+    done = one.work.done
+    if done is None or not MISTAKES[done.kind].names or not _charged(one):
+        return False
+    filled = one.work.reaches & one.work.cells.keys()
+    return len(filled) >= (_SPOILED if USED in MISTAKES[done.kind].names else 1)
+
+
+def _is_named(one: JudgedForeign) -> bool:
+    return any(_is_right_name(one, found) for found in _named(one))
+
+
+def _has(report: Report, codes: AbstractSet[FlagCode]) -> bool:
+    return any(flag.code in codes for flag in report.flags)

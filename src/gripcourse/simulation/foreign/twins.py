@@ -1,0 +1,59 @@
+"""Names that come to the very number of another mistake: nobody can tell which was made."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from gripcourse.formula.evaluate import evaluate
+from gripcourse.grading.model import Report
+from gripcourse.policy.model import Policy
+from gripcourse.simulation.foreign.model import ForeignWork
+from gripcourse.simulation.foreign.practical import size_of
+from gripcourse.slips.candidates import candidates_of
+from gripcourse.slips.model import SlipId
+from gripcourse.solver.plan import Plan
+from gripcourse.text.units import factor
+
+_SAME = 1e-6  # relative
+
+
+def same_by_value(
+    plan: Plan, policy: Policy, work: ForeignWork, report: Report
+) -> frozenset[tuple[str, SlipId]]:
+    """Return the names in a report that give the number that the student's mistake gives.
+
+    Args:
+        plan: of the variant.
+        policy: its slips.
+        work: what was done.
+        report: what the grader says.
+
+    Returns:
+        The quantity with the slip's name.
+    """
+    return frozenset(_found(plan, policy, work, report))
+
+
+def _found(
+    plan: Plan, policy: Policy, work: ForeignWork, report: Report
+) -> Iterator[tuple[str, SlipId]]:
+    for finding in report.findings:
+        name, done = finding.quantity, work.done
+        if finding.slip is None or done is None or name not in work.reaches:
+            continue
+        quantity = plan.quantities[name]
+        made = done.number if done.root == name and done.tree is None else math.nan
+        wrong = work.calculated.found[name] if math.isnan(made) else made
+        values = {
+            one: np.asarray(number / size_of(plan.quantities[one].unit))
+            * factor(plan.quantities[one].unit)
+            for one, number in work.calculated.held.items()
+            if one in plan.quantities
+        }
+        for candidate in candidates_of(plan, name, policy.slips):
+            if candidate.id in {finding.slip, *finding.tied}:
+                at = {one: values.get(one, np.asarray(np.nan)) for one in candidate.formula.names}
+                value = evaluate(candidate.formula, quantity.unit, at, plan.columns)
+                if math.isclose(float(value) / factor(quantity.unit), wrong, rel_tol=_SAME):
+                    yield name, candidate.id

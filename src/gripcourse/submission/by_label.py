@@ -1,0 +1,53 @@
+"""Answers found again by the titles in their rows, where rows were sorted or inserted.
+
+Names travel with their cells only while a spreadsheet program moves both. Whoever sorts rows, or
+inserts one with a program that leaves names where they were, has right numbers in wrong cells.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from gripcourse.course.quantity import Quantity
+from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.text.words import LANGUAGES
+
+
+@dataclass(frozen=True, slots=True)
+class Relabelled:
+    """Answer cells by quantity, and which of them stand elsewhere than their names say."""
+
+    answers: Mapping[str, RawCell]
+    moved: tuple[str, ...]
+
+
+def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
+    """Take each answer from the row with its quantity's title.
+
+    Only where the titles of several rows have changed places, or a title stands once in a row that
+    no name points to: a title that somebody rewrote moves nothing.
+
+    Args:
+        raw: what stands in the file.
+        quantities: that are answered.
+    """
+    titles = {one.id: {_plain(one.title.of(lang)) for lang in LANGUAGES} for one in quantities}
+    rows: dict[str, list[RawCell]] = defaultdict(list)
+    for cell in (*raw.answers.values(), *raw.beside):
+        if cell.label:
+            rows[_plain(cell.label)].append(cell)
+    answers, moved = dict(raw.answers), []
+    for name, cell in raw.answers.items():
+        known = titles.get(name, set())
+        is_unlabelled = not cell.label and (cell.value is not None or cell.formula != "")
+        if is_unlabelled or not known or _plain(cell.label) in known:
+            continue
+        found = [one for title in sorted(known) for one in rows.get(title, ())]
+        if len(found) == 1:
+            answers[name] = found[0]
+            moved.append(name)
+    return Relabelled(answers, tuple(moved))
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.split()).casefold()

@@ -1,0 +1,76 @@
+"""A second reading: what another program made of a file that says too little by itself.
+
+What the file stores is always preferred: another program may compute otherwise than the student's.
+"""
+
+from dataclasses import replace
+from pathlib import PurePath
+from typing import Final
+
+from gripcourse.machine.content import NamedBytes, Readable, shown_name
+from gripcourse.submission.model import Rejected, WhyRefused
+from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.submission.read import read_workbook
+from gripcourse.text.words import message
+
+OTHER_FORMATS: Final = {
+    WhyRefused.OLD_FORMAT.value: ".xls",
+    WhyRefused.OPEN_DOCUMENT.value: ".ods",
+}
+"""Refused by us, and read by LibreOffice: the code of the refusal and how such files end."""
+
+_CONVERTED: Final = message(
+    "The file is no .xlsx workbook; LibreOffice converted it. Hand in an .xlsx workbook next time."
+)
+_COMPUTED: Final = message(
+    "The file stores no results of its formulas; LibreOffice computed them. Open it in a "
+    "spreadsheet program and save it there next time."
+)
+
+
+def lacks_results(raw: RawWorkbook) -> bool:
+    """Tell whether answers are formulas whose results are not stored."""
+    return any(_lacks_result(one) for one in (*raw.answers.values(), *raw.beside))
+
+
+def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
+    """Read a file together with what LibreOffice made of it; see `read_workbook`.
+
+    Args:
+        source: the file.
+        made: the workbook that LibreOffice saved of it.
+
+    Raises:
+        OSError: there is no such file, or it may not be read.
+    """
+    first = read_workbook(source)
+    again = read_workbook(NamedBytes(f"{PurePath(shown_name(source)).stem}.xlsx", made))
+    if isinstance(again, Rejected):
+        return first
+    if isinstance(first, RawWorkbook):
+        return _with_results(first, again)
+    if first.code not in OTHER_FORMATS:
+        return first
+    remarks = (*again.remarks, _CONVERTED)
+    return replace(again, file=first.file, digest=first.digest, remarks=remarks)
+
+
+def _with_results(first: RawWorkbook, again: RawWorkbook) -> RawWorkbook:
+    """Add the results that are not stored; cells keep their names and their places."""
+    cells = {**again.answers, **{one.cell: one for one in again.beside}}
+
+    def added(name: str, cell: RawCell) -> RawCell:
+        other = cells.get(name)
+        if other is None or other.cell != cell.cell or not _lacks_result(cell):
+            return cell
+        return replace(cell, value=other.value, error=other.error)
+
+    answers = {name: added(name, cell) for name, cell in first.answers.items()}
+    beside = tuple(added(one.cell, one) for one in first.beside)
+    if (answers, beside) == (first.answers, first.beside):
+        return first
+    return replace(first, answers=answers, beside=beside, remarks=(*first.remarks, _COMPUTED))
+
+
+def _lacks_result(cell: RawCell) -> bool:
+    return cell.formula != "" and cell.value is None

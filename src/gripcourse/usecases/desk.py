@@ -1,0 +1,55 @@
+"""The desk of a course, opened: what links, hand-ins and publications need."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.course.load import load_course
+from gripcourse.course.model import Course
+from gripcourse.desk.store import Desk, open_desk
+from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.issuing.store import read_register
+from gripcourse.machine.database.home import home_of
+from gripcourse.policy.load import load_policy
+from gripcourse.policy.model import Policy
+from gripcourse.variants.model import Issued
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DeskContext:
+    """A course that issued something, with its desk.
+
+    Attributes:
+        course, policy: loaded.
+        key: of the signatures; it is never shown, logged or sent anywhere.
+        desk: its part of the database.
+    """
+
+    course: Course
+    policy: Policy
+    key: bytes
+    desk: Desk
+
+    def __repr__(self) -> str:
+        """Leave the key out: this may stand in a log."""
+        return f"DeskContext({self.course.id})"
+
+    def register(self) -> Mapping[str, Issued]:
+        """Return what was issued up to now, by student."""
+        return read_register(self.course.root, self.course.id).by_student()
+
+    @property
+    def private(self) -> Path:
+        """The folder that nobody but the owner reads."""
+        return self.course.root / "private"
+
+
+def open_context(root: Path) -> DeskContext:
+    """Open the desk of a course.
+
+    Raises:
+        GripcourseError: course, policy, key or database cannot be used.
+    """
+    course = load_course(root)
+    key = read_key(key_path(root))
+    return DeskContext(course, load_policy(course), key, open_desk(home_of(root), course.id))

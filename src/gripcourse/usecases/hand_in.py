@@ -1,0 +1,122 @@
+"""Handing in: bytes are safe on the disk and in the database before there is a receipt."""
+
+import hashlib
+import hmac
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path, PurePath
+from typing import Final
+
+from gripcourse.desk.model import HandIn
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.files import write_bytes
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.variants.model import Issued
+
+_MOST: Final = 200_000_000
+"""Bytes that one student may keep here: a term of large workbooks many times over."""
+_LONGEST_NAME: Final = 120
+_PURPOSE: Final = b"gripcourse receipt 1\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Receipt:
+    """What a student gets for a file.
+
+    Attributes:
+        hand_in: number, hash, size, name and time.
+        late: whether the last day for handing in was over.
+        code: HMAC over all of it with the course's key; who has the key can verify it.
+    """
+
+    hand_in: HandIn
+    late: bool
+    code: str
+
+
+def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetime) -> Receipt:
+    """Keep a file that a student hands in, whatever is in it.
+
+    The same bytes once more right after are the same hand-in: two clicks make one.
+
+    Raises:
+        UsageError: the file is empty, or the student has handed in too much.
+        OSError: the disk is full, or cannot be written; nothing was recorded.
+        GradebookError: the database failed; nothing was recorded.
+    """
+    student = issued.student.id
+    if not file.data:
+        raise _refusal(
+            message("The file is empty."), message("Choose your workbook once more, saved.")
+        )
+    used = sum(one.size for one in context.desk.hand_ins(student))
+    if used + len(file.data) > _MOST:
+        raise _refusal(
+            message("There is no more room for your files."), message("Ask your instructor.")
+        )
+    digest = hashlib.sha256(file.data).hexdigest()
+    path = kept_path(context, digest)
+    if not path.is_file():
+        write_bytes(path, file.data, private=True)
+        _make_durable(path.parent)
+    name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
+    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now)
+    return receipt_of(context, issued, kept)
+
+
+def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
+    """Return the receipt of a file, the same whenever it is asked for."""
+    late = issued.deadline is not None and kept.at.astimezone().date() > issued.deadline
+    signed = "\n".join(
+        (
+            *(context.course.id, kept.student, str(kept.number), kept.digest, str(kept.size)),
+            kept.at.isoformat(),
+        )
+    )
+    made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
+    return Receipt(kept, late, made.hexdigest()[:32])
+
+
+def kept_path(context: DeskContext, digest: str) -> Path:
+    """Return where bytes are kept: under what they are, never under what somebody calls them."""
+    return context.private / "handed_in" / digest
+
+
+def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
+    """Return the last file of each student."""
+    return {one.student: one for one in hand_ins}
+
+
+def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
+    """Write the last file of each student into a folder, called like the student, for grading.
+
+    Raises:
+        OSError: a file cannot be read or written.
+    """
+    written = []
+    for student, one in latest(context.desk.hand_ins()).items():
+        suffix = PurePath(one.name).suffix.lower()
+        path = out / f"{student}{suffix if suffix.isascii() else ''}"
+        write_bytes(path, kept_path(context, one.digest).read_bytes())
+        written.append(path)
+    return tuple(written)
+
+
+def _make_durable(folder: Path) -> None:
+    """Let the name of a new file survive a loss of power too."""
+    if os.name != "posix":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _refusal(what: Message, remedy: Message) -> UsageError:
+    return UsageError([Problem("", "", what, remedy)])

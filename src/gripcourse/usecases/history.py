@@ -1,0 +1,133 @@
+"""What the gradebook knows of one student: every attempt, mark and regrade, in order of time."""
+
+from collections.abc import Container, Iterator
+from dataclasses import dataclass
+from datetime import datetime
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.journal import publications, regrades, waivers
+from gripcourse.gradebook.model import Attempt, GradebookEntry
+from gripcourse.gradebook.timing import Waiver
+from gripcourse.gradebook.works import points_of
+from gripcourse.text.shown import shown
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.mark import existing_gradebook
+
+_DECIMALS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One thing that happened to a student's grade.
+
+    Attributes:
+        at: when.
+        person: who did it; empty where the program graded.
+        what: happened.
+        why: in the words of the person; empty for none.
+    """
+
+    at: datetime
+    person: str
+    what: Message
+    why: str
+
+
+def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event, ...]:
+    """Return what happened to a student's grade, oldest first.
+
+    Args:
+        place: of the gradebook: a path or a database URL.
+        student: id.
+        known: students of the register; of these nothing may have happened yet.
+
+    Raises:
+        GradebookError: there is no gradebook, or it cannot be used.
+        UsageError: nobody knows the student.
+    """
+    book = existing_gradebook(place)
+    attempts = book.attempts({student})
+    waived = waivers(book)
+    if not attempts and student not in known and student not in waived:
+        everybody = {one.student for one in book.attempts()}
+        what = message("The register has no student '{student}'.", student=student)
+        remedy = did_you_mean(student, everybody)
+        raise UsageError([Problem("", "", what, remedy, parameter="student")])
+    touched = {one.regrade for one in attempts} - {None}
+    events: list[Event] = []
+    for one in regrades(book):
+        if one.number in touched or one.undoes in touched:
+            what = (
+                message("Regrade {number} was applied.", number=one.number)
+                if one.undoes is None
+                else message("Regrade {number} was taken back.", number=one.undoes)
+            )
+            events.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
+    events += [_of_attempt(one) for one in attempts]
+    events += [_of_mark(entry) for entry in book.entries({student})]
+    for told in publications(book):
+        if told.student == student:
+            said = message(
+                "Told to the student: {points} of {most} points (attempt {number}).",
+                points=round(told.points, _DECIMALS),
+                most=round(told.max_points, _DECIMALS),
+                number=told.attempt,
+            )
+            events.append(Event(told.signed.done_at, told.signed.person, said, ""))
+    events += [_of_waiver(one) for one in waived.get(student, ())]
+    return tuple(sorted(events, key=lambda one: one.at))
+
+
+def _of_waiver(waiver: Waiver) -> Event:
+    if waiver.withdrawn:
+        what = message("The waiver was withdrawn: lateness is counted.")
+    elif waiver.until is None:
+        what = message("Lateness is not counted.")
+    else:
+        until = f"{waiver.until:%Y-%m-%d %H:%M}Z"
+        what = message("Lateness is not counted until {until}.", until=until)
+    return Event(waiver.done_at, waiver.person, what, waiver.why)
+
+
+def versions_text(attempt: Attempt) -> str:
+    """Write what graded an attempt: the first digits of each fingerprint."""
+    used = attempt.fingerprints
+    return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
+
+
+def _of_attempt(attempt: Attempt) -> Event:
+    said = " ".join(_parts(attempt))
+    if not attempt.judged:
+        what = message("Attempt {number}, {file}: not judged.", number=attempt.number, file=said)
+    else:
+        sums = points_of(attempt.results, {})
+        what = message(
+            "Attempt {number}, {file}: {points} of {most} points by the program.",
+            number=attempt.number,
+            file=said,
+            points=round(sums.score, _DECIMALS),
+            most=round(sums.max_score, _DECIMALS),
+        )
+    return Event(attempt.graded_at, "", what, "")
+
+
+def _parts(attempt: Attempt) -> Iterator[str]:
+    yield shown(attempt.file)
+    yield f"({attempt.digest[:7]}; {versions_text(attempt)})"
+
+
+def _of_mark(entry: GradebookEntry) -> Event:
+    mark = entry.mark
+    if mark.credit is None:
+        what = message("{item}: withdrawn.", item=mark.quantity)
+    else:
+        result = entry.attempt.by_quantity.get(mark.quantity)
+        possible = result.max_points if result else 0.0
+        what = message(
+            "{item}: {points} of {most} points.",
+            item=mark.quantity,
+            points=round(mark.credit * possible, _DECIMALS),
+            most=round(possible, _DECIMALS),
+        )
+    return Event(mark.marked_at, mark.marker, what, mark.comment)

@@ -1,0 +1,106 @@
+"""Publishing results: a copy that stays as it was, whatever is graded afterwards."""
+
+import json
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from gripcourse.desk.model import Publication
+from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.gradebook.journal import Signed
+from gripcourse.machine.database.home import home_of
+from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.text.words import message
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS
+from gripcourse.usecases.regrade import publish as keep_told
+
+
+@dataclass(frozen=True, slots=True)
+class ShownResult:
+    """What a student may see: the judgement, and the printed report where there is one."""
+
+    report: ReportResult
+    pdf: Path | None
+
+
+def publish(context: DeskContext, graded: Path, by: str, why: str, now: datetime) -> Publication:
+    """Let students see the results of a graded batch.
+
+    Args:
+        context: of the course.
+        graded: the folder that grading wrote.
+        by: who does it.
+        why: in a few words; may be empty.
+        now: with its zone.
+
+    Raises:
+        UsageError: the folder holds no results.
+        OSError: something cannot be read or written; nothing was published.
+    """
+    source = graded / GRADES_JSON
+    if not source.is_file():
+        what = message("There are no results in this folder.")
+        remedy = message("Name the folder that grading wrote.")
+        raise UsageError(
+            [Problem(str(graded), "", what, remedy, parameter="graded", step=NextStep.GRADE)]
+        )
+    register = context.register()
+    grades = GradesResult.from_dict(json.loads(source.read_text(encoding="utf-8")))
+    number = len(context.desk.publications()) + 1
+    folder = _folder(context, number)
+    for report in grades.reports:
+        if report.student in register:
+            text = json.dumps(report.to_dict(), ensure_ascii=False, allow_nan=False)
+            write_text(folder / f"{report.student}.json", text, private=True)
+            printed = graded / REPORTS / f"{report.student}.pdf"
+            if printed.is_file():
+                write_bytes(folder / printed.name, printed.read_bytes(), private=True)
+    write_bytes(folder / GRADES_CSV, (graded / GRADES_CSV).read_bytes(), private=True)
+    publication = context.desk.add_publication(published=True, by=by, why=why, now=now)
+    # Who has been told a result must not lose it by grading again: the gradebook keeps that, too.
+    keep_told(home_of(context.course.root), (), Signed(by, now, why))
+    return publication
+
+
+def withdraw(context: DeskContext, by: str, why: str, now: datetime) -> Publication:
+    """Let students see no results any more; what was published is kept.
+
+    Raises:
+        UsageError: nothing is published.
+    """
+    if current(context) is None:
+        what = message("Nothing is published.")
+        raise UsageError([Problem("", "", what, message("There is nothing to withdraw."))])
+    return context.desk.add_publication(published=False, by=by, why=why, now=now)
+
+
+def current(context: DeskContext) -> Publication | None:
+    """Return the publication that students see now."""
+    known = context.desk.publications()
+    return known[-1] if known and known[-1].published else None
+
+
+def published_to(context: DeskContext, student: str) -> ShownResult | None:
+    """Return what a student of the register may see; None where nothing is published."""
+    publication = current(context)
+    if publication is None:
+        return None
+    folder = _folder(context, publication.number)
+    path = folder / f"{student}.json"
+    if not path.is_file():
+        return None
+    report = ReportResult.from_dict(json.loads(path.read_text(encoding="utf-8")))
+    printed = folder / f"{student}.pdf"
+    return ShownResult(report, printed if printed.is_file() else None)
+
+
+def published_grades(context: DeskContext) -> Path | None:
+    """Return the table of grades as it was published."""
+    publication = current(context)
+    return None if publication is None else _folder(context, publication.number) / GRADES_CSV
+
+
+def _folder(context: DeskContext, number: int) -> Path:
+    return context.private / "published" / str(number)

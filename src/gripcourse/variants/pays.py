@@ -1,0 +1,159 @@
+"""What a mistake costs over a table of variants, and which rules of a policy let guesses pay."""
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.errors import Problem
+from gripcourse.policy.bands import FLOOR_SHARE, tolerance_of
+from gripcourse.policy.load import policy_path
+from gripcourse.policy.model import Policy
+from gripcourse.policy.points import points_of
+from gripcourse.solver.plan import plan_of
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import message
+from gripcourse.variants.model import Variant
+
+MOST_APART = 1.5
+"""How many times as much the same mistake may cost in another variant."""
+_NOTABLE = 0.03  # of all points: what costs less makes no difference to a mark
+
+
+@dataclass(frozen=True, slots=True)
+class MistakeCost:
+    """What a mistake in one quantity costs.
+
+    Attributes:
+        quantity, section: ids.
+        least, most: points, over the variants.
+        variants: how many ask for it.
+        is_main: whether the policy declares its points.
+    """
+
+    quantity: str
+    section: str
+    least: float
+    most: float
+    variants: int
+    is_main: bool
+
+    @property
+    def apart(self) -> float:
+        """How many times the least the most is."""
+        return self.most / self.least if self.least else np.inf
+
+
+def mistake_costs(
+    course: Course, policy: Policy, variants: Sequence[Variant]
+) -> tuple[MistakeCost, ...]:
+    """Return what a mistake in each answer costs over a table, what costs most first."""
+    points: dict[str, list[float]] = defaultdict(list)
+    sections: dict[str, str] = {}
+    for variant in variants:
+        plan = plan_of(course, variant.composition)
+        worth = points_of(plan, policy)
+        for one in plan.answered:
+            points[one.id].append(worth[one.id])
+            sections[one.id] = one.section
+    costs = [
+        MistakeCost(name, sections[name], min(all_), max(all_), len(all_), _is_main(name, policy))
+        for name, all_ in points.items()
+    ]
+    return tuple(sorted(costs, key=lambda one: (-one.most, one.quantity)))
+
+
+def _is_main(name: str, policy: Policy) -> bool:
+    return name in policy.main_points
+
+
+def paying_rules(course: Course, policy: Policy, variants: Sequence[Variant]) -> Iterator[Problem]:
+    """Name what in a policy would let a work earn that computes little.
+
+    Args:
+        course: whose policy it is.
+        policy: how answers become points.
+        variants: that are issued.
+    """
+    file = str(policy_path(course.root).relative_to(course.root))
+    yield from _without_main_results(file, policy, mistake_costs(course, policy, variants))
+    yield from _too_wide(file, course, policy, variants)
+
+
+def _without_main_results(
+    file: str, policy: Policy, costs: Sequence[MistakeCost]
+) -> Iterator[Problem]:
+    """Name the sections where the same mistake costs much more in some variants than in others."""
+    with_main = {one.section for one in costs if one.is_main}
+    for section in dict.fromkeys(one.section for one in costs):
+        uneven = [
+            one
+            for one in costs
+            if one.section == section
+            and one.apart > MOST_APART
+            and one.most >= _NOTABLE * policy.total
+        ]
+        if section in with_main or not uneven or not policy.section_points[section]:
+            continue
+        worst = uneven[0]
+        what = message(
+            "No main result of the section '{section}' has points of its own: a mistake in "
+            "'{quantity}' costs between {least} and {most} points.",
+            section=section,
+            quantity=worst.quantity,
+            least=round(worst.least, 2),
+            most=round(worst.most, 2),
+        )
+        remedy = message("Write the points of its main results, so that they cost alike.")
+        yield Problem(file, "points.quantity", what, remedy)
+
+
+def _too_wide(
+    file: str, course: Course, policy: Policy, variants: Sequence[Variant]
+) -> Iterator[Problem]:
+    """Name absolute tolerances that are wide beside what is issued.
+
+    A floor by unit is cut where a value cannot be zero; of others that come near zero the usual
+    value counts, because a relative band is empty there.
+    """
+    for quantity, values in _issued(course, variants).values():
+        absolute = tolerance_of(quantity, policy).absolute
+        sizes = np.abs(np.asarray(values))
+        own = policy.tolerances.get(quantity.id) or quantity.tolerance
+        low, high = quantity.bounds
+        is_own = own is not None and own.absolute > 0
+        spans_zero = low <= 0 <= high
+        if not sizes.size or not (is_own or spans_zero):
+            continue
+        size = float(np.median(sizes)) if spans_zero else float(sizes.min())
+        if absolute <= FLOOR_SHARE * size:
+            continue
+        key = f"quantity_tolerance.{quantity.id}" if is_own else f"tolerance.floor.{quantity.unit}"
+        what = message(
+            "The absolute tolerance {absolute} is {share} % of {size} {unit}, which '{quantity}' "
+            "has in issued variants: a guess may meet it.",
+            absolute=absolute,
+            share=round(100 * absolute / size, 1),
+            size=round(size, 4),
+            unit=quantity.unit,
+            quantity=quantity.id,
+        )
+        remedy = message("Write at most {absolute}.", absolute=float(f"{FLOOR_SHARE * size:.1g}"))
+        yield Problem(file, key, what, remedy)
+
+
+def _issued(
+    course: Course, variants: Sequence[Variant]
+) -> Mapping[str, tuple[Quantity, list[float]]]:
+    """Return the computed values that are not zero over the variants, in declared units."""
+    found: dict[str, tuple[Quantity, list[float]]] = {}
+    for variant in variants:
+        plan = plan_of(course, variant.composition)
+        values = solve_variant(plan, variant.given)
+        for one in plan.answered:
+            if one.kind is Kind.FORMULA and np.isfinite(values[one.id]) and values[one.id]:
+                found.setdefault(one.id, (one, []))[1].append(values[one.id])
+    return found

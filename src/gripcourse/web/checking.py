@@ -1,0 +1,50 @@
+"""A self-check in a worker: what students upload is never opened by the server itself."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from gripcourse.api.make_results import check_result, refused_check
+from gripcourse.api.results import CheckResult
+from gripcourse.course.model import Course
+from gripcourse.errors import UsageError
+from gripcourse.gradebook.checks import CheckLedger
+from gripcourse.jobs.pools import PROCESSES, Pool
+from gripcourse.jobs.standing import StandingWorkers
+from gripcourse.machine.content import NamedBytes
+from gripcourse.policy.model import Policy
+from gripcourse.text.words import Words
+from gripcourse.usecases.check import check_file
+from gripcourse.usecases.desk import DeskContext
+
+SECONDS: Final = 20.0
+"""A workbook takes a tenth of a second; what preflight lets through takes two."""
+
+
+@dataclass(frozen=True, slots=True)
+class CheckJob:
+    """What is checked: the file, for whom it is counted and where, and the reader's language."""
+
+    file: NamedBytes
+    who: str
+    ledger: Path
+    language: str
+
+
+def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckResult:
+    """Check a workbook; a file that cannot be used is said in the result."""
+    course, policy = shared
+    words = Words(job.language)
+    try:
+        checked = check_file(job.file, course, policy, ledger=CheckLedger(job.ledger, job.who))
+    except UsageError as refused:
+        return refused_check(refused.problems, words)
+    return check_result(checked, words)
+
+
+def make_checkers(
+    context: DeskContext, workers: int, pool: Pool | None = PROCESSES
+) -> StandingWorkers:
+    """Make the workers of a server; see `StandingWorkers`."""
+    shared = (context.course, context.policy)
+    return StandingWorkers(check, shared, workers=workers, seconds=SECONDS, pool=pool)

@@ -1,0 +1,85 @@
+"""The group as a table: who has handed in, who has a score, who asks for something."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+from gripcourse.desk.model import HandIn
+from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.store import Gradebook
+from gripcourse.gradebook.works import latest_judged
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.hand_in import latest, receipt_of
+from gripcourse.variants.model import Issued
+
+
+@dataclass(frozen=True, slots=True)
+class GroupMember:
+    """A student of the group.
+
+    Attributes:
+        issued: the student and what was issued.
+        hand_in: the last file; None for none.
+        late: whether it came after the last day.
+        files, checks, requests: how many.
+        attempt: the last one that was judged; None for none.
+    """
+
+    issued: Issued
+    hand_in: HandIn | None
+    late: bool
+    files: int
+    checks: int
+    requests: int
+    attempt: Attempt | None
+
+    @property
+    def points(self) -> float:
+        """What the program gave by itself, without the marks of persons."""
+        return 0.0 if self.attempt is None else sum(one.points for one in self.attempt.results)
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """Whom an instructor wants to see: part of an id or a name, a group, a state."""
+
+    find: str
+    group: str
+    state: str
+
+    def meets(self, row: GroupMember) -> bool:
+        """Tell whether a student is one of them."""
+        person = row.issued.student
+        states = {
+            "missing": row.hand_in is None,
+            "handed_in": row.hand_in is not None,
+            "late": row.late,
+            "asks": row.requests > 0,
+        }
+        return (
+            self.find.casefold() in f"{person.id} {person.name}".casefold()
+            and self.group in ("", person.group)
+            and states.get(self.state, True)
+        )
+
+
+def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
+    """Return everybody, by group and name."""
+    hand_ins = context.desk.hand_ins()
+    last = latest(hand_ins)
+    files = Counter(one.student for one in hand_ins)
+    checks = Counter(one.student for one in context.desk.checks())
+    requests = Counter(one.student for one in context.desk.requests())
+    attempts = latest_judged(Gradebook(context.desk.engine).standing())
+    rows = (
+        GroupMember(
+            issued=issued,
+            hand_in=last.get(id_),
+            late=id_ in last and receipt_of(context, issued, last[id_]).late,
+            files=files[id_],
+            checks=checks[id_],
+            requests=requests[id_],
+            attempt=attempts.get(id_),
+        )
+        for id_, issued in context.register().items()
+    )
+    return tuple(sorted(rows, key=lambda row: (row.issued.student.group, row.issued.student.name)))

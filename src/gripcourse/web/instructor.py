@@ -1,0 +1,245 @@
+"""The instructor's desk: the group, a student's history, downloads, publishing."""
+
+import hashlib
+import hmac
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from http import HTTPStatus
+from typing import Final, TypeAlias
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.routing import Route
+
+from gripcourse.errors import GripcourseError
+from gripcourse.gradebook.store import Gradebook
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.hand_in import kept_path, receipt_of
+from gripcourse.usecases.publish import current, publish, published_grades, published_to, withdraw
+from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
+from gripcourse.web.group import GroupMember, Wish, rows_of
+from gripcourse.web.pages import NOT_FOUND, notice, page, visitor_words
+from gripcourse.web.rates import SIGN_INS
+from gripcourse.web.site import Site
+from gripcourse.web.uploads import Sent, address_of, count, read_form
+
+_COOKIE: Final = "gripcourse-desk"
+_PURPOSE: Final = b"gripcourse form 1"
+_BINARY: Final = "application/octet-stream"
+_SIGN_IN: Final = message(
+    "Sign in by a link from the command line of the server: gripcourse sign-in. Each is good once."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Seat:
+    """An instructor who is signed in.
+
+    Attributes:
+        site: the server.
+        request: what is asked.
+        name: who it is.
+        form_key: that every form of this session carries, so that no other site can send one.
+        sent: the form that came.
+    """
+
+    site: Site
+    request: Request
+    name: str
+    form_key: str
+    sent: Sent
+
+    @property
+    def words(self) -> Words:
+        """The language of the desk."""
+        return visitor_words(self.site, self.request)
+
+    @property
+    def home(self) -> str:
+        """The path of the desk."""
+        return f"{self.request.scope.get('root_path', '')}/desk/"
+
+    def say(self, said: Message, status: HTTPStatus) -> Response:
+        """Say one thing, with a way back."""
+        return notice(self.site, self.request, self.words, said, status, self.home)
+
+    def page(self, name: str, values: dict[str, object]) -> Response:
+        """Show a page with what all pages of the desk have."""
+        all_have = {"home": self.home, "who": self.name, "form_key": self.form_key}
+        return page(self.site, self.request, name, self.words, all_have | values)
+
+
+Answer: TypeAlias = Callable[[Seat], Response]
+
+
+def instructor_routes(site: Site) -> list[Route]:
+    """Return the routes of the desk; all but signing in want a session."""
+
+    def route(path: str, answer: Answer, method: str = "GET") -> Route:
+        endpoint = _seated(site, answer)
+        return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
+
+    async def offered(request: Request) -> Response:
+        words = visitor_words(site, request)
+        return page(site, request, "sign_in", words, {"token": request.path_params["token"]})
+
+    async def signing_in(request: Request) -> Response:
+        count(site, SIGN_INS, address_of(request))
+        token = str(request.path_params["token"])
+        session = await run_in_threadpool(sign_in, site.context, token, site.clock())
+        if session is None:
+            words = visitor_words(site, request)
+            return notice(site, request, words, _SIGN_IN, HTTPStatus.FORBIDDEN)
+        root = str(request.scope.get("root_path", ""))
+        response = RedirectResponse(f"{root}/desk/", HTTPStatus.SEE_OTHER)
+        response.set_cookie(
+            _COOKIE,
+            session,
+            max_age=SESSION_HOURS * 3600,
+            path=f"{root}/desk",
+            secure=site.secure,
+            httponly=True,
+            samesite="strict",
+        )
+        return response
+
+    return [
+        Route("/desk/sign-in/{token}", offered, methods=["GET"], name="offered"),
+        Route("/desk/sign-in/{token}", signing_in, methods=["POST"], name="signing_in"),
+        route("", group),
+        route("student/{student}", student),
+        route("student/{student}/file/{number:int}", student_file),
+        route("student/{student}/report.pdf", student_report),
+        route("grades.csv", grades),
+        route("publish", publishing, "POST"),
+        route("withdraw", withdrawing, "POST"),
+        route("sign-out", signing_out, "POST"),
+    ]
+
+
+def _seated(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Response]]:
+    async def endpoint(request: Request) -> Response:
+        session = request.cookies.get(_COOKIE, "")
+        name = await run_in_threadpool(site.context.desk.session_name, session, site.clock())
+        words = visitor_words(site, request)
+        if name is None:
+            return notice(site, request, words, _SIGN_IN, HTTPStatus.FORBIDDEN)
+        form_key = hmac.new(session.encode(), _PURPOSE, hashlib.sha256).hexdigest()
+        sent = Sent({}, None)
+        if request.method == "POST":
+            sent = await read_form(request)
+            given = sent.texts.get("form_key", "")
+            if not hmac.compare_digest(given.encode(), form_key.encode()):
+                said = message("This form is not of this session. Open the page again.")
+                return notice(site, request, words, said, HTTPStatus.FORBIDDEN)
+        return await run_in_threadpool(answer, Seat(site, request, name, form_key, sent))
+
+    return endpoint
+
+
+def group(seat: Seat) -> Response:
+    """Show everybody, or those who are looked for."""
+    asked = seat.request.query_params
+    wish = Wish(asked.get("find", ""), asked.get("group", ""), asked.get("state", ""))
+    everybody = rows_of(seat.site.context)
+    values: dict[str, object] = {
+        "rows": [row for row in everybody if wish.meets(row)],
+        "everybody": len(everybody),
+        "handed_in": sum(row.hand_in is not None for row in everybody),
+        "groups": sorted({row.issued.student.group for row in everybody} - {""}),
+        "wish": wish,
+        "published": current(seat.site.context),
+        "can_publish": seat.site.graded is not None,
+    }
+    return seat.page("group", values)
+
+
+def student(seat: Seat) -> Response:
+    """Show what a student did, and what was found."""
+    row = _row(seat)
+    if row is None:
+        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    context, id_ = seat.site.context, row.issued.student.id
+    book = Gradebook(context.desk.engine)
+    published = published_to(context, id_)
+    values: dict[str, object] = {
+        "row": row,
+        "hand_ins": [receipt_of(context, row.issued, one) for one in context.desk.hand_ins(id_)],
+        "checks": context.desk.checks(id_),
+        "attempts": book.attempts({id_}),
+        "marks": [entry.mark for entry in book.entries({id_})],
+        "requests": context.desk.requests(id_),
+        "report": published is not None and published.pdf is not None,
+    }
+    return seat.page("student", values)
+
+
+def student_file(seat: Seat) -> Response:
+    """Send a file that a student handed in."""
+    context, path = seat.site.context, seat.request.path_params
+    wanted = (str(path["student"]), int(path["number"]))
+    found = (one for one in context.desk.hand_ins(wanted[0]) if one.number == wanted[1])
+    kept = next(found, None)
+    if kept is None:
+        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    return FileResponse(kept_path(context, kept.digest), media_type=_BINARY, filename=kept.name)
+
+
+def student_report(seat: Seat) -> Response:
+    """Send the report that a student sees."""
+    row = _row(seat)
+    published = None if row is None else published_to(seat.site.context, row.issued.student.id)
+    if published is None or published.pdf is None:
+        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    return FileResponse(published.pdf, media_type="application/pdf", filename=published.pdf.name)
+
+
+def grades(seat: Seat) -> Response:
+    """Send the table of grades that is published."""
+    path = published_grades(seat.site.context)
+    if path is None:
+        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    return FileResponse(path, media_type="text/csv", filename=path.name)
+
+
+def publishing(seat: Seat) -> Response:
+    """Let students see what was graded."""
+    graded = seat.site.graded
+    if graded is None:
+        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    why = seat.sent.texts.get("why", "")
+    return _done(
+        seat, lambda: publish(seat.site.context, graded, seat.name, why, seat.site.clock())
+    )
+
+
+def withdrawing(seat: Seat) -> Response:
+    """Let students see nothing any more."""
+    why = seat.sent.texts.get("why", "")
+    return _done(seat, lambda: withdraw(seat.site.context, seat.name, why, seat.site.clock()))
+
+
+def signing_out(seat: Seat) -> Response:
+    """End the session."""
+    seat.site.context.desk.end_session(seat.request.cookies[_COOKIE], seat.site.clock())
+    said = message("You are signed out.")
+    response = notice(seat.site, seat.request, seat.words, said, HTTPStatus.OK)
+    response.delete_cookie(_COOKIE, path=f"{seat.request.scope.get('root_path', '')}/desk")
+    return response
+
+
+def _done(seat: Seat, act: Callable[[], object]) -> Response:
+    try:
+        act()
+    except GripcourseError as error:
+        problem = error.problems[0]
+        said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
+        return seat.say(said, HTTPStatus.CONFLICT)
+    return RedirectResponse(seat.home, HTTPStatus.SEE_OTHER)
+
+
+def _row(seat: Seat) -> GroupMember | None:
+    wanted = str(seat.request.path_params["student"])
+    rows = rows_of(seat.site.context)
+    return next((row for row in rows if row.issued.student.id == wanted), None)

@@ -1,0 +1,88 @@
+"""Pages: a template of the course's look, filled in the reader's language."""
+
+from datetime import datetime
+from http import HTTPStatus
+from typing import Final
+
+from babel.dates import format_datetime
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, Response
+
+from gripcourse.documents.pdf import template_environment
+from gripcourse.text.words import LANGUAGES, Message, Words, message
+from gripcourse.web.site import Site
+
+_TIME: Final = "d MMM y, HH:mm:ss z"
+
+
+def page(
+    site: Site,
+    request: Request,
+    name: str,
+    words: Words,
+    values: dict[str, object],
+    status: HTTPStatus = HTTPStatus.OK,
+) -> HTMLResponse:
+    """Fill a template of `templates/web`.
+
+    Args:
+        site: the server.
+        request: that is answered; pages link below the path that the server has.
+        name: of the template, without its suffixes.
+        words: language of the page.
+        values: what the template gets besides `root`, `course` and `when`.
+        status: of the answer.
+    """
+    course = site.context.course
+    environment = template_environment(course.root / "templates", words.language)
+    everywhere: dict[str, object] = {
+        "root": str(request.scope.get("root_path", "")),
+        "course": course.title.of(words.language),
+    }
+    # Templates call only what their environment offers.
+    environment.globals["when"] = lambda moment: when(moment, words)
+    template = environment.get_template(f"web/{name}.html.j2")
+    return HTMLResponse(template.render(everywhere | values), status)
+
+
+def when(moment: datetime, words: Words) -> str:
+    """Write a time with its seconds and its zone, as the clock of the server's place shows it."""
+    local = moment.astimezone()
+    return str(format_datetime(local, _TIME, tzinfo=local.tzinfo, locale=words.language))
+
+
+def notice(
+    site: Site,
+    request: Request,
+    words: Words,
+    said: Message,
+    status: HTTPStatus,
+    back: str = "",
+) -> Response:
+    """Say one thing on a page of its own.
+
+    Args:
+        site: the server.
+        request: that is answered.
+        words: language of the page.
+        said: what is said.
+        status: of the answer.
+        back: where a link leads to; empty for none.
+    """
+    values: dict[str, object] = {"said": words.say(said), "back": back}
+    return page(site, request, "notice", words, values, status)
+
+
+def visitor_words(site: Site, request: Request) -> Words:
+    """Return the language of somebody unknown: the browser's first that we speak."""
+    for wish in request.headers.get("accept-language", "").split(","):
+        language = wish.strip()[:2].lower()
+        if language in LANGUAGES:
+            return Words(language)
+    return Words(site.context.course.language)
+
+
+NOT_FOUND: Final = message("There is nothing at this address.")
+TOO_LARGE: Final = message("The file is too large; a workbook may have at most 20 MB.")
+TOO_OFTEN: Final = message("That was too often. Wait ten minutes and try again.")
+NO_FILE: Final = message("No file came with it. Choose your workbook first.")

@@ -1,0 +1,38 @@
+"""What all pages of a server are made from."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+
+from gripcourse.jobs.standing import StandingWorkers
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.web.rates import Counter
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Site:
+    """A server for one course.
+
+    Attributes:
+        context: the course and its desk.
+        checkers: workers that read what students upload.
+        clock: the time with its zone.
+        assignments: the folder that issuing wrote; None where sheets are handed out otherwise.
+        graded: the folder that grading writes, which may be published; None for none.
+        secure: whether browsers reach it by https alone.
+        counter: of what is done how often.
+    """
+
+    context: DeskContext
+    checkers: StandingWorkers
+    clock: Callable[[], datetime]
+    assignments: Path | None = None
+    graded: Path | None = None
+    secure: bool = False
+    counter: Counter = field(default_factory=Counter)
+
+    @property
+    def ledger(self) -> Path:
+        """Where it is counted how often a student was told whether numbers fit."""
+        return self.context.private / "checks.sqlite"

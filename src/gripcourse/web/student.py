@@ -1,0 +1,317 @@
+"""A student's pages: all below the personal link, and nothing of anybody else."""
+
+import hashlib
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from http import HTTPStatus
+from pathlib import Path
+from typing import Final, TypeAlias
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.routing import Route
+
+from gripcourse.api.results import CheckResult
+from gripcourse.desk.links import Refused
+from gripcourse.desk.model import HandIn
+from gripcourse.documents.assignment_sheet import given_data
+from gripcourse.errors import UsageError
+from gripcourse.gradebook.checks import CheckLedger, left_of
+from gripcourse.jobs.lost import Lost
+from gripcourse.policy.model import Tells
+from gripcourse.solver.plan import plan_of
+from gripcourse.text.amounts import NO_BREAK_SPACE
+from gripcourse.text.words import Message, Words, message
+from gripcourse.usecases.hand_in import hand_in, kept_path, receipt_of
+from gripcourse.usecases.handout import sheet_path, workbook_path
+from gripcourse.usecases.links import open_link
+from gripcourse.usecases.publish import ShownResult, published_to
+from gripcourse.variants.model import Issued
+from gripcourse.web.checking import CheckJob
+from gripcourse.web.pages import NO_FILE, NOT_FOUND, notice, page, visitor_words
+from gripcourse.web.rates import CHECKS, HAND_INS, REFUSED_LINKS, REQUESTS
+from gripcourse.web.site import Site
+from gripcourse.web.uploads import Sent, address_of, count, read_form
+
+_REFUSED: Final = {
+    Refused.FORGED: (
+        HTTPStatus.NOT_FOUND,
+        message("This link is not valid. Copy it whole, or ask your instructor for a new one."),
+    ),
+    Refused.EXPIRED: (
+        HTTPStatus.GONE,
+        message("This link has expired. Ask your instructor for a new one."),
+    ),
+    Refused.REVOKED: (
+        HTTPStatus.GONE,
+        message("This link was replaced. Use the newest one that you were sent."),
+    ),
+}
+_LONGEST_SENTENCE: Final = 1000
+_FIGURES: Final = 7  # of a number that was understood
+_BINARY: Final = "application/octet-stream"
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """Somebody at a personal link.
+
+    Attributes:
+        site: the server.
+        request: what is asked.
+        issued: the student whose link it is, with what was issued.
+        sent: the form that came; empty where only a page is asked for.
+    """
+
+    site: Site
+    request: Request
+    issued: Issued
+    sent: Sent
+
+    @property
+    def student(self) -> str:
+        """The student's id."""
+        return self.issued.student.id
+
+    @property
+    def words(self) -> Words:
+        """The student's language."""
+        return Words(self.issued.student.language or self.site.context.course.language)
+
+    @property
+    def home(self) -> str:
+        """The path of the student's page."""
+        root = str(self.request.scope.get("root_path", ""))
+        return f"{root}/s/{self.request.path_params['token']}/"
+
+    def say(self, said: Message, status: HTTPStatus = HTTPStatus.OK) -> Response:
+        """Say one thing, with a way back."""
+        return notice(self.site, self.request, self.words, said, status, self.home)
+
+
+Answer: TypeAlias = Callable[[Visit], Response]
+
+
+def student_routes(site: Site) -> list[Route]:
+    """Return the routes of students; each of them opens the link first."""
+
+    def route(path: str, answer: Answer, method: str = "GET") -> Route:
+        endpoint = _opened(site, answer)
+        return Route(f"/s/{{token}}/{path}", endpoint, methods=[method], name=answer.__name__)
+
+    return [
+        route("", home),
+        route("assignment.pdf", sheet),
+        route("workbook.xlsx", workbook),
+        route("check", check, "POST"),
+        route("hand-in", handed_in, "POST"),
+        route("receipt/{number:int}", receipt),
+        route("file/{number:int}", own_file),
+        route("report.pdf", report),
+        route("request", regrade_request, "POST"),
+    ]
+
+
+def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Response]]:
+    async def endpoint(request: Request) -> Response:
+        token = str(request.path_params["token"])
+        issued = await run_in_threadpool(open_link, site.context, token, site.clock())
+        if isinstance(issued, Refused):
+            count(site, REFUSED_LINKS, address_of(request))
+            status, said = _REFUSED[issued]
+            return notice(site, request, visitor_words(site, request), said, status)
+        sent = await read_form(request) if request.method == "POST" else Sent({}, None)
+        return await run_in_threadpool(answer, Visit(site, request, issued, sent))
+
+    return endpoint
+
+
+def home(visit: Visit) -> Response:
+    """Show the assignment, what was handed in, and the results where they are published."""
+    context, issued, words = visit.site.context, visit.issued, visit.words
+    plan = plan_of(context.course, issued.variant.composition)
+    titles = {one.id: one.title.of(words.language) for one in (*plan.answered, *plan.manual)}
+    published = published_to(context, visit.student)
+    rule = context.policy.check
+    values: dict[str, object] = {
+        "home": visit.home,
+        "student": issued.student,
+        "variant": issued.variant.id,
+        "scheme": plan.scheme.title.of(words.language),
+        "task": plan.scheme.task.of(words.language),
+        "deadline": issued.deadline,
+        "data": given_data(plan.givens, issued.variant.given, words),
+        "asked": len(plan.answered),
+        "sheet": _issued_file(visit, sheet_path) is not None,
+        "workbook": _issued_file(visit, workbook_path) is not None,
+        "compares": rule.tells is not Tells.READING,
+        "left": left_of(CheckLedger(visit.site.ledger, visit.student), rule.times),
+        "times": rule.times,
+        "hand_ins": context.desk.hand_ins(visit.student),
+        "published": None if published is None else _results(published, titles),
+        "requests": [
+            (titles.get(one.item, one.item), one.sentence, one.at)
+            for one in context.desk.requests(visit.student)
+        ],
+    }
+    return page(visit.site, visit.request, "assignment", words, values)
+
+
+def _results(published: ShownResult, titles: dict[str, str]) -> dict[str, object]:
+    """Return what the page shows of results; numbers of the reference stay in the report."""
+    report = published.report
+    return {
+        "judged": report.judged,
+        "score": report.score,
+        "max_score": report.max_score,
+        "open_points": report.open_points,
+        "printed": published.pdf is not None,
+        "items": [
+            (one.quantity, titles.get(one.quantity, one.quantity), one.points, one.max_points)
+            for one in report.findings
+        ],
+    }
+
+
+def sheet(visit: Visit) -> Response:
+    """Send the assignment sheet."""
+    return _sent(visit, _issued_file(visit, sheet_path), "application/pdf")
+
+
+def workbook(visit: Visit) -> Response:
+    """Send the answer workbook as it was issued."""
+    return _sent(visit, _issued_file(visit, workbook_path), _BINARY)
+
+
+def check(visit: Visit) -> Response:
+    """Say how a workbook is read, and by policy whether its numbers fit."""
+    site, words = visit.site, visit.words
+    if visit.sent.file is None:
+        return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
+    count(site, CHECKS, visit.student)
+    result = site.checkers.do(CheckJob(visit.sent.file, visit.student, site.ledger, words.language))
+    if isinstance(result, Lost):
+        said = message("This file could not be read within the limits of the server.")
+        return visit.say(said, HTTPStatus.UNPROCESSABLE_ENTITY)
+    file, rule = visit.sent.file, site.context.policy.check
+    digest, told = hashlib.sha256(file.data).hexdigest(), bool(result.sections)
+    site.context.desk.log_check(
+        visit.student, digest, told=told, left=result.left, now=site.clock()
+    )
+    values: dict[str, object] = {
+        "home": visit.home,
+        "file": file.name,
+        "result": _understood(result, words),
+        "counts": _counts(result),
+        "left": result.left,
+        "times": rule.times,
+    }
+    return page(site, visit.request, "checked", words, values)
+
+
+def _understood(result: CheckResult, words: Words) -> dict[str, object]:
+    """Return what the page shows of a check, with numbers as the reader writes them."""
+    return {
+        "refusal": result.refusal,
+        "remarks": result.remarks,
+        "sections": result.sections,
+        "answers": [
+            (one, "" if one.value is None else _amount(one.value, one.unit, words))
+            for one in result.answers
+        ],
+    }
+
+
+def _amount(value: float, unit: str, words: Words) -> str:
+    joint = "" if not unit or unit.startswith("°") else NO_BREAK_SPACE
+    return f"{words.number(value, _FIGURES)}{joint}{unit}"
+
+
+def _counts(result: CheckResult) -> dict[str, int]:
+    states = [one.state.value for one in result.answers]
+    blank, unreadable = states.count("blank"), states.count("unreadable")
+    doubtful = states.count("wrong_unit") + states.count("implausible")
+    read = len(states) - blank - unreadable - doubtful
+    return {"read": read, "doubtful": doubtful, "unreadable": unreadable, "blank": blank}
+
+
+def handed_in(visit: Visit) -> Response:
+    """Keep a file; the receipt is shown when it is safe."""
+    if visit.sent.file is None:
+        return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
+    count(visit.site, HAND_INS, visit.student)
+    try:
+        made = hand_in(visit.site.context, visit.issued, visit.sent.file, visit.site.clock())
+    except UsageError as refused:
+        problem = refused.problems[0]
+        said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
+        return visit.say(said, HTTPStatus.BAD_REQUEST)
+    number = made.hand_in.number
+    return RedirectResponse(f"{visit.home}receipt/{number}", HTTPStatus.SEE_OTHER)
+
+
+def receipt(visit: Visit) -> Response:
+    """Show the receipt of a file."""
+    kept = _kept(visit)
+    if kept is None:
+        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    made = receipt_of(visit.site.context, visit.issued, kept)
+    values: dict[str, object] = {
+        "home": visit.home,
+        "student": visit.issued.student,
+        "variant": visit.issued.variant.id,
+        "receipt": made,
+    }
+    return page(visit.site, visit.request, "receipt", visit.words, values)
+
+
+def own_file(visit: Visit) -> Response:
+    """Send back a file as it was handed in."""
+    kept = _kept(visit)
+    if kept is None:
+        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    return FileResponse(
+        kept_path(visit.site.context, kept.digest), media_type=_BINARY, filename=kept.name
+    )
+
+
+def report(visit: Visit) -> Response:
+    """Send the printed report where results are published."""
+    published = published_to(visit.site.context, visit.student)
+    return _sent(visit, None if published is None else published.pdf, "application/pdf")
+
+
+def regrade_request(visit: Visit) -> Response:
+    """Keep that the student asks for an item to be looked at again."""
+    context, texts = visit.site.context, visit.sent.texts
+    published = published_to(context, visit.student)
+    item, sentence = texts.get("item", ""), " ".join(texts.get("sentence", "").split())
+    items = () if published is None else [one.quantity for one in published.report.findings]
+    if item not in items:
+        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    if not sentence or len(sentence) > _LONGEST_SENTENCE:
+        said = message("Say in a sentence what should be looked at again.")
+        return visit.say(said, HTTPStatus.BAD_REQUEST)
+    count(visit.site, REQUESTS, visit.student)
+    context.desk.add_request(visit.student, item, sentence, visit.site.clock())
+    return RedirectResponse(f"{visit.home}#requests", HTTPStatus.SEE_OTHER)
+
+
+def _kept(visit: Visit) -> HandIn | None:
+    number = int(visit.request.path_params["number"])
+    found = (one for one in visit.site.context.desk.hand_ins(visit.student))
+    return next((one for one in found if one.number == number), None)
+
+
+def _issued_file(visit: Visit, place: Callable[[Path, str], Path]) -> Path | None:
+    if visit.site.assignments is None:
+        return None
+    path = place(visit.site.assignments, visit.student)
+    return path if path.is_file() else None
+
+
+def _sent(visit: Visit, path: Path | None, kind: str) -> Response:
+    if path is None:
+        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+    return FileResponse(path, media_type=kind, filename=path.name)

@@ -1,0 +1,59 @@
+"""Reading the form that a browser sends."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from starlette.datastructures import UploadFile
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+
+from gripcourse.machine.content import NamedBytes
+from gripcourse.web.guard import declares_too_much
+from gripcourse.web.rates import Allowance
+from gripcourse.web.site import Site
+
+_FIELDS: Final = 8
+_LONGEST_FIELD: Final = 20_000
+_TOO_LARGE: Final = 413
+_TOO_OFTEN: Final = 429
+
+
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """What a form holds: short texts by name, and the file if one was chosen."""
+
+    texts: Mapping[str, str]
+    file: NamedBytes | None
+
+
+async def read_form(request: Request) -> Sent:
+    """Read a form wholly; what it holds is nowhere yet but in memory and a temporary file.
+
+    Raises:
+        HTTPException: it is too large or no form.
+        ClientDisconnect: whoever sent it has gone in the middle.
+    """
+    if declares_too_much(request.headers):
+        raise HTTPException(_TOO_LARGE)
+    async with request.form(max_files=1, max_fields=_FIELDS, max_part_size=_LONGEST_FIELD) as form:
+        texts = {name: one for name, one in form.items() if isinstance(one, str)}
+        files = [one for one in form.values() if isinstance(one, UploadFile) and one.filename]
+        sent = [NamedBytes(str(one.filename), await one.read()) for one in files]
+    return Sent(texts, sent[0] if sent else None)
+
+
+def count(site: Site, rate: Allowance, who: str) -> None:
+    """Count one more.
+
+    Raises:
+        HTTPException: it was too often.
+    """
+    if not site.counter.allows(rate, who, time.monotonic()):
+        raise HTTPException(_TOO_OFTEN, headers={"Retry-After": str(int(rate.seconds))})
+
+
+def address_of(request: Request) -> str:
+    """Return from where somebody comes; a proxy in between is believed as uvicorn was told."""
+    return "" if request.client is None else request.client.host

@@ -1,0 +1,112 @@
+"""The sheet of an answer workbook with the series and tables that its answers are taken from."""
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final
+
+from gripcourse.solver.needed_tables import NeededTable, needed_tables
+from gripcourse.solver.plan import Plan
+from gripcourse.text.units import unit_text
+from gripcourse.text.words import Words, message
+from gripcourse.workbook.cover import LOCKED
+from gripcourse.workbook.layout import WorkbookLayout
+from gripcourse.workbook.style import Styles, pages_tall, plain_symbols, row_height, set_page
+
+if TYPE_CHECKING:
+    from xlsxwriter import Workbook
+    from xlsxwriter.worksheet import Worksheet
+
+_COLUMNS: Final = 12  # of sizes in a row, as many as a page has room for
+_WIDTH: Final = 9.0  # of a column, in characters
+_FIRST: Final = 3  # row of the first series
+_HEADING: Final = 46.0  # points of the headings of a table
+_LINE: Final = 16.0  # points of a row, on the average
+
+
+def write_series(
+    book: "Workbook", placed: WorkbookLayout, plan: Plan, right: str, words: Words, styles: Styles
+) -> None:
+    """Write the sheet; none for an assignment whose answers are taken from no table.
+
+    Args:
+        book: that it is added to.
+        placed: its name, and the numbers of the answers.
+        plan: whose tables are shown, exactly as they are declared.
+        right: what stands above the page at the right.
+        words: the student's language.
+        styles: of `book`.
+    """
+    tables = needed_tables(plan)
+    if not tables:
+        return
+    sheet = book.add_worksheet(placed.series)
+    sheet.set_column(0, _COLUMNS - 1, _WIDTH)
+    title = words.say(message("Series and tables"))
+    sheet.set_row(0, 26)
+    sheet.write_string(0, 0, title, styles.title)
+    said = message("Behind the title of each stand the numbers of the answers taken from it.")
+    sheet.write_string(1, 0, words.say(said), styles.hint_line)
+    row = _FIRST
+    for table in tables:
+        heading = " ".join((_title(table, words), *_takers(table, placed)))
+        sheet.merge_range(row, 0, row, _COLUMNS - 1, "", styles.heading_line)
+        sheet.write_string(row, 0, heading, styles.heading_line)
+        sheet.set_row(row, row_height([(heading, _WIDTH * _COLUMNS)]))
+        row = 1 + _write_table(sheet, row + 1, table, words, styles)
+    set_page(sheet, title, right, tall=pages_tall([_LINE] * row))
+    sheet.protect("", LOCKED)
+
+
+def _title(table: NeededTable, words: Words) -> str:
+    catalogue = table.catalogue
+    title = catalogue.source if catalogue.title is None else catalogue.title
+    unit = unit_text(catalogue.units[table.columns[0]], words.language) if table.is_series else ""
+    return f"{table.number}. {plain_symbols(title.of(words.language))}{f', {unit}' if unit else ''}"
+
+
+def _takers(table: NeededTable, placed: WorkbookLayout) -> Iterator[str]:
+    numbers = {line.quantity.id: line.number for one in placed.sheets for line in one.answered}
+    taken = [numbers[one.id] for one in table.takers if one.id in numbers]
+    if taken:
+        yield f"→ {', '.join(taken)}"
+
+
+def _write_table(
+    sheet: "Worksheet", row: int, table: NeededTable, words: Words, styles: Styles
+) -> int:
+    """Write the numbers from a row on; return the row after the last one."""
+    if table.is_series:
+        sizes = [size for (size,) in table.rows]
+        lines = [sizes[at : at + _COLUMNS] for at in range(0, len(sizes), _COLUMNS)]
+        return _write_lines(sheet, row, lines, styles)
+    first = table.columns[0]
+    # A table that is wider than the page goes on below, each time with its sizes in front.
+    others = table.columns[1:]
+    for at in range(0, len(others), _COLUMNS - 1):
+        names = (first, *others[at : at + _COLUMNS - 1])
+        shown = [table.columns.index(name) for name in names]
+        for column, name in enumerate(names):
+            sheet.write_string(row, column, _heading(table, name, words), styles.head)
+        sheet.set_row(row, _HEADING)
+        row = _write_lines(
+            sheet, row + 1, [[line[index] for index in shown] for line in table.rows], styles
+        )
+    return row
+
+
+def _heading(table: NeededTable, name: str, words: Words) -> str:
+    catalogue = table.catalogue
+    heading = catalogue.headings[name].of(words.language) if name in catalogue.headings else ""
+    return ", ".join(
+        part
+        for part in (plain_symbols(heading), unit_text(catalogue.units[name], words.language))
+        if part
+    )
+
+
+def _write_lines(
+    sheet: "Worksheet", row: int, lines: Sequence[Sequence[float]], styles: Styles
+) -> int:
+    for offset, line in enumerate(lines):
+        for column, size in enumerate(line):
+            sheet.write_number(row + offset, column, size, styles.size)
+    return row + len(lines)

@@ -1,0 +1,110 @@
+"""The commands beside the server: links, publishing, collecting."""
+
+import csv
+import stat
+import sys
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from gripcourse.cli import main as cli
+from gripcourse.desk.links import Refused
+from gripcourse.desk.store import open_desk
+from gripcourse.exports.grades import grades_csv
+from gripcourse.issuing.signature import key_path, read_key
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.database.home import home_of
+from gripcourse.policy.model import Policy
+from gripcourse.text.words import Words
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, json_text
+from gripcourse.usecases.hand_in import hand_in
+from gripcourse.usecases.handout import Handout
+from gripcourse.usecases.issue import issue_order
+from gripcourse.usecases.links import open_link
+from gripcourse.usecases.publish import current
+from support.classroom import Classroom
+
+NOW = datetime(2026, 10, 1, tzinfo=UTC)
+Run = Callable[..., str]
+
+
+@pytest.fixture
+def context(classroom: Classroom, policy: Policy) -> DeskContext:
+    """A course of which only the register was written."""
+    course = classroom.course
+    nothing = Handout("", (), ())
+    issue_order(course, policy, classroom.order, 0, lambda _: None, issue_one=lambda *_: nothing)
+    desk = open_desk(home_of(course.root), course.id)
+    return DeskContext(course, policy, read_key(key_path(course.root)), desk)
+
+
+@pytest.fixture
+def run(
+    context: DeskContext, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Run:
+    monkeypatch.setattr("gripcourse.usecases.desk.load_course", lambda _: context.course)
+
+    def said(*arguments: str) -> str:
+        course = ("--course", str(context.course.root), "--language", "en")
+        monkeypatch.setattr(sys, "argv", ["gripcourse", *arguments, *course])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        return f"{ended.value.code} {''.join(capsys.readouterr())}"
+
+    return said
+
+
+def test_links_are_written_for_their_owner_and_end_when_revoked(
+    run: Run, context: DeskContext, tmp_path: Path
+) -> None:
+    out = tmp_path / "links.csv"
+    command = ("links", "--address", "https://course.example/", "--out", str(out))
+
+    def tokens() -> dict[str, str]:
+        with out.open(encoding="utf-8-sig", newline="") as stream:
+            found = {row["student"]: row["link"] for row in csv.DictReader(stream)}
+        assert all(one.startswith("https://course.example/s/") for one in found.values())
+        return {student: one.split("/")[-2] for student, one in found.items()}
+
+    assert run(*command).startswith("0")
+    assert stat.S_IMODE(out.stat().st_mode) == 0o600
+    before = tokens()
+    assert run(*command, "--revoke", "s02").startswith("0")
+    after = tokens()
+    opened = [open_link(context, one["s02"], NOW) for one in (before, after)]
+    assert opened == [Refused.REVOKED, context.register()["s02"]]
+    assert open_link(context, before["s01"], NOW) == context.register()["s01"]
+    assert run("links", "--revoke", "nobody").startswith("2")
+    assert run("links").startswith("2")
+
+
+def test_what_is_handed_in_is_collected_and_results_are_published_and_withdrawn(
+    run: Run, context: DeskContext, tmp_path: Path
+) -> None:
+    for data in (b"first", b"second"):
+        hand_in(context, context.register()["s01"], NamedBytes("мой.XLSX", data), NOW)
+    assert "1" in run("handed-in", "--out", str(tmp_path / "work"))
+    assert (tmp_path / "work" / "s01.xlsx").read_bytes() == b"second"
+    graded = tmp_path / "graded"
+    assert run("release", str(graded)).startswith("2")
+    graded.mkdir()
+    (graded / GRADES_JSON).write_text(json_text([], Words("en")), encoding="utf-8")
+    grades_csv([], graded / GRADES_CSV)
+    assert run("release", str(graded), "--by", "Ann", "--why", "end").startswith("0")
+    published = current(context)
+    assert published is not None
+    assert (published.by, published.why) == ("Ann", "end")
+    assert run("release", "--withdraw").startswith("0")
+    assert current(context) is None
+    assert run("release").startswith("2")
+
+
+def test_a_link_to_sign_in_is_printed(run: Run, context: DeskContext) -> None:
+    line = run("sign-in", "--by", "Ann", "--address", "https://course.example").split()[-1]
+    token = line.removeprefix("https://course.example/desk/sign-in/")
+    now = datetime.now(UTC)
+    assert context.desk.begin_session(token, "session", now.replace(year=2099), now)
+    assert context.desk.session_name("session", now) == "Ann"

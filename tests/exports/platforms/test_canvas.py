@@ -1,0 +1,55 @@
+"""Canvas gets the smallest table that it takes, with its own ids."""
+
+import csv
+import io
+from collections.abc import Callable
+
+import pytest
+
+from gripcourse.errors import UsageError
+from gripcourse.exports.platforms.canvas import fill_gradebook
+from gripcourse.exports.platforms.works import GradedWork
+from gripcourse.machine.content import NamedBytes
+
+Works = Callable[[dict[str, str]], tuple[GradedWork, ...]]
+EXPORT = """\
+Student,ID,SIS User ID,SIS Login ID,Section,РГР 1 (9876),Lab (11),Current Score
+Manual Posting,,,,,,,
+    Points Possible,,,,,"50.00",10.00,(read only)
+"Иванова, Ольга",501,u1,ivanova@uni.ua,РТ-41,,7.00,70
+"Ковальчук, Іван",502,u2,other,РТ-41,N/A,8.00,80
+"""
+FILES = {"ивановаольга_LATE_501_77_s.xlsx": "s17", "x_502_78_s.xlsx": "s18"}
+
+
+def table(
+    text: str = EXPORT, assignment: str = "РГР 1", **found: tuple[GradedWork, ...]
+) -> list[list[str]]:
+    source = NamedBytes("grades.csv", text.encode("utf-8-sig"))
+    content = fill_gradebook(source, found.get("works", ()), assignment).content
+    return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline="")))
+
+
+def test_ids_sections_and_possible_points_are_kept(works: Works) -> None:
+    header, possible, first, second = table(works=works(FILES))
+    assert header == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "РГР 1 (9876)"]
+    assert possible == ["    Points Possible", "", "", "", "", "50.00"]
+    assert first[:5] == ["Иванова, Ольга", "501", "u1", "ivanova@uni.ua", "РТ-41"]
+    assert 0 < float(first[5]) <= 50
+    assert 0 < float(second[5]) <= 50
+
+
+def test_who_has_no_work_keeps_what_stood_there(works: Works) -> None:
+    *_, second = table(works=works({"s17.xlsx": "s17"}))
+    assert second[-1] == "N/A"
+
+
+def test_the_assignment_must_be_clear() -> None:
+    with pytest.raises(UsageError, match="Lab"):
+        table(assignment="")
+    assert table(assignment="11")[0][-1] == "Lab (11)"
+
+
+def test_another_table_is_refused_by_its_headings() -> None:
+    with pytest.raises(UsageError, match="No heading is ID, Section"):
+        table("Student,Points\nA,1\n")

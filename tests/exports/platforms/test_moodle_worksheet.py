@@ -1,0 +1,165 @@
+"""Moodle's worksheet comes back as it was, with grades that its import reads in every language."""
+
+import csv
+import io
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.errors import UsageError
+from gripcourse.exports.platforms.comment import comment_html
+from gripcourse.exports.platforms.moodle_feedback import feedback_zip
+from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
+from gripcourse.exports.platforms.works import GradedWork
+from gripcourse.machine.content import NamedBytes
+from gripcourse.text.words import Words
+
+Works = Callable[[dict[str, str]], tuple[GradedWork, ...]]
+ZIP = "РГР.zip/Ольга Иванова_{}_assignsubmission_file/s.xlsx"
+EN = """\
+Identifier,"Full name","Email address",Status,Grade,"Maximum grade","Grade can be changed",\
+"Last modified (submission)","Last modified (grade)","Feedback comments"
+"Participant 12","Ольга Иванова",other@mail.com,"Submitted for grading -  - ",,100.00,Yes,\
+"Saturday, 21 November 2026, 8:07 AM",-,
+"Participant 3","Іван ОКовальчук",kovalchuk@uni.ua,"Submitted for grading -  - ",,100.00,Yes,\
+"Saturday, 21 November 2026, 8:07 AM","Saturday, 21 November 2026, 8:09 AM","<p>a,
+b</p>"
+"Participant 44","Nobody Here",nobody@uni.ua,"No submission -  - ",,100.00,Yes,-,-,
+"""
+RU = """\
+Идентификатор,"Полное имя","Адрес электронной почты",Статус,Оценка,"Максимальная оценка",\
+"Оценка может быть изменена","Последнее изменение (ответ)","Последнее изменение (оценка)",\
+"Отзыв в виде комментария"
+Участник12,"Ольга Иванова",o@mail.com,Статус,"60,25","100,00",Да,-,\
+"суббота, 21 ноября 2026, 08:07",
+"""
+UK = """\
+Ідентифікатор;"Повна назва";Статус;Оцінка;"Максимальна оцінка";"Оцінка може бути змінена";\
+"Востаннє змінювалося (оцінка)";"Відгук - коментарем"
+Учасник12;"Іванова Ольга";Статус;;"50,00";Так;"Saturday 21 November 2026 08:07 PM";
+Учасник3;"ОКовальчук Іван";Статус;;"50,00";Ні;-;
+"""
+
+
+def sheet(text: str, encoding: str = "utf-8-sig") -> NamedBytes:
+    return NamedBytes("Grades.csv", text.encode(encoding))
+
+
+def filled(source: NamedBytes, works: tuple[GradedWork, ...]) -> bytes:
+    return fill_worksheet(read_worksheet(source), works, lambda _: "<p>ok</p>").content
+
+
+def rows(content: bytes, encoding: str = "utf-8-sig", separator: str = ",") -> list[dict[str, str]]:
+    text = io.StringIO(content.decode(encoding), newline="")
+    return list(csv.DictReader(text, delimiter=separator))
+
+
+def test_only_grade_and_comment_are_filled_in(works: Works) -> None:
+    content = filled(sheet(EN), works({ZIP.format(12): "s17"}))
+    before, after = rows(sheet(EN).data), rows(content)
+    changed = {
+        (number, name)
+        for number, (old, new) in enumerate(zip(before, after, strict=True))
+        for name in old
+        if old[name] != new[name]
+    }
+    assert changed == {(0, "Grade"), (0, "Feedback comments")}
+    assert after[0]["Feedback comments"] == "<p>ok</p>"
+    assert 0 < float(after[0]["Grade"]) <= 100
+
+
+def test_a_row_without_a_work_stays_byte_for_byte(works: Works) -> None:
+    content = filled(sheet(EN), works({ZIP.format(12): "s17"}))
+    before, after = sheet(EN).data, content
+    rest = before[before.index(b'"Participant 3"') :]
+    assert after.endswith(rest)
+    assert after.startswith(before[: before.index(b'"Participant 12"')])
+
+
+def test_a_row_is_known_by_number_address_or_name(works: Works) -> None:
+    found = works({ZIP.format(12): "s17", "x/s18.xlsx": "s18"})
+    grades = [row["Grade"] != "" for row in rows(filled(sheet(EN), found))]
+    assert grades == [True, True, False]
+
+
+def test_a_russian_worksheet_gets_a_point_and_a_date_that_moodle_reads(works: Works) -> None:
+    (row,) = rows(filled(sheet(RU), works({ZIP.format(12): "s17"})))
+    assert "." in row["Оценка"]
+    assert "," not in row["Оценка"]
+    assert row["Последнее изменение (оценка)"] == "2026-11-21 08:07"
+    assert row["Максимальная оценка"] == "100,00"
+
+
+@pytest.mark.parametrize("encoding", ["cp1251", "utf-8", "utf-16"])
+def test_encoding_and_separator_stay(works: Works, encoding: str) -> None:
+    found = works({ZIP.format(12): "s17", "x/s18.xlsx": "s18"})
+    result = fill_worksheet(read_worksheet(sheet(UK, encoding)), found, lambda _: "<p>ok</p>")
+    first, second = rows(result.content, encoding, ";")
+    assert 0 < float(first["Оцінка"]) <= 50
+    assert first["Востаннє змінювалося (оцінка)"] == "2026-11-21 20:07"
+    assert second["Оцінка"] == ""
+    assert ["cannot be changed" in str(note) for note in result.notes] == [True]
+
+
+def test_an_unknown_heading_is_named(works: Works) -> None:
+    with pytest.raises(UsageError) as refused:
+        filled(sheet(EN.replace("Identifier", "Kennung")), works({}))
+    assert "'Identifier' / 'Идентификатор' / 'Ідентифікатор'" in str(refused.value)
+    assert "Kennung" in str(refused.value)
+
+
+def test_two_rows_of_one_student_are_refused(works: Works) -> None:
+    twice = EN.replace("other@mail.com", "kovalchuk@uni.ua")
+    with pytest.raises(UsageError, match="Rows 2, 3 are all of s18"):
+        filled(sheet(twice), works({"x/s18.xlsx": "s18"}))
+    with pytest.raises(UsageError, match="have the same number 12"):
+        filled(sheet(EN.replace("Participant 3", "Participant 12")), works({}))
+
+
+def test_a_work_from_anothers_account_gets_no_grade(works: Works) -> None:
+    found = works({"Ольга Иванова_12_assignsubmission_file/s.xlsx": "s18"})
+    result = fill_worksheet(read_worksheet(sheet(EN)), found, lambda _: "")
+    assert result.filled == 0
+    assert "under another account" in str(result.notes[0])
+
+
+def test_who_is_not_in_the_worksheet_is_named(works: Works) -> None:
+    result = fill_worksheet(read_worksheet(sheet(EN)), works({"s19.xlsx": "s19"}), lambda _: "")
+    assert [str(one) for one in result.notes] == [
+        "s19 =Петров Пётр is not in the platform's table."
+    ]
+
+
+def test_a_scale_of_words_is_refused(works: Works) -> None:
+    with pytest.raises(UsageError, match="a scale of words"):
+        filled(sheet(EN.replace("100.00", "A B C")), works({ZIP.format(12): "s17"}))
+
+
+def test_a_comment_is_html_without_line_ends(works: Works, course: Course) -> None:
+    (work,) = works({ZIP.format(12): "s17"})
+    said = comment_html(work, course, Words("ru"))
+    assert said.startswith("<p>")
+    assert "\n" not in said
+    assert all(section.title.of("ru") in said for section in course.sections[:2])
+
+
+def test_the_names_in_the_zip_of_reports_are_those_that_moodle_takes(
+    works: Works, tmp_path: Path
+) -> None:
+    report = tmp_path / "s17.pdf"
+    report.write_bytes(b"%PDF")
+    found = works({ZIP.format(12): "s17"})
+    source = sheet(EN.replace("Ольга Иванова", "Ольга_Иванова"))
+    result = fill_worksheet(read_worksheet(source), found, lambda _: "")
+    packed, notes = feedback_zip(result, lambda _: report, Words("ru"))
+    with zipfile.ZipFile(io.BytesIO(packed)) as archive:
+        (info,) = archive.infolist()
+        assert archive.read(info) == b"%PDF"
+    assert info.flag_bits & 1 << 11
+    person, _, rest = info.filename.partition("_")
+    number, plugin, kind = rest.split("/")[0].split("_")
+    assert (person, number, plugin, kind) == ("Ольга Иванова", "12", "assignfeedback", "file")
+    assert notes == ()

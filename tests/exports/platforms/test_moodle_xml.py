@@ -1,0 +1,37 @@
+"""A variant as a question of many parts: Moodle takes points only, and absolute tolerances."""
+
+import re
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.exports.platforms.moodle_xml import moodle_xml
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import Plan
+from gripcourse.text.words import Words
+from gripcourse.variants.model import Variant
+from support.reports import values, variant
+
+__all__ = ["values", "variant"]
+PART = re.compile(r"\{(\d+):(NM|MC):=([^~{}]*)(?:~([^{}]*))?\}")
+NUMBER = re.compile(r"(-?\d+(?:\.\d+)?):(\d+(?:\.\d+)?)")
+
+
+@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+def test_every_answer_is_a_part_with_its_value_and_band(
+    variant: Variant, plan: Plan, course: Course, policy: Policy, values: dict[str, float],
+    language: str,
+) -> None:  # fmt: skip
+    root = ET.fromstring(moodle_xml([variant], course, policy, Words(language)))  # noqa: S314 (ours)
+    category, question = root
+    assert category.findtext("category/text", "").startswith("$course$/top/")
+    parts = PART.findall(question.findtext("questiontext/text", ""))
+    assert len(parts) == len(plan.answered)
+    numbers = [NUMBER.fullmatch(right) for _, kind, right, _ in parts if kind == "NM"]
+    assert all(numbers)
+    found = [float(one[1]) for one in numbers if one]
+    asked = [one for section in course.sections for one in plan.answered
+             if one.section == section.id and one.kind != "verdict"]  # fmt: skip
+    assert found == pytest.approx([values[one.id] for one in asked], rel=1e-8)
+    assert all(float(one[2]) > 0 for one in numbers if one and float(one[1]))

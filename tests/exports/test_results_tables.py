@@ -1,0 +1,47 @@
+"""Results as tables: everybody has a row, and nothing in a cell runs."""
+
+import csv
+import io
+from dataclasses import replace
+
+import pytest
+from openpyxl import load_workbook
+
+from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
+from gripcourse.grading.model import Report
+from gripcourse.text.words import Words
+from gripcourse.variants.model import Student
+
+HOSTILE = "=1+1|cmd"
+STUDENTS = {id_: Student(id_, HOSTILE, "РТ-41", f"{id_}@uni", "", "") for id_ in ("s017", "s018")}
+
+
+@pytest.fixture
+def grades(perfect: Report) -> GradesResult:
+    return grades_result([replace(perfect, name=HOSTILE)], Words("ru"))
+
+
+def test_csv_has_everybody_and_runs_nothing(grades: GradesResult) -> None:
+    tables = {
+        name: list(csv.DictReader(io.StringIO(data.decode("utf-8-sig"), newline="")))
+        for name, data in csv_tables(results_tables(grades, STUDENTS)).items()
+    }
+    students = tables["students.csv"]
+    assert [(one["student"], one["flags"]) for one in students] == [
+        ("s017", ""),
+        ("s018", "not_handed_in"),
+    ]
+    assert {one["name"] for one in students} == {f"'{HOSTILE}"}
+    (report,) = grades.reports
+    for name in ("sections.csv", "quantities.csv"):
+        points = [float(one["points"]) for one in tables[name]]
+        assert sum(points) == pytest.approx(report.score, abs=1e-6)
+
+
+def test_a_workbook_holds_texts_and_no_formulas(grades: GradesResult) -> None:
+    book = load_workbook(io.BytesIO(workbook(results_tables(grades, STUDENTS))))
+    assert book.sheetnames == ["students", "sections", "quantities"]
+    cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row]
+    assert "f" not in {cell.data_type for cell in cells}
+    assert HOSTILE in {cell.value for cell in cells}

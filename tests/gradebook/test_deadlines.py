@@ -1,0 +1,77 @@
+"""A deadline is that of the student, else of the group, else of everybody, in the course's zone."""
+
+from datetime import UTC, date, datetime
+from zoneinfo import ZoneInfo
+
+import pytest
+
+from gripcourse.errors import TableError
+from gripcourse.gradebook.deadlines import Deadline, deadline_of, moment_of, read_deadlines
+from gripcourse.machine.content import NamedBytes
+from gripcourse.variants.model import Issued, Student, Variant
+
+KYIV = ZoneInfo("Europe/Kyiv")
+TABLE = """\
+group,student,deadline
+,,2026-12-01
+РТК-41,,2026-12-08 18:00
+,s02,2026-12-20T9:30
+"""
+
+
+def table(text: str) -> tuple[Deadline, ...]:
+    return read_deadlines(NamedBytes("deadlines.csv", text.encode()), KYIV)
+
+
+def issued(student: str, group: str, day: date | None = date(2026, 11, 1)) -> Issued:
+    return Issued(
+        student=Student(student, student, group, "", "ru", ""),
+        variant=Variant("001", "rack", {}, {}),
+        issued_on=date(2026, 9, 1),
+        deadline=day,
+        signature="",
+    )
+
+
+def test_the_nearest_row_counts_in_the_time_zone_of_the_course() -> None:
+    rows = table(TABLE)
+    assert deadline_of(issued("s02", "РТК-41"), rows, KYIV) == datetime(
+        2026, 12, 20, 7, 30, tzinfo=UTC
+    )
+    assert deadline_of(issued("s01", "РТК-41"), rows, KYIV) == datetime(2026, 12, 8, 16, tzinfo=UTC)
+    everybody = deadline_of(issued("s03", "РТК-42"), rows, KYIV)
+    assert everybody == datetime(2026, 12, 1, 21, 59, 59, tzinfo=UTC)
+
+
+def test_without_a_row_it_is_the_day_that_was_issued_with() -> None:
+    assert deadline_of(issued("s01", ""), (), KYIV) == datetime(2026, 11, 1, 21, 59, 59, tzinfo=UTC)
+    assert deadline_of(issued("s01", "", None), (), KYIV) is None
+
+
+def test_summer_time_is_kept() -> None:
+    summer, winter = (moment_of(day, KYIV) for day in ("2026-07-01 12:00", "2026-12-01 12:00"))
+    assert summer is not None
+    assert winter is not None
+    assert [one.astimezone(UTC).hour for one in (summer, winter)] == [9, 10]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("group,student,deadline\n,,1.12.2026\n", ["'1.12.2026' is no day."]),
+        ("group,student,deadline\n,,2026-02-30\n", ["'2026-02-30' is no day."]),
+        ("group,student\nРТК-41,s01\n", ["The column 'deadline' is missing."]),
+        (
+            "group,studnet,deadline\n,,2026-12-01\n",
+            ["There is no column 'studnet' in a table of deadlines."],
+        ),
+        (
+            "group,student,deadline\n,s01,2026-12-01\n,s01,2026-12-02\n",
+            ["There is a second deadline for the same people."],
+        ),
+    ],
+)
+def test_what_is_wrong_is_named_by_row_and_column(text: str, said: list[str]) -> None:
+    with pytest.raises(TableError) as caught:
+        table(text)
+    assert [str(one.what) for one in caught.value.problems] == said

@@ -1,0 +1,45 @@
+"""Workers that stay: one that dies takes nobody else's job along."""
+
+import os
+from collections.abc import Iterator
+
+import pytest
+
+from gripcourse.jobs.lost import Lost
+from gripcourse.jobs.standing import StandingWorkers
+
+
+def work(item: str, shared: str) -> str:
+    if item == "die":
+        os._exit(7)
+    if item == "fail":
+        raise ValueError(item)
+    return f"{shared} {item} {os.getpid()}"
+
+
+@pytest.fixture(scope="module")
+def workers() -> Iterator[StandingWorkers]:
+    opened = StandingWorkers(work, "did", workers=1, seconds=20)
+    yield opened
+    opened.close()
+
+
+def test_a_worker_stays_until_it_dies_and_another_takes_its_place(
+    workers: StandingWorkers,
+) -> None:
+    first = workers.do("one")
+    assert isinstance(first, str)
+    assert first.split()[-1] != str(os.getpid())
+    assert workers.do("two") == first.replace("one", "two")
+    assert isinstance(workers.do("fail"), Lost)
+    assert isinstance(workers.do("die"), Lost)
+    after = workers.do("three")
+    assert after.startswith("did three ")
+    assert after.split()[-1] != first.split()[-1]
+
+
+def test_without_workers_it_is_done_here() -> None:
+    here = StandingWorkers(work, "did", workers=0, seconds=20, pool=None)
+    assert here.do("one") == f"did one {os.getpid()}"
+    assert isinstance(here.do("fail"), Lost)
+    here.close()

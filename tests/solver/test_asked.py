@@ -1,0 +1,48 @@
+"""What stands beside an asked quantity: what decides its answer."""
+
+import pytest
+
+from gripcourse.course.quantity import Kind
+from gripcourse.solver.asked import cited_works, deciding
+from gripcourse.solver.plan import Plan
+from gripcourse.text.words import LANGUAGES, Words
+
+ENGLISH = Words("en")
+
+
+def beside(plan: Plan, quantity: str, words: Words = ENGLISH) -> str:
+    return deciding(plan.quantities[quantity], plan, words)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_declared_text_stands_there_in_the_readers_language(plan: Plan, language: str) -> None:
+    declared = plan.quantities["pin_length"].decides
+    assert declared is not None
+    assert beside(plan, "pin_length", Words(language)).startswith(declared.of(language))
+
+
+def test_a_choice_has_its_series_and_its_rule(plan: Plan) -> None:
+    said = beside(plan, "pin_diameter_first")
+    assert said == "GOST 9650-80; one of the first 3 sizes not below d_req"
+    assert beside(plan, "rod").endswith("any size not below 0.3 · D; d_r ≤ 0.7 · D")
+
+
+def test_every_choice_names_its_series(plan: Plan) -> None:
+    for quantity in plan.answered:
+        if quantity.kind is Kind.CHOICE:
+            assert quantity.source.note is not None or quantity.source.equation, quantity.id
+
+
+def test_an_equation_is_cited_with_the_number_of_its_work(plan: Plan) -> None:
+    works = [one.id for one in cited_works(plan)]
+    assert works == ["guide", "gost_26063"]
+    assert beside(plan, "bearing_stress").endswith("[1, (45)]")
+    assert beside(plan, "flange_diameter") == "[2, table 7]"
+
+
+def test_an_overall_size_has_its_formula(plan: Plan) -> None:
+    assert beside(plan, "mechanism_length") == "L_m = l + R + H_r + s"
+
+
+def test_nothing_stands_beside_what_its_title_says_already(plan: Plan) -> None:
+    assert not beside(plan, "arm_angle_at_max")

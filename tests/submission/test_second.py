@@ -1,0 +1,62 @@
+"""What another program makes of a file adds to what the file stores, and never replaces it."""
+
+from dataclasses import replace
+
+from gripcourse.machine.content import NamedBytes
+from gripcourse.submission.model import Rejected
+from gripcourse.submission.raw import RawWorkbook
+from gripcourse.submission.read import read_workbook
+from gripcourse.submission.second import lacks_results, read_again
+from hostile.small_workbook import SHEET, archive, holding, replaced, stored
+
+BARE = holding('<c r="E5"><f>E13*2</f></c>')
+COMPUTED = holding('<c r="E5"><f>E13*2</f><v>80</v></c>')
+
+
+def read(data: bytes, made: bytes) -> RawWorkbook | Rejected:
+    return read_again(NamedBytes("answers.xlsx", data), made)
+
+
+def test_a_result_that_is_not_stored_is_taken_from_the_other_program() -> None:
+    first = read_workbook(NamedBytes("answers.xlsx", BARE))
+    again = read(BARE, COMPUTED)
+    assert isinstance(first, RawWorkbook)
+    assert isinstance(again, RawWorkbook)
+    assert lacks_results(first)
+    assert not lacks_results(again)
+    assert again.answers["force"] == replace(first.answers["force"], value=80)
+    assert again.digest == first.digest
+    assert "LibreOffice computed" in str(again.remarks[-1])
+
+
+def test_a_stored_result_is_preferred() -> None:
+    other = replaced(SHEET, "<v>22.9415</v>", "<v>1</v>")
+    again = read(BARE, other)
+    assert isinstance(again, RawWorkbook)
+    assert again.answers["ratio"].value == 22.9415
+
+
+def test_a_file_that_stores_all_is_what_it_was() -> None:
+    data = stored("5")
+    assert read(data, COMPUTED) == read_workbook(NamedBytes("answers.xlsx", data))
+
+
+def test_another_program_helps_no_file_that_is_refused_for_its_content() -> None:
+    data = archive({"xl/workbook.xml": b"<!DOCTYPE x><workbook/>"})
+    assert read(data, COMPUTED) == read_workbook(NamedBytes("answers.xlsx", data))
+
+
+def test_what_another_program_could_not_read_is_refused_as_it_was() -> None:
+    data = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+    refused = read(data, b"?")
+    assert isinstance(refused, Rejected)
+    assert refused.code == "ods"
+
+
+def test_a_converted_file_is_read_under_its_own_name_and_digest() -> None:
+    data = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"})
+    again = read_again(NamedBytes("answers.ods", data), COMPUTED)
+    assert isinstance(again, RawWorkbook)
+    assert again.file == "answers.ods"
+    assert again.answers["force"].value == 80
+    assert "converted" in str(again.remarks[-1])

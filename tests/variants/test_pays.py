@@ -1,0 +1,60 @@
+"""Rules of a policy under which guessing would pay are named; what a mistake costs is known."""
+
+from dataclasses import replace
+
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.course.quantity import Tolerance
+from gripcourse.policy.model import Policy
+from gripcourse.variants.model import Variant
+from gripcourse.variants.pays import MOST_APART, mistake_costs, paying_rules
+from gripcourse.variants.table import read_table
+
+
+@pytest.fixture(scope="module")
+def issued(course: Course) -> tuple[Variant, ...]:
+    return read_table(course.root / "variants" / "tables" / "main.csv", course)
+
+
+def said(course: Course, policy: Policy, issued: tuple[Variant, ...]) -> list[tuple[str, str]]:
+    return [(str(one.key), str(one.what)) for one in paying_rules(course, policy, issued)]
+
+
+def test_nothing_pays_in_the_reference_course(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    assert said(course, policy, issued) == []
+
+
+def test_a_mistake_in_a_main_result_costs_alike(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    main = [one for one in mistake_costs(course, policy, issued) if one.is_main]
+    assert {"grip_force", "drive_force"} <= {one.quantity for one in main}
+    assert all(one.apart <= MOST_APART for one in main)
+
+
+def test_weights_without_main_results_are_named(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    found = said(course, replace(policy, main_points={}), issued)
+    assert "points.quantity" in {key for key, _ in found}
+    assert any("'grip'" in what for _, what in found)
+
+
+@pytest.mark.parametrize("name", ["grip_force", "beam_deflection"])
+def test_a_tolerance_that_is_wide_beside_the_smallest_issued_value_is_named(
+    course: Course, policy: Policy, issued: tuple[Variant, ...], name: str
+) -> None:
+    wide = replace(policy, tolerances={**policy.tolerances, name: Tolerance(0.01, 50.0)})
+    assert [key for key, _ in said(course, wide, issued)] == [f"quantity_tolerance.{name}"]
+
+
+def test_a_floor_that_is_wide_beside_what_is_issued_is_named(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    wide = replace(policy, floors={**policy.floors, "deg": 5.0})
+    found = said(course, wide, issued)
+    assert found
+    assert {key for key, _ in found} == {"tolerance.floor.deg"}

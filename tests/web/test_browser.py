@@ -1,0 +1,178 @@
+"""The student's way in a real browser: without scripts, by keyboard, on a telephone's width.
+
+The server is a real one, in a process of its own, with real workers.
+"""
+
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from shutil import which
+from typing import TYPE_CHECKING
+from urllib.error import URLError
+
+import pytest
+from selenium import webdriver
+from selenium.webdriver import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+if TYPE_CHECKING:
+    from selenium.webdriver.remote.webdriver import WebDriver
+
+    from web.conftest import Server
+
+FLAGS = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-dev-shm-usage",
+)
+SECONDS = 60.0
+
+
+@pytest.fixture(scope="module")
+def address(opened: "Server") -> Iterator[str]:
+    """Where the server of the command line listens."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    command = [
+        *(sys.executable, "-m", "gripcourse", "serve", "--port", str(port), "--workers", "1"),
+        *("--course", str(opened.classroom.course.root)),
+        *("--assignments", str(opened.classroom.order.out)),
+    ]
+    running = subprocess.Popen(command, stdout=subprocess.DEVNULL)  # noqa: S603 (ourselves)
+    url = f"http://127.0.0.1:{port}"
+    ends = time.monotonic() + SECONDS
+    while time.monotonic() < ends:
+        try:
+            urllib.request.urlopen(url, timeout=1).close()
+            break
+        except (URLError, OSError):
+            time.sleep(0.2)
+    yield url
+    running.terminate()
+    assert running.wait(SECONDS) in (0, -15)
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator["WebDriver"]:
+    """Chromium that runs no script of any page."""
+    if which("chromium") is None or which("chromedriver") is None:
+        pytest.skip("Debian's chromium and chromium-driver are not installed")
+    options = webdriver.ChromeOptions()
+    options.binary_location = str(which("chromium"))
+    for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('profile')}"):
+        options.add_argument(flag)
+    javascript = "profile.managed_default_content_settings.javascript"
+    options.add_experimental_option("prefs", {javascript: 2})
+    service = webdriver.ChromeService(str(which("chromedriver")))
+    driver = webdriver.Chrome(options, service)
+    yield driver
+    driver.quit()
+
+
+def show(browser: "WebDriver", name: str) -> None:
+    """Keep a picture where somebody asked for pictures."""
+    folder = os.environ.get("GRIPCOURSE_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        browser.save_screenshot(str(Path(folder) / f"{name}.png"))
+
+
+def focused(browser: "WebDriver") -> str:
+    one = browser.switch_to.active_element
+    return one.get_attribute("id") or one.text
+
+
+def tab_to(browser: "WebDriver", wanted: str) -> None:
+    """Press the tabulator until something has the focus."""
+    for _ in range(30):
+        ActionChains(browser).send_keys(Keys.TAB).perform()
+        if focused(browser) == wanted:
+            return
+    raise AssertionError(wanted)
+
+
+@pytest.mark.parametrize(
+    ("student", "language", "check", "hand_in", "understood"),
+    [
+        ("s01", "ru", "Проверить книгу", "Сдать книгу", "Понято как"),
+        ("s02", "uk", "Перевірити книгу", "Здати книгу", "Зрозуміло як"),
+        ("s03", "en", "Check it", "Hand it in", "Understood as"),
+    ],
+)
+def test_a_student_checks_and_hands_in_by_keyboard_alone_without_scripts(  # noqa: PLR0913, PLR0917 (fixtures, and the words of a language)
+    server: "Server",
+    address: str,
+    browser: "WebDriver",
+    tmp_path: Path,
+    student: str,
+    language: str,
+    check: str,
+    hand_in: str,
+    understood: str,
+) -> None:
+    work = tmp_path / "work.xlsx"
+    work.write_bytes(server.filled(student, tmp_path))
+    home = f"{address}{server.home(student, days=4000)}"
+    browser.set_window_size(1200, 1000)
+    browser.get(home)
+    show(browser, f"{language}-assignment")
+    assert browser.find_element(By.TAG_NAME, "html").get_attribute("lang") == language
+    browser.find_element(By.ID, "file").send_keys(str(work))
+    tab_to(browser, check)
+    ActionChains(browser).send_keys(Keys.ENTER).perform()
+    show(browser, f"{language}-checked")
+    assert understood in browser.find_element(By.TAG_NAME, "thead").text
+    answers = browser.find_elements(By.CSS_SELECTOR, "tr.state-read")
+    assert len(answers) > 20
+    assert re.search(r"\d", answers[0].find_elements(By.TAG_NAME, "td")[1].text)
+    browser.get(home)
+    browser.find_element(By.ID, "file").send_keys(str(work))
+    tab_to(browser, hand_in)
+    ActionChains(browser).send_keys(Keys.ENTER).perform()
+    show(browser, f"{language}-receipt")
+    assert "/receipt/" in browser.current_url
+    assert browser.find_element(By.CSS_SELECTOR, ".notice.good").get_attribute("role") == "status"
+
+
+def test_nothing_is_wider_than_a_telephone(
+    server: "Server", address: str, browser: "WebDriver", tmp_path: Path
+) -> None:
+    work = tmp_path / "work.xlsx"
+    work.write_bytes(server.filled("s01", tmp_path))
+    browser.execute_cdp_cmd(  # type: ignore[attr-defined]
+        "Emulation.setDeviceMetricsOverride",
+        {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True},
+    )
+    browser.get(f"{address}{server.home('s01', days=4000)}")
+    for name in ("phone-assignment", "phone-checked"):
+        show(browser, name)
+        size = browser.execute_cdp_cmd("Page.getLayoutMetrics", {})  # type: ignore[attr-defined]
+        assert size["cssContentSize"]["width"] <= 360
+        if name == "phone-assignment":
+            browser.find_element(By.ID, "file").send_keys(str(work))
+            tab_to(browser, "Проверить книгу")
+            ActionChains(browser).send_keys(Keys.ENTER).perform()
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})  # type: ignore[attr-defined]
+
+
+def test_every_field_has_a_name_and_every_page_one_heading(
+    server: "Server", address: str, browser: "WebDriver"
+) -> None:
+    browser.get(f"{address}{server.home('s03', days=4000)}")
+    assert len(browser.find_elements(By.TAG_NAME, "h1")) == 1
+    for one in browser.find_elements(By.CSS_SELECTOR, "input, select, textarea, button, a"):
+        assert one.accessible_name, one.get_attribute("outerHTML")

@@ -1,0 +1,146 @@
+"""The instructor's desk: signing in once, the group, publishing; nothing without a session."""
+
+import json
+import re
+from datetime import timedelta
+from typing import TYPE_CHECKING
+
+import pytest
+from starlette.testclient import TestClient
+
+from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.exports.grades import grades_csv
+from gripcourse.machine.content import NamedBytes
+from gripcourse.text.words import Words
+from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
+from gripcourse.usecases.hand_in import collect_hand_ins
+from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from web.conftest import Server
+
+PAGES = ("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv")
+FORMS = ("publish", "withdraw", "sign-out")
+
+
+@pytest.fixture
+def signed_in(server: "Server") -> TestClient:
+    client = server.client()
+    token = offer_sign_in(server.context, "Dr. Ноль", server.clock.now)
+    assert client.post(f"/desk/sign-in/{token}").status_code == 200
+    return client
+
+
+def form_key(client: TestClient) -> str:
+    found = re.search(r'name="form_key" value="([0-9a-f]{64})"', client.get("/desk/").text)
+    assert found is not None
+    return found[1]
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_nobody_sees_the_desk_without_signing_in(server: "Server", page: str) -> None:
+    answer = server.client().get(f"/desk/{page}", headers={"cookie": "gripcourse-desk=guess"})
+    assert answer.status_code == 403
+    assert "Иванова" not in answer.text
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_form_of_another_site_does_nothing(
+    server: "Server", signed_in: TestClient, form: str
+) -> None:
+    before = server.context.desk.publications()
+    for key in ("", "0" * 64):
+        assert signed_in.post(f"/desk/{form}", data={"form_key": key}).status_code == 403
+    assert server.context.desk.publications() == before
+    assert signed_in.get("/desk/").status_code == 200
+
+
+def test_a_link_to_sign_in_is_good_once_and_not_for_long(server: "Server") -> None:
+    token = offer_sign_in(server.context, "first", server.clock.now)
+    late = offer_sign_in(server.context, "late", server.clock.now)
+    first, second = server.client(), server.client()
+    # Somebody's preview of the link does not use it up.
+    assert first.get(f"/desk/sign-in/{token}").status_code == 200
+    assert first.post(f"/desk/sign-in/{token}").status_code == 200
+    assert second.post(f"/desk/sign-in/{token}").status_code == 403
+    server.clock.now += timedelta(minutes=SIGN_IN_MINUTES)
+    assert second.post(f"/desk/sign-in/{late}").status_code == 403
+    assert second.get("/desk/").status_code == 403
+
+
+def test_the_cookie_is_out_of_reach_of_scripts_and_of_other_sites(server: "Server") -> None:
+    token = offer_sign_in(server.context, "who", server.clock.now)
+    client = server.client()
+    client.cookies.set("gripcourse-desk", "chosen by somebody else")
+    answer = client.post(f"/desk/sign-in/{token}", follow_redirects=False)
+    cookie = answer.headers["set-cookie"]
+    assert {"HttpOnly", "SameSite=strict", "Path=/desk"} <= set(cookie.split("; "))
+    assert "chosen" not in cookie
+
+
+def test_a_session_ends_where_somebody_signs_out_and_by_itself(
+    server: "Server", signed_in: TestClient
+) -> None:
+    session = {"cookie": f"gripcourse-desk={signed_in.cookies['gripcourse-desk']}"}
+    signed_in.post("/desk/sign-out", data={"form_key": form_key(signed_in)})
+    assert server.client().get("/desk/", headers=session).status_code == 403
+
+
+def test_the_group_is_searched_by_name_group_and_state(signed_in: TestClient) -> None:
+    def found(**wish: str) -> int:
+        page = signed_in.get("/desk/", params=wish).text
+        return page.count('<th scope="row">')
+
+    assert found() == 3
+    assert found(find="шевч") == 1
+    assert found(group="РТК-41") == 2
+    assert found(find="nobody") == 0
+    assert found(state="missing") + found(state="handed_in") == 3
+
+
+def test_results_are_seen_from_publication_to_withdrawal(
+    server: "Server", signed_in: TestClient, filled: bytes, tmp_path: "Path"
+) -> None:
+    home, student = server.home("s01"), server.client()
+    student.post(f"{home}hand-in", files={"file": ("work.xlsx", filled)})
+    assert "report.pdf" not in student.get(home).text
+    grade(server, tmp_path)
+    key = form_key(signed_in)
+    signed_in.post("/desk/publish", data={"form_key": key, "why": "<b>term</b> over"})
+    assert "&lt;b&gt;term&lt;/b&gt; over" in signed_in.get("/desk/").text
+    page = student.get(home).text
+    assert 'class="score"' in page
+    assert student.get(f"{home}report.pdf").content == b"%PDF report"
+    assert b"s01" in signed_in.get("/desk/grades.csv").content
+    wish = {"item": "grip_force", "sentence": "Please look at <this> again."}
+    assert "&lt;this&gt;" in student.post(f"{home}request", data=wish).text
+    assert "&lt;this&gt;" in signed_in.get("/desk/student/s01").text
+    assert student.post(f"{home}request", data={**wish, "item": "other"}).status_code == 404
+    signed_in.post("/desk/withdraw", data={"form_key": key, "why": "a mistake"})
+    assert 'class="score"' not in student.get(home).text
+    assert student.get(f"{home}report.pdf").status_code == 404
+    kept = server.context.desk.publications()[-2:]
+    assert [(one.published, one.by, one.why) for one in kept] == [
+        (True, "Dr. Ноль", "<b>term</b> over"),
+        (False, "Dr. Ноль", "a mistake"),
+    ]
+
+
+def grade(server: "Server", folder: "Path") -> None:
+    """Grade what was handed in, as the command line does, with a report that nobody reads."""
+    files = collect_hand_ins(server.context, folder / "work")
+    context = GradingContext(
+        server.context.course, server.context.policy, server.context.register()
+    )
+    reports = [
+        grade_file(NamedBytes(one.name, one.read_bytes()), context)
+        for one in files
+        if one.stem == "s01"
+    ]
+    (server.graded / REPORTS).mkdir(parents=True, exist_ok=True)
+    (server.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
+    (server.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
+    grades_csv(reports, server.graded / GRADES_CSV)
+    assert json.loads((server.graded / GRADES_JSON).read_text(encoding="utf-8"))["reports"]

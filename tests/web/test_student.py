@@ -1,0 +1,105 @@
+"""A student's way: open the link, check, hand in, see the result, ask for another look."""
+
+import hashlib
+import re
+from datetime import UTC, datetime
+from html import unescape
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.gradebook.checks import CheckLedger, left_of
+from gripcourse.usecases.hand_in import kept_path
+
+if TYPE_CHECKING:
+    from web.conftest import Server
+
+
+def upload(data: bytes, name: str = "мой ответ.xlsx") -> dict[str, tuple[str, bytes]]:
+    return {"file": (name, data)}
+
+
+@pytest.mark.parametrize(
+    ("student", "language", "word"),
+    [("s01", "ru", "Задание"), ("s02", "uk", "Завдання"), ("s03", "en", "Assignment")],
+)
+def test_a_link_opens_the_students_own_assignment_in_their_language(
+    server: "Server", student: str, language: str, word: str
+) -> None:
+    page = server.client().get(server.home(student)).text
+    issued = server.classroom.register[student]
+    assert f'<html lang="{language}">' in page
+    assert {word, issued.student.name, issued.variant.id} <= set(re.findall(r"[^<>]+", page))
+
+
+def test_the_documents_that_were_issued_can_be_taken_away(server: "Server") -> None:
+    client, home = server.client(), server.home("s01")
+    assert client.get(f"{home}assignment.pdf").content.startswith(b"%PDF")
+    assert (
+        client.get(f"{home}workbook.xlsx").content == server.classroom.workbook("s01").read_bytes()
+    )
+
+
+def test_a_check_says_how_each_answer_was_read_and_how_many_are_left(
+    server: "Server", filled: bytes
+) -> None:
+    client, home = server.client(), server.home("s01")
+    times = server.context.policy.check.times
+    ledger = CheckLedger(server.context.private / "checks.sqlite", "s01")
+    left = left_of(ledger, times) - 1  # the browser has asked too, if it was here before
+    page = unescape(client.post(f"{home}check", files=upload(filled)).text)
+    assert page.count('class="state-read"') > 20
+    assert f"{left} из {times}" in page
+    assert f"{left} из {times}" in unescape(client.get(home).text)
+    logged = server.context.desk.checks("s01")[-1]
+    assert (logged.digest, logged.told, logged.at) == (
+        hashlib.sha256(filled).hexdigest(),
+        True,
+        server.clock.now,
+    )
+
+
+def test_a_file_that_is_no_workbook_is_refused_in_the_students_language(server: "Server") -> None:
+    page = server.client().post(f"{server.home('s02')}check", files=upload(b"PK nothing")).text
+    assert 'role="alert"' in page
+    assert re.search("[іїє]", page)
+
+
+def test_a_receipt_is_for_bytes_that_a_new_server_still_has(
+    server: "Server", filled: bytes
+) -> None:
+    home = server.home("s01")
+    receipt = server.client().post(f"{home}hand-in", files=upload(filled, "../../work.xlsx"))
+    digest = hashlib.sha256(filled).hexdigest()
+    number = len(server.context.desk.hand_ins("s01"))
+    assert str(receipt.url).endswith(f"/receipt/{number}")
+    assert digest in receipt.text
+    assert "work.xlsx" in receipt.text
+    assert ".." not in receipt.text
+    assert kept_path(server.context, digest).read_bytes() == filled
+    again = server.client()  # of another process
+    assert again.get(f"{home}receipt/{number}").text == receipt.text
+    assert again.get(f"{home}file/{number}").content == filled
+
+
+def test_two_clicks_are_one_hand_in(server: "Server", tmp_path: Path) -> None:
+    client, home, data = server.client(), server.home("s02"), server.filled("s02", tmp_path)
+    before = len(server.context.desk.hand_ins("s02"))
+    answers = [client.post(f"{home}hand-in", files=upload(data)) for _ in range(2)]
+    assert [str(one.url) for one in answers] == [f"http://testserver{home}receipt/{before + 1}"] * 2
+    assert len(server.context.desk.hand_ins("s02")) == before + 1
+
+
+def test_a_file_after_the_last_day_is_kept_and_called_late(server: "Server") -> None:
+    server.clock.now = datetime(2026, 12, 2, 12, tzinfo=UTC)
+    client, home = server.client(), server.home("s03")
+    assert "after the last day" in client.post(f"{home}hand-in", files=upload(b"late")).text
+
+
+def test_a_form_without_a_file_is_answered_with_a_sentence(server: "Server") -> None:
+    client, home = server.client(), server.home("s03")
+    for action in ("check", "hand-in"):
+        answer = client.post(f"{home}{action}", data={"file": ""})
+        assert (answer.status_code, "Choose your workbook" in answer.text) == (400, True)
+    assert client.post(f"{home}hand-in", files=upload(b"", "empty.xlsx")).status_code == 400
