@@ -34,9 +34,11 @@ REQUIRED: dict[str, tuple[str, ...]] = {
     "init": ("new",),
 }
 # A student's file that cannot be used is no wrong use: it is refused in the student's report.
-MAY_REFUSE_A_FILE = {"grade", "check"}
+MAY_REFUSE_A_FILE = {"grade", "check", "regrade"}
 # An option to write to: what lies there is replaced, and only a folder or no folder is wrong.
-WRITTEN = {"--out", "--misses", "--ledger"}
+WRITTEN = {"--out", "--misses", "--ledger", "--print"}
+# What is read from a folder: that one is empty is no fault.
+FROM_FOLDERS = {"serve"}
 HOSTILE = ("missing", "empty", "folder", "noise", "long")
 # Commands that compute for seconds before they write are tried elsewhere.
 SLOW = {"evaluate", "tolerance audit", "variants audit"}
@@ -81,7 +83,9 @@ def kinds(words: str, name: str, typed: str) -> tuple[str, ...]:
     if is_written(words, typed):
         return ("below_a_file",)
     # One reader looks at the courses of all commands.
-    return ("missing", "noise") if name == "course" else HOSTILE
+    if name == "course":
+        return ("missing", "noise")
+    return tuple(kind for kind in HOSTILE if not (words in FROM_FOLDERS and kind == "folder"))
 
 
 def cases() -> list[tuple[str, str, str, str]]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.formula.evaluate import evaluate
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Report
 from gripcourse.policy.bands import band
@@ -18,6 +19,7 @@ from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
+from gripcourse.text.units import factor
 from gripcourse.variants.model import Issued, Student, Variant
 
 if TYPE_CHECKING:
@@ -66,17 +68,30 @@ def moved(one: Quantity, value: float, policy: Policy) -> float:
 def moved_alone(
     composition: "Composition", one: Quantity, right: dict[str, float], policy: Policy
 ) -> float:
-    """Return an answer just outside the band on a side where no verdict on it is another one."""
-    plan, value = composition.plan, moved(one, right[one.id], policy)
+    """Return an answer just outside the band, on a side where it means nothing else.
+
+    That is neither another verdict on it nor another reading of the sheet.
+    """
+    plan, given = composition.plan, composition.example.given
+    value = moved(one, right[one.id], policy)
+    other_side = 2 * right[one.id] - value
     verdicts = [
         name
         for name, inputs in plan.inputs.items()
         if one.id in inputs and plan.quantities[name].kind is Kind.VERDICT
     ]
     if verdicts:
-        values = solve_variant(plan, {**composition.example.given, one.id: value})
+        values = solve_variant(plan, {**given, one.id: value})
         if any(values[name] != right[name] for name in verdicts):
-            return 2 * right[one.id] - value
+            return other_side
+    known = {
+        name: v * factor(plan.quantities[name].unit)
+        for name, v in solve_variant(plan, given).items()
+    }
+    for reading in one.alternatives:
+        meant = float(evaluate(reading.formula, one.unit, known, plan.columns)) / factor(one.unit)
+        if abs(value - meant) <= band(one, meant, policy):
+            return other_side
     return value
 
 

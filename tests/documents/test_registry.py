@@ -110,4 +110,4 @@ class TestTheHowTo:
         assert spec.loader is not None
         gallery = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(gallery)
-        assert [kind.id for kind in gallery.unpictured()] == ["reminder"]
+        assert "reminder" in [kind.id for kind in gallery.unpictured()]

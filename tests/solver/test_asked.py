@@ -23,7 +23,7 @@ def test_a_declared_text_stands_there_in_the_readers_language(plan: Plan, langua
 
 def test_a_choice_has_its_series_and_its_rule(plan: Plan) -> None:
     said = beside(plan, "pin_diameter_first")
-    assert said == "GOST 9650-80; one of the first 3 sizes not below d_req"
+    assert said == "GOST 9650-80, below 3 mm GOST 3128-70; one of the first 3 sizes not below d_req"
     assert beside(plan, "rod").endswith("any size not below 0.3 · D; d_r ≤ 0.7 · D")
 
 

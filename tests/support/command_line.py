@@ -25,12 +25,17 @@ class Run:
         return [line for line in self.err.splitlines() if line.strip() and "━" not in line]
 
 
+def _no_server(*_arguments: object, **_options: object) -> None:
+    pytest.fail("A server was started.")
+
+
 def call(home: Path, *arguments: object, system: str = "C") -> Run:
     """Call the command line in a folder."""
     out, err = StringIO(), StringIO()
     with pytest.MonkeyPatch.context() as patch, redirect_stdout(out), redirect_stderr(err):
         patch.chdir(home)
         patch.setenv("LC_ALL", system)
+        patch.setattr("uvicorn.run", _no_server)  # a server would not come back
         patch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
         with pytest.raises(SystemExit) as left:
             cli.main()

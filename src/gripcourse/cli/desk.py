@@ -55,7 +55,7 @@ def serve(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Serve students' pages and the instructor's desk; prints a link to sign in."""
     try:
-        from gripcourse.web.serve import Serving
+        from gripcourse.web.serve import Serving, look_into
         from gripcourse.web.serve import serve as run
     except ModuleNotFoundError as missing:
         raise cli_text.misuse(
@@ -70,10 +70,12 @@ def serve(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     context = open_context(course_folder(course))
     base = (address or context.course.address or f"http://{host}:{port}").rstrip("/")
+    serving = Serving(host, port, base, assignments, graded, workers)
+    look_into(serving)
     token = offer_sign_in(context, getpass.getuser(), datetime.now(UTC))
     said = message("Serving at {address}. Sign in once, within half an hour:", address=base)
     typer.echo(f"{words.say(said)}\n{base}/desk/sign-in/{token}")
-    run(context, Serving(host, port, base, assignments, graded, workers))
+    run(context, serving)
 
 
 @app.command("sign-in", cls=SpokenCommand)

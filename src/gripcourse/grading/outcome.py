@@ -26,6 +26,7 @@ class OutcomeTraits:
         typed: whether the student's cell holds anything.
         missing: whether an answer was asked for and none can be judged; causes pass through it.
         right: whether nothing is wrong with the answer by itself.
+        coarse: whether it would be right with more figures.
         equals_reference: whether it was found to be the reference, not only to follow from others.
         follows: whether it follows from the student's own earlier numbers, or from one root.
         mistake: whether something was done wrongly in this very answer.
@@ -45,6 +46,7 @@ class OutcomeTraits:
     typed: bool
     missing: bool
     right: bool
+    coarse: bool
     equals_reference: bool
     follows: bool
     mistake: bool
@@ -79,6 +81,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=True,
+            coarse=False,
             equals_reference=True,
             follows=False,
             mistake=False,
@@ -101,6 +104,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=True,
+            coarse=False,
             equals_reference=False,
             follows=True,
             mistake=False,
@@ -123,6 +127,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=True,
+            coarse=True,
             equals_reference=False,
             follows=False,
             mistake=False,
@@ -145,6 +150,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=True,
@@ -167,6 +173,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=True,
@@ -189,6 +196,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=False,
@@ -211,6 +219,7 @@ class Outcome(StrEnum):
             typed=False,
             missing=True,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=False,
@@ -233,6 +242,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=True,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=False,
@@ -255,6 +265,7 @@ class Outcome(StrEnum):
             typed=True,
             missing=False,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=False,
@@ -277,6 +288,7 @@ class Outcome(StrEnum):
             typed=False,
             missing=False,
             right=False,
+            coarse=False,
             equals_reference=False,
             follows=False,
             mistake=False,

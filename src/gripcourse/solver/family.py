@@ -146,7 +146,8 @@ def evaluate_family(family: Family, known: Mapping[str, Array]) -> Evaluation:
 
     Args:
         family: what is computed.
-        known: SI values by id, shape (n,); NaN where not supplied.
+        known: SI values by id, shape (n,); NaN where not supplied, infinite
+            where supplied but no number.
 
     Returns:
         Values and computed values of shape (n,), NaN for variants that do not have the quantity.
@@ -161,8 +162,8 @@ def evaluate_family(family: Family, known: Mapping[str, Array]) -> Evaluation:
         result = compute(member.plan, member.quantity, inputs)
         _put(computed, member, result, family.size)
         if id_ in known:
-            own = finite(member.of(known[id_]))
-            result = np.where(np.isnan(own), result, own)
+            own = member.of(known[id_])
+            result = np.where(np.isnan(own), result, finite(own))
         _put(values, member, result, family.size)
     return Evaluation(values, computed)
 

@@ -43,19 +43,22 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
 
     Args:
         plan: what is computed.
-        known: SI values by id, scalars or arrays of one shape (n,); NaN where not supplied. They
-            must hold the givens, and may hold anything else.
+        known: SI values by id, scalars or arrays of one shape (n,); NaN where not supplied,
+            infinite where supplied but no number: what needs it has no value. They must hold the
+            givens, and may hold anything else.
 
     Returns:
         Values and computed values, each of shape () or (n,); NaN where an input is missing or
         outside a formula's domain.
     """
-    supplied = {name: finite(np.asarray(value, np.float64)) for name, value in known.items()}
+    supplied = {name: np.asarray(value, np.float64) for name, value in known.items()}
     size = max((value.size for value in supplied.values()), default=1)
     if size <= _TOGETHER:
         return _evaluate(plan, supplied)
     # What is known of all variants needs no copy.
-    whole = {name: one for name, one in supplied.items() if one.ndim and not np.isnan(one).any()}
+    whole = {
+        name: finite(one) for name, one in supplied.items() if one.ndim and not np.isnan(one).any()
+    }
     values: dict[str, NDArray[np.float64]] = {}
     computed: dict[str, NDArray[np.float64]] = {}
     for start in range(0, size, _TOGETHER):
@@ -101,7 +104,7 @@ def _evaluate(plan: Plan, known: Values) -> Evaluation:
             continue
         computed[name] = compute(plan, quantity, values)
         if name in known:
-            values[name] = _supplied(known[name], computed[name])
+            values[name] = finite(_supplied(known[name], computed[name]))
         else:
             values[name] = computed[name]
     return Evaluation(values, computed)

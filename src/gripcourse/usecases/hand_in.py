@@ -12,7 +12,7 @@ from typing import Final
 from gripcourse.desk.model import HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import NamedBytes
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.desk import DeskContext
@@ -98,11 +98,12 @@ def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
     Raises:
         OSError: a file cannot be read or written.
     """
+    make_private_folder(out)
     written = []
     for student, one in latest(context.desk.hand_ins()).items():
         suffix = PurePath(one.name).suffix.lower()
         path = out / f"{student}{suffix if suffix.isascii() else ''}"
-        write_bytes(path, kept_path(context, one.digest).read_bytes())
+        write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
         written.append(path)
     return tuple(written)
 

@@ -141,8 +141,14 @@ def _too_wide(
             unit=quantity.unit,
             quantity=quantity.id,
         )
-        remedy = message("Write at most {absolute}.", absolute=float(f"{FLOOR_SHARE * size:.1g}"))
+        remedy = message("Write at most {absolute}.", absolute=_no_more_than(FLOOR_SHARE * size))
         yield Problem(file, key, what, remedy)
+
+
+def _no_more_than(number: float) -> float:
+    """Round a positive number down to one figure."""
+    step = 10.0 ** np.floor(np.log10(number))
+    return float(f"{np.floor(number / step) * step:.1g}")
 
 
 def _issued(

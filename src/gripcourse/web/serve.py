@@ -1,5 +1,6 @@
 """Starting a server for a course."""
 
+import os
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -42,6 +43,18 @@ def make_site(context: DeskContext, serving: Serving) -> Site:
         graded=serving.graded,
         secure=serving.address.startswith("https://"),
     )
+
+
+def look_into(serving: Serving) -> None:
+    """Open the folders of what is handed out.
+
+    Raises:
+        OSError: one of them is none.
+    """
+    for folder in (serving.assignments, serving.graded):
+        if folder is not None:
+            with os.scandir(folder):
+                pass
 
 
 def serve(context: DeskContext, serving: Serving) -> None:

@@ -29,7 +29,7 @@ from gripcourse.formula.evaluate import Array, Column
 from gripcourse.solver.solve import Values
 
 TOLERANCE = 0.01  # mm: what touches is no interference
-PRESSED = 0.2  # mm that a jaw may stand in what it holds
+PRESSED = 0.2  # mm that a part may stand in what it presses on
 _CHUNK = 2048  # variants whose bodies are held at once
 
 

@@ -5,7 +5,6 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, FlagCode, Report
-from gripcourse.grading.outcome import Outcome
 from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, ForeignMistake
 from gripcourse.simulation.foreign.model import JudgedForeign
 from gripcourse.simulation.model import Mix
@@ -201,8 +200,8 @@ def _answers(one: JudgedForeign) -> Iterator[Finding]:
 def _refused(one: JudgedForeign) -> Iterator[bool]:
     """Tell of each answer whether it is refused; coarse ones may be called too rough."""
     for found in _answers(one):
-        rough = found.outcome is Outcome.ROUGH and one.work.habits.coarse
-        right = found.outcome.traits.right and found.outcome is not Outcome.ROUGH
+        rough = found.outcome.traits.coarse and one.work.habits.coarse
+        right = found.outcome.traits.right and not found.outcome.traits.coarse
         yield not (right or rough)
 
 
@@ -211,7 +210,7 @@ def _charged(one: JudgedForeign) -> int:
     lost = (
         found.points < found.max_points
         for found in _answers(one)
-        if found.outcome is not Outcome.ROUGH
+        if not found.outcome.traits.coarse
     )
     return sum(lost)
 
