@@ -1,5 +1,6 @@
 """What the command line can do with a course, a program can."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from gripcourse.errors import CourseError, TableError, UsageError
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.self_check import State
 from gripcourse.machine.resources import COURSE_FOLDERS
+from gripcourse.policy.model import Tells
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
@@ -113,13 +115,21 @@ class TestReadersTakeBytes:
 
 class TestChecking:
     def test_bytes_are_checked_without_register_and_key(
-        self, own: gc.Course, handed_in: dict[str, bytes]
+        self, own: gc.Course, handed_in: dict[str, bytes], tmp_path: Path
     ) -> None:
-        checked = own.check(handed_in["s02"])
+        rule = replace(own.policy.check, tells=Tells.ANSWERS)
+        telling = gc.Course(own.definition, replace(own.policy, check=rule), "en")
+        checked = telling.check(handed_in["s02"], ledger=tmp_path / "checks", who="s02")
         states = {one.quantity: one.state for one in checked.answers}
         assert checked.refusal == ""
         assert states["grip_force"] is State.INCONSISTENT
         assert states["drive_force"] is State.CONSISTENT
+
+    def test_which_answer_does_not_fit_is_told_only_where_the_policy_says_so(
+        self, own: gc.Course, handed_in: dict[str, bytes]
+    ) -> None:
+        checked = own.check(handed_in["s02"])
+        assert {one.state for one in checked.answers} <= {State.READ, State.BLANK}
 
     def test_a_foreign_file_is_no_exception(self, own: gc.Course) -> None:
         checked = own.check(b"not a workbook")

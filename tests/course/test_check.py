@@ -51,7 +51,8 @@ def test_a_fault_is_one_problem_with_its_place_and_remedy(draft: "Draft", fault:
 
 
 def _shuffle(draft: "Draft") -> None:
-    text = "# source: made up\n# mark: made up\nsize [mm],mass [kg]\n10,30\n20,10\n"
+    heads = "# title: made up\n# column.size: size\n# column.mass: mass\n"
+    text = f"# source: made up\n# mark: made up\n{heads}size [mm],mass [kg]\n10,30\n20,10\n"
     draft.put("variants/catalogues/shuffled.csv", text.encode())
 
 

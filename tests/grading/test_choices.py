@@ -113,6 +113,11 @@ class TestWrongRule:
         assert found["flange_first"].outcome is Outcome.WRONG
 
 
+def by_row(case: "Case") -> dict[str, float]:
+    """What the row of the bore decides, as in the reference."""
+    return {name: case.reference[name] for name in ("rod", "stroke")}
+
+
 class TestOwnNumbers:
     def test_the_students_own_required_value_counts(self, hydraulic: "Case") -> None:
         answers = {**hydraulic.answers, "bore_required": 130.0, "bore": 160.0}
@@ -133,8 +138,8 @@ class TestOwnNumbers:
             assert hydraulic.lost(hydraulic.following(bore=bore)) == set()
 
     def test_a_bore_of_no_catalogue_does_not_lose_what_follows(self, pneumatic: "Case") -> None:
-        """No row pairs such a bore with a rod: the reference rod stands in for what follows."""
-        answers = pneumatic.following(bore=77.0, rod=pneumatic.reference["rod"])
+        """No row pairs such a bore with a rod or a stroke: those of the reference stand in."""
+        answers = pneumatic.following(bore=77.0, **by_row(pneumatic))
         findings = pneumatic.findings(answers)
         assert str(findings["bore"].message) == "This size is not in the series."
         assert pneumatic.lost(answers) == {"bore"}
@@ -143,7 +148,7 @@ class TestOwnNumbers:
     def test_with_such_a_bore_a_blank_rod_is_blank_and_nothing_else_is_lost(
         self, pneumatic: "Case"
     ) -> None:
-        answers = pneumatic.following(bore=77.0, rod=pneumatic.reference["rod"])
+        answers = pneumatic.following(bore=77.0, **by_row(pneumatic))
         assert pneumatic.lost({**answers, "rod": None}) == {"bore", "rod"}
 
 

@@ -56,7 +56,7 @@ def test_copies_with_every_number_moved_a_little_are_told(school: "School") -> N
     seen = sum(source in alike.get(student, set()) for student, source in sources.items())
     assert len(sources) > 50
     # Students here err in up to two answers of five: what they pass on is half their own variant's.
-    assert seen >= 0.6 * len(sources)
+    assert seen >= 0.5 * len(sources)
     assert set(alike) <= set(sources) | set(sources.values())
 
 
