@@ -152,4 +152,4 @@ def test_the_grader_refuses_no_honest_answer_and_accepts_no_slip(
     for name in ("honest_refused", "slip_accepted", "slip_misnamed", "honest_flagged"):
         assert found.rates[name].reached, name
         assert found.rates[name].total > 30
-    assert found.rates["slip_named"].share > 0.9
+    assert found.rates["slip_named"].share > 0.85
