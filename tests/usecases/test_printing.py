@@ -26,7 +26,9 @@ def blank(pages: int) -> bytes:
 
 def make_sheet(path: Path, name: str) -> None:
     """Print a sheet of one page."""
-    pdf = pdf_from_html(f"<html lang='uk'><p>{name}</p></html>", ("page.css",), course_root() / "templates")
+    pdf = pdf_from_html(
+        f"<html lang='uk'><p>{name}</p></html>", ("page.css",), course_root() / "templates"
+    )
     path.write_bytes(pdf)
 
 
