@@ -20,6 +20,8 @@ SCHEME = "rack_parallelogram"
 
 # How long an example takes says something about the machine, nothing about the code.
 settings.register_profile("gripcourse", deadline=None)
+# The same examples each time, where runs are compared.
+settings.register_profile("comparable", deadline=None, derandomize=True)
 settings.load_profile("gripcourse")
 
 
