@@ -1,6 +1,7 @@
 """Every sentence in every language, with the same values in it."""
 
 import ast
+from functools import cache
 from pathlib import Path
 from string import Formatter
 
@@ -10,7 +11,12 @@ import messages
 from gripcourse.text.words import LANGUAGES, Words
 
 REPOSITORY = Path(__file__).parents[1]
-SENTENCES = frozenset(messages.extracted(REPOSITORY))
+
+
+@cache
+def sentences() -> frozenset[messages.Sentence]:
+    """Every sentence of the program; not while tests are collected, which every worker does."""
+    return frozenset(messages.extracted(REPOSITORY))
 
 
 def places(text: str) -> set[str]:
@@ -66,7 +72,7 @@ def test_the_extractor_sees_every_sentence() -> None:
         if isinstance(node, ast.Call) and takes_a_sentence(node.func)
         if node.args and isinstance(node.args[0], ast.Constant)
     }
-    assert written <= SENTENCES
+    assert written <= sentences()
 
 
 @pytest.mark.parametrize(
@@ -80,7 +86,7 @@ def test_a_sentence_that_cannot_be_extracted_is_noticed(source: str) -> None:
 @pytest.mark.parametrize("language", messages.LANGUAGES)
 def test_every_sentence_is_translated(language: str) -> None:
     catalogue = messages.read_catalogue(REPOSITORY, language)
-    assert messages.untranslated(catalogue, SENTENCES) == []
+    assert messages.untranslated(catalogue, sentences()) == []
 
 
 @pytest.mark.parametrize("language", messages.LANGUAGES)
@@ -99,7 +105,7 @@ def test_a_translation_has_the_same_places(language: str) -> None:
 @pytest.mark.parametrize("language", messages.LANGUAGES)
 def test_no_translation_is_of_a_sentence_that_is_gone(language: str) -> None:
     catalogue = messages.read_catalogue(REPOSITORY, language)
-    assert {entry.id for entry in catalogue if entry.id} <= SENTENCES
+    assert {entry.id for entry in catalogue if entry.id} <= sentences()
     assert not catalogue.obsolete
 
 
@@ -107,7 +113,7 @@ def test_no_translation_is_of_a_sentence_that_is_gone(language: str) -> None:
 def test_catalogues_are_as_the_tool_writes_them(language: str) -> None:
     catalogue = messages.read_catalogue(REPOSITORY, language)
     written = (REPOSITORY / messages.LOCALE / f"{language}.po").read_bytes()
-    assert messages.written(messages.merged(catalogue, SENTENCES)) == written
+    assert messages.written(messages.merged(catalogue, sentences())) == written
 
 
 @pytest.mark.parametrize("language", messages.LANGUAGES)
@@ -115,10 +121,10 @@ def test_the_program_speaks_the_language(language: str) -> None:
     catalogue = messages.read_catalogue(REPOSITORY, language)
     written = {entry.id: entry.string for entry in catalogue if entry.id}
     words = Words(language)
-    one = {sentence for sentence in SENTENCES if isinstance(sentence, str)}
+    one = {sentence for sentence in sentences() if isinstance(sentence, str)}
     assert {sentence: words.translate(sentence) for sentence in one} == {
         sentence: string for sentence, string in written.items() if sentence in one
     }
-    for counted in SENTENCES - one:
+    for counted in sentences() - one:
         said = {words.counted(*counted, count) for count in (1, 2, 5)}
         assert said == set(written[counted])

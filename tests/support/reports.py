@@ -17,6 +17,7 @@ from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import message
 from gripcourse.variants.model import Variant
+from support import printed
 
 GRADED_ON = date(2025, 5, 21)
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
@@ -136,12 +137,6 @@ def _rejected(report: Report) -> Report:
     )
 
 
-def _pages_of(pdf: bytes) -> list[str]:
-    """Return the text of each page, every run of spaces and line ends as one space."""
-    reader = PdfReader(io.BytesIO(pdf))
-    return [" ".join(page.extract_text().split()) for page in reader.pages]
-
-
 def _read(page: str) -> str:
     """Return the text of HTML, every run of spaces as one space."""
     text = html.unescape(re.sub(r"<[^>]*>", " ", page[page.index("<body") :]))
@@ -149,7 +144,7 @@ def _read(page: str) -> str:
 
 
 def _text_of(pdf: bytes) -> str:
-    return " ".join(_pages_of(pdf))
+    return " ".join(printed.pages_of(pdf))
 
 
 def _embedded_fonts(pdf: bytes) -> dict[str, bool]:
@@ -197,7 +192,7 @@ def rejected() -> Change:
 
 @pytest.fixture(scope="session")
 def pages_of() -> Callable[[bytes], list[str]]:
-    return _pages_of
+    return printed.pages_of
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import combinations, product
 from typing import TypeAlias
 
@@ -38,17 +40,40 @@ def pair_option_sets(scheme: Scheme) -> Iterator[dict[str, str]]:
     They are few where all combinations are thousands. What three options do to each other only is
     not seen in them.
     """
-    cover = _Cover(scheme)
+    for options in _covering(_Mixed.of(scheme)):
+        yield dict(options)
+
+
+@dataclass(frozen=True, slots=True)
+class _Mixed:
+    """A scheme that is equal to another when its options can be combined in the same ways."""
+
+    scheme: Scheme = field(compare=False)
+    choices: tuple[object, ...]
+    rules: tuple[object, ...]
+
+    @staticmethod
+    def of(scheme: Scheme) -> "_Mixed":
+        choices = ((one.id, *(choice.id for choice in one.choices)) for one in scheme.options)
+        rules = ((*rule.when.items(), None, *rule.requires.items()) for rule in scheme.rules)
+        return _Mixed(scheme, tuple(choices), tuple(rules))
+
+
+# Whoever checks a course asks seven times, and once for every declared proof.
+@lru_cache(maxsize=128)
+def _covering(mixed: _Mixed) -> tuple[Mapping[str, str], ...]:
+    cover = _Cover(mixed.scheme)
     open_pairs = cover.pairs()
     if not open_pairs:
-        yield from option_sets(scheme)
-        return
+        return tuple(option_sets(mixed.scheme))
+    found = []
     while open_pairs:
         first = min(open_pairs)
         row = cover.completed(dict(first), open_pairs)
         open_pairs -= {first} if row is None else _met(row, open_pairs)
         if row is not None:
-            yield cover.options(row)
+            found.append(cover.options(row))
+    return tuple(found)
 
 
 class _Cover:

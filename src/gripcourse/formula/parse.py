@@ -87,6 +87,8 @@ def _check_depth(syntax: ast.expr, line: str) -> None:
     level: list[ast.AST] = [syntax]
     for _ in range(_DEEPEST_TREE):
         level = [child for node in level for child in ast.iter_child_nodes(node)]
+        if not level:
+            return
     deep = [node for node in level if isinstance(node, ast.expr)]
     if deep:
         raise FormulaFault(too_deep(), _span(deep[0], line))

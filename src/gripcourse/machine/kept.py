@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from gripcourse.machine.files import write_bytes
+from gripcourse.machine.process_wide import few_collections
 
 _MOST: Final = 32  # kept values; the ones unused for longest go
 _PROGRAM: Final = Path(__file__).parents[1]
@@ -41,7 +42,8 @@ def read_kept(digest: str) -> Any:  # noqa: ANN401 (whatever was kept)
     try:
         if path is None or not _is_mine(path):
             return None
-        value = pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
+        with few_collections():
+            value = pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
         os.utime(path)
     except Exception:  # noqa: BLE001 (a damaged file fails in any way; the value is computed again)
         return None

@@ -17,7 +17,7 @@ _COLLECTOR_THRESHOLD: Final = 100_000
 
 @contextmanager
 def few_collections() -> Iterator[None]:
-    """Collect garbage rarely: a layout makes many objects that live, 15 % of its time otherwise."""
+    """Collect garbage rarely, where many objects are made that live: 15 % of the time otherwise."""
     with _CHANGING:
         before = gc.get_threshold()
         gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])

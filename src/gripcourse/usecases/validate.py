@@ -12,6 +12,7 @@ from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
+from gripcourse.machine.process_wide import few_collections
 from gripcourse.policy.load import load_policy, read_policy
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import calculations, differences
@@ -42,6 +43,12 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
         thorough: look at every combination of options, and not only at any two choices together:
             some seconds for what three options do to each other.
     """
+    # Nearly everything that is read lives to the end.
+    with few_collections():
+        return _all_problems(root, thorough=thorough)
+
+
+def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     course, problems = read_course(root)
     if course is None:
         return problems

@@ -9,7 +9,7 @@ from gripcourse.course.quantity import AsPrinted, Choice, Kind, Quantity, Roundi
 from gripcourse.documents.reference.notation import Symbols, statement, symbol_of, symbols_for
 from gripcourse.documents.reference.occurrence import Content, Occurrence, OptionCondition
 from gripcourse.formula.boxes import Box
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import Formula
 from gripcourse.formula.typeset import typeset
 from gripcourse.text.amounts import amount_text, percent_text
 from gripcourse.text.units import unit_text
@@ -316,7 +316,7 @@ def _inputs(quantity: Quantity) -> tuple[str, ...]:
     formulas = [quantity.formula]
     if quantity.choice is not None:
         formulas.append(quantity.choice.condition)
-    used = (name for formula in formulas if formula is not None for name in names(formula.tree))
+    used = (name for formula in formulas if formula is not None for name in formula.names)
     return tuple(dict.fromkeys(name for name in used if name != quantity.id))
 
 
