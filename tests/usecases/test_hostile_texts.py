@@ -12,6 +12,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from jinja2 import Environment
 from openpyxl import load_workbook
 
 from gripcourse.cli.grading_text import grading_text
@@ -20,7 +21,8 @@ from gripcourse.course.model import Course
 from gripcourse.documents.handout_list import handout_document
 from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.kinds import assignment, cohort, student
-from gripcourse.documents.pdf import Document, pdf_from_html, render_html
+from gripcourse.documents.pdf import Document, pdf_from_html, render_html, template_environment
+from gripcourse.drawing.paper.document import dxf_bytes
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.general_view import general_view
@@ -154,6 +156,33 @@ def test_a_page_shows_it_and_has_no_element_of_it(
     assert not UNSEEN.search(page)
 
 
+@pytest.mark.parametrize("kind", DOCUMENTS)
+@pytest.mark.parametrize("text", [TEXTS["markup"]], indirect=True)
+def test_a_page_that_escapes_nothing_is_noticed(
+    sample: SampleDocument, report: Report, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unescaped(folder: Path, language: str) -> Environment:
+        return template_environment(folder, language).overlay(autoescape=False)
+
+    monkeypatch.setattr("gripcourse.documents.pdf.template_environment", unescaped)
+    page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
+    assert "script" in Page(page).names
+
+
+def test_no_template_turns_escaping_off() -> None:
+    """What is marked as safe is markup of our own: a line break, a picture, a style sheet."""
+    safe = {
+        (path.name, found)
+        for path in sorted(TEMPLATES.rglob("*.j2"))
+        for found in re.findall(r"(\S+)\s*\|\s*safe|autoescape", path.read_text(encoding="utf-8"))
+    }
+    assert safe == {
+        ("atlas.html.j2", '"<br>"'),
+        ("reference_scheme.html.j2", "diagram"),
+        ("reference_page.html.j2", "style"),
+    }
+
+
 @pytest.mark.parametrize("text", LAID_OUT, indirect=True)
 def test_it_can_be_laid_out(sample: SampleDocument) -> None:
     document = student.report_page(sample, sample.refused, Reveal.NOTHING)
@@ -161,7 +190,7 @@ def test_it_can_be_laid_out(sample: SampleDocument) -> None:
     assert pdf.startswith(b"%PDF")
 
 
-@pytest.mark.parametrize("text", ON_PAGES, indirect=True)
+@pytest.mark.parametrize("text", [*ON_PAGES, TEXTS["second_line"]], indirect=True)
 def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, text: str) -> None:
     view = sample.plan.scheme.view
     assert view is not None
@@ -173,6 +202,9 @@ def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, tex
     kinds = {str(element.tag).rpartition("}")[2] for element in tree.iter()}
     assert kinds <= {"svg", "title", "rect", "g", "path", "text"}
     assert tree[0].text == shown(text)
+    lines = dxf_bytes(drawn.document).decode().splitlines()
+    assert all(code.strip().lstrip("-").isdecimal() for code in lines[::2])
+    assert not any(UNSEEN.search(line) or line.startswith(OURS) for line in lines)
 
 
 def test_a_table_for_a_spreadsheet_runs_nothing(report: Report, text: str) -> None:
