@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Self
 
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Message, Words, message
 
 
@@ -70,7 +70,7 @@ class Problem:
         """Put the problem into words: place, fault, remedy, and the excerpt on lines below."""
         said = f"{words.say(self.what)} {words.say(self.remedy)}".strip()
         key = self.key if isinstance(self.key, str) else words.say(self.key)
-        places = (shown(self.file), shown(self.parameter), shown(key))
+        places = (one_line(self.file), one_line(self.parameter), one_line(key))
         line = ": ".join(part for part in (*places, said) if part)
         return f"{line}\n{shown(self.excerpt)}" if self.excerpt else line
 

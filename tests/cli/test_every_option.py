@@ -40,8 +40,14 @@ WRITTEN = {"--out", "--misses", "--ledger", "--print"}
 # What is read from a folder: that one is empty is no fault.
 FROM_FOLDERS = {"serve"}
 HOSTILE = ("missing", "empty", "folder", "noise", "long")
-# Commands that compute for seconds before they write are tried elsewhere.
-SLOW = {"evaluate", "tolerance audit", "variants audit"}
+# What takes long, and the option that says where its results go: the function that computes.
+LONG = {
+    ("evaluate", "--misses"): "gripcourse.usecases.virtual.make_classroom",
+    ("tolerance audit", "--out"): "gripcourse.usecases.tolerance.read_table",
+    ("variants audit", "--out"): "gripcourse.usecases.audit.audit",
+    ("variants draw", "--out"): "gripcourse.usecases.variants.draw_variants",
+}
+WANTS_A_FOLDER = {"variants audit"}
 
 
 def commands() -> Iterator[tuple[str, Any]]:
@@ -93,7 +99,6 @@ def cases() -> list[tuple[str, str, str, str]]:
         (words, name, typed, kind)
         for words, name, typed in paths()
         for kind in kinds(words, name, typed)
-        if not (is_written(words, typed) and words in SLOW)
     ]
 
 
@@ -148,3 +153,21 @@ def test_what_cannot_be_used_is_refused_in_a_sentence(
     # Where it is, what is wrong, and how it is mended.
     assert done.err.count(". ") >= 1, said
     assert not list(home.rglob(".*.????????*")), "something was left half-written"
+
+
+@pytest.mark.parametrize("kind", ["below_a_file", "other", "long", "not_writable"])
+@pytest.mark.parametrize(("words", "typed"), LONG)
+def test_where_nothing_can_be_written_nothing_is_computed(
+    words: str, typed: str, kind: str, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def compute(*_arguments: object, **_options: object) -> None:
+        pytest.fail("It was computed first.")
+
+    monkeypatch.setattr(LONG[words, typed], compute)
+    if kind == "not_writable":  # root may write everywhere
+        monkeypatch.setattr("gripcourse.machine.files.os.access", lambda *_: False)
+    if kind == "other":
+        kind = "noise" if words in WANTS_A_FOLDER else "folder"
+    done = run(home, words, typed.strip("-"), typed, kind)
+    assert done.code == 2, done.out + done.err
+    assert done.err.count(". ") >= 1

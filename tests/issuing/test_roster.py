@@ -7,6 +7,7 @@ import pytest
 
 from gripcourse.errors import TableError
 from gripcourse.issuing.roster import read_roster
+from gripcourse.machine.content import NamedBytes
 from gripcourse.variants.model import Student
 
 HEADER = "student,name,group,email,language,variant"
@@ -175,3 +176,9 @@ def test_the_reference_roster_is_sound() -> None:
     students = read_roster(REFERENCE).students
     assert len(students) == 12
     assert {student.language for student in students} == {"", "en", "ru", "uk"}
+
+
+def test_an_address_or_a_group_of_two_lines_becomes_one() -> None:
+    table = b'student,name,group,email\ns1,Anna,"G\n1","a@b\nBcc: x@y"\n'
+    (student,) = read_roster(NamedBytes("roster.csv", table)).students
+    assert (student.group, student.email) == ("G 1", "a@b Bcc: x@y")

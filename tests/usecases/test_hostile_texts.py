@@ -12,14 +12,17 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from jinja2 import Environment
 from openpyxl import load_workbook
 
 from gripcourse.cli.grading_text import grading_text
 from gripcourse.cli.text import issuing_text
 from gripcourse.course.model import Course
+from gripcourse.documents.handout_list import handout_document
 from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.kinds import assignment, cohort, student
-from gripcourse.documents.pdf import Document, pdf_from_html, render_html
+from gripcourse.documents.pdf import Document, pdf_from_html, render_html, template_environment
+from gripcourse.drawing.paper.document import dxf_bytes
 from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.general_view import general_view
@@ -28,7 +31,7 @@ from gripcourse.exports.grades import grades_text
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.solve import solve_variant
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.grade import GradingOutcome, json_text
 from gripcourse.usecases.handout import Handout
@@ -36,6 +39,7 @@ from gripcourse.usecases.issue import Issuing
 from gripcourse.usecases.samples import judged_sample, refused_sample, samples
 from gripcourse.variants.model import Student
 from gripcourse.workbook.write import answer_workbook
+from support.tables import formulas_in
 
 REPOSITORY = Path(__file__).parents[2]
 TEMPLATES = REPOSITORY / "templates"
@@ -53,9 +57,24 @@ TEXTS = {
     "template": "{student}{{ 7 * 7 }}{% raw %}{0.__class__}",
     "half": "name\udcff\ufffe",
     "markdown": "[bold red]x[/bold red] :smile:",
+    "attribute": '"><img src=x onerror=alert(1)>',
+    "plus": "+1",
+    "second_cell": "a;=cmd|'/C calc'!A0\tb\t@SUM(1)",
+    "second_line": "Anna\n=1+1\r\nAll files were graded.\u2028Bcc: x@y.z",
+    "wide_sign": "\uff1d1+1",
+    "long": "\u0416" * 10_000,
 }
+OURS = "All files were graded."
 UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
-FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+# What only a table or a terminal would obey needs no page of its own.
+ON_PAGES = tuple(
+    TEXTS[one]
+    for one in (
+        *("markup", "attribute", "quotes", "terminal", "direction", "entity", "cad", "template"),
+        "half",
+    )
+)
+LAID_OUT = tuple(TEXTS[one] for one in ("terminal", "direction", "half"))
 
 
 class Page(HTMLParser):
@@ -118,9 +137,13 @@ DOCUMENTS: Mapping[str, Callable[[SampleDocument, Report], Document]] = {
         sample, sample.refused, Reveal.NOTHING
     ),
     "cohort": lambda sample, report: cohort.summary(sample, [report, report]),
+    "handout": lambda sample, _: handout_document(
+        (sample.issued,), sample.course, sample.words, sample.day
+    ),
 }
 
 
+@pytest.mark.parametrize("text", ON_PAGES, indirect=True)
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_a_page_shows_it_and_has_no_element_of_it(
     plain: SampleDocument, sample: SampleDocument, report: Report, text: str, kind: str
@@ -133,12 +156,41 @@ def test_a_page_shows_it_and_has_no_element_of_it(
     assert not UNSEEN.search(page)
 
 
+@pytest.mark.parametrize("kind", DOCUMENTS)
+@pytest.mark.parametrize("text", [TEXTS["markup"]], indirect=True)
+def test_a_page_that_escapes_nothing_is_noticed(
+    sample: SampleDocument, report: Report, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unescaped(folder: Path, language: str) -> Environment:
+        return template_environment(folder, language).overlay(autoescape=False)
+
+    monkeypatch.setattr("gripcourse.documents.pdf.template_environment", unescaped)
+    page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
+    assert "script" in Page(page).names
+
+
+def test_no_template_turns_escaping_off() -> None:
+    """What is marked as safe is markup of our own: a line break, a picture, a style sheet."""
+    safe = {
+        (path.name, found)
+        for path in sorted(TEMPLATES.rglob("*.j2"))
+        for found in re.findall(r"(\S+)\s*\|\s*safe|autoescape", path.read_text(encoding="utf-8"))
+    }
+    assert safe == {
+        ("atlas.html.j2", '"<br>"'),
+        ("reference_scheme.html.j2", "diagram"),
+        ("reference_page.html.j2", "style"),
+    }
+
+
+@pytest.mark.parametrize("text", LAID_OUT, indirect=True)
 def test_it_can_be_laid_out(sample: SampleDocument) -> None:
     document = student.report_page(sample, sample.refused, Reveal.NOTHING)
     pdf = pdf_from_html(render_html(document, TEMPLATES, sample.words), document.styles, TEMPLATES)
     assert pdf.startswith(b"%PDF")
 
 
+@pytest.mark.parametrize("text", [*ON_PAGES, TEXTS["second_line"]], indirect=True)
 def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, text: str) -> None:
     view = sample.plan.scheme.view
     assert view is not None
@@ -150,20 +202,23 @@ def test_a_drawing_stays_a_picture_that_xml_can_hold(sample: SampleDocument, tex
     kinds = {str(element.tag).rpartition("}")[2] for element in tree.iter()}
     assert kinds <= {"svg", "title", "rect", "g", "path", "text"}
     assert tree[0].text == shown(text)
+    lines = dxf_bytes(drawn.document).decode().splitlines()
+    assert all(code.strip().lstrip("-").isdecimal() for code in lines[::2])
+    assert not any(UNSEEN.search(line) or line.startswith(OURS) for line in lines)
 
 
 def test_a_table_for_a_spreadsheet_runs_nothing(report: Report, text: str) -> None:
     student = Student(report.student, report.name, group=text, email=text, language="", variant="")
     written = grades_text([replace(report, name=text)], {report.student: student})
-    rows = list(csv.DictReader(io.StringIO(written, newline="")))
-    (row,) = rows
+    (row,) = csv.DictReader(io.StringIO(written, newline=""))
     assert not UNSEEN.search(written.replace("\r\n", "\n"))
     written.encode()
     for column in ("name", "group", "email", "file"):
-        assert row[column].removeprefix("'") == shown(text)
-        assert not row[column].startswith(FORMULA_STARTS)
+        assert row[column].replace("'", "") == shown(text).replace("'", "")
+    assert formulas_in(written) == []
 
 
+@pytest.mark.parametrize("text", [*ON_PAGES, TEXTS["formula"], TEXTS["long"]], indirect=True)
 def test_a_workbook_holds_it_as_text(sample: SampleDocument, text: str) -> None:
     made = answer_workbook(sample.plan, sample.issued, sample.course, sample.words)
     book = load_workbook(io.BytesIO(made))
@@ -182,14 +237,15 @@ def test_a_terminal_shows_it_and_obeys_nothing(report: Report, text: str, tmp_pa
     lost = message(
         "The documents of {student} could not be made: {reason}", student="s", reason=text
     )
-    problem = Problem(text, text, message("'{text}' is not a number.", text=text), lost, text)
+    problem = Problem(text, text, message("'{text}' is not a number.", text=text), lost, text[:5])
     for said in (
         grading_text(outcome, tmp_path, Words("en")),
         issuing_text(Issuing((Handout(text, (), (lost,)),), (lost,)), tmp_path, Words("en")),
         problem.say(Words("en")),
     ):
         assert not UNSEEN.search(said)
-        assert shown(text)[:8] in said
+        assert one_line(text)[:8] in said
+        assert not any(line.startswith((OURS, "Bcc")) for line in said.splitlines())
 
 
 def test_json_gives_it_back_as_it_was(report: Report, text: str) -> None:

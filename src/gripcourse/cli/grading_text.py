@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli.text import table_text
 from gripcourse.grading.flag_code import FlagCode
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import one_line
 from gripcourse.text.words import Words, message
 
 # `gripcourse --help` needs nothing of what is graded.
@@ -54,8 +54,8 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
 
     rows = [
         (
-            Path(one.file).name,
-            one.name or one.student or "—",
+            one_line(Path(one.file).name),
+            one_line(one.name) or one.student or "—",
             one.variant or "—",
             _score(one, words),
             _flags(one, words),
@@ -71,7 +71,7 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     )
     lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
-        f"{shown(Path(one.file).name)}: {words.say(flag.message)}"
+        f"{one_line(Path(one.file).name)}: {words.say(flag.message)}"
         for one in outcome.reports
         for flag in one.flags
     ]
@@ -105,7 +105,7 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
     from gripcourse.usecases.collect import REASONS
 
     for why, reason in REASONS.items():
-        names = [shown(Path(one.file).name) for one in outcome.passed_over if one.why is why]
+        names = [one_line(Path(one.file).name) for one in outcome.passed_over if one.why is why]
         if names:
             more = f", … ({len(names)})" if len(names) > _NAMED else ""
             said = message(
@@ -122,7 +122,7 @@ def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
         return words.say(message("Nothing waits for the instructor."))
     again = words.say(message("marked; look again"))
     rows = [
-        (one.student, one.quantity, Path(one.file).name, again if one.again else "")
+        (one.student, one.quantity, one_line(Path(one.file).name), again if one.again else "")
         for one in waits
     ]
     heads = (message("student"), message("item"), message("file"))

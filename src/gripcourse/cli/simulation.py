@@ -128,10 +128,13 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Derive tolerances from honest students who round, cut off and shorten constants."""
     from gripcourse.course.load import load_course
+    from gripcourse.machine.files import expect_file
     from gripcourse.policy.load import load_policy
     from gripcourse.usecases import tolerance as command
 
     words = words_for(language)
+    if out is not None:
+        expect_file(out)
     loaded = load_course(course_folder(course))
     policy = load_policy(loaded)
     sample = command.ToleranceSample(table or main_table(loaded.root), count, seed)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from gripcourse.cli.loudness import is_quiet
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Message, Texts, Words, message
 
 # rich costs 60 ms to import: only who prints a table or a bar pays.
@@ -193,7 +193,7 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
     said = message("{count} assignments are in {folder}.", count=len(whole), folder=str(out))
     lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
     lines += [
-        f"{shown(one.student)}: {words.say(fault)}"
+        f"{one_line(one.student)}: {words.say(fault)}"
         for one in issuing.handouts
         for fault in one.faults
     ]

@@ -1,11 +1,10 @@
 """Whom the demo issues to, and what: the course's own sample, else one that is made up."""
 
-import shutil
 from pathlib import Path
 from typing import Final
 
 from gripcourse.course.model import Course
-from gripcourse.machine.files import write_text
+from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.variants import draw_table
 from gripcourse.variants.table import read_table
@@ -26,12 +25,12 @@ def sample_roster(source: Path, course: Course, table: Path, words: Words) -> Pa
     """
     roster = course.root / _ROSTER
     if (source / _ROSTER).is_file():
-        shutil.copyfile(source / _ROSTER, roster)
+        write_bytes(roster, (source / _ROSTER).read_bytes(), private=True)
     else:
         count = min(_STUDENTS, len(read_table(table, course)))
         names = [words.say(message("Student {number}", number=one + 1)) for one in range(count)]
         rows = [f"s{one + 1},{name}" for one, name in enumerate(names)]
-        write_text(roster, "\n".join(("student,name", *rows)) + "\n")
+        write_text(roster, "\n".join(("student,name", *rows)) + "\n", private=True)
     return roster
 
 

@@ -2,11 +2,16 @@
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Sequence
 
 from gripcourse.text.shown import shown
 
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+# A cell that begins so is run; East Asian programs take the wide signs for the same. Where cells
+# end at semicolons, as in Russian and Ukrainian, a program begins one inside of ours, and a row.
+_RUN = re.compile(
+    r"(?:\A|(?<=[;\t\r\n]))(?=[ \t\r\n]*[=+\-@\uff1d\uff0b\uff0d\uff20])|\A(?=[\t\r\n])"
+)
 
 
 def table_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -24,6 +29,5 @@ def number_cell(value: float) -> str:
 
 
 def text_cell(text: str) -> str:
-    """Keep a spreadsheet program from running a text as a formula."""
-    seen = shown(text)
-    return f"'{seen}" if seen.startswith(_FORMULA_STARTS) else seen
+    """Keep a spreadsheet program from running a text, or a part of it, as a formula."""
+    return _RUN.sub("'", shown(text))

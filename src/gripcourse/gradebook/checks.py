@@ -5,10 +5,12 @@ to name anybody, so who asks is what the server knows of whoever is signed in.
 """
 
 import sqlite3
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+
+from gripcourse.machine.files import make_private
 
 _SECONDS_TO_WAIT: Final = 30.0
 
@@ -18,7 +20,7 @@ class CheckLedger:
     """Where self-checks are counted, and for whom.
 
     Attributes:
-        path: of the file; it is made where there is none.
+        path: of the file; it is made where there is none, and only its owner may read it.
         who: the student, as the server knows who is signed in.
     """
 
@@ -39,6 +41,8 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
     Raises:
         OSError: the file cannot be written.
     """
+    with suppress(FileExistsError):
+        make_private(ledger.path)
     try:
         with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT, isolation_level=None)) as file:
             # Two questions of one student at once must not both get the last one.

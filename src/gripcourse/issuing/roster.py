@@ -99,8 +99,9 @@ class _Reader:
             # One letter can be written as one sign or as two, and folders would differ.
             id=unicodedata.normalize("NFC", self._cell(row, "student")),
             name=self._name(row),
-            group=self._cell(row, "group"),
-            email=self._cell(row, "email"),
+            # A letter has its headings line by line: nobody adds one by a cell of two lines.
+            group=" ".join(self._cell(row, "group").split()),
+            email=" ".join(self._cell(row, "email").split()),
             language=self._language(row),
             variant=self._cell(row, "variant"),
         )

@@ -4,6 +4,7 @@ Everything is written under a temporary name beside its target and then renamed 
 operating system does in one step. What was there before stays until the new file is whole.
 """
 
+import errno
 import os
 import re
 import secrets
@@ -110,6 +111,51 @@ def making(path: Path) -> Iterator[Path]:
                 temporary.rename(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def expect_file(path: Path) -> None:
+    """Refuse a file that could not be written, before anybody computes what it shall hold.
+
+    Nothing is made. Whether the disk has room for it shows later.
+
+    Args:
+        path: the file to make or to replace; folders above it may be missing.
+
+    Raises:
+        OSError: a folder lies there, or the folder that it would lie in cannot be written.
+    """
+    if path.is_dir():
+        raise _refusal(errno.EISDIR, path)
+    expect_folder(path.parent)
+
+
+def expect_folder(path: Path) -> None:
+    """Refuse a folder into which nothing could be written; see `expect_file`.
+
+    Args:
+        path: the folder; it may be missing.
+
+    Raises:
+        OSError: it is a file or below one, or cannot be written.
+    """
+    existing = next((one for one in (path, *path.parents) if _exists(one)), path)
+    if not existing.is_dir():
+        raise _refusal(errno.ENOTDIR, existing)
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise _refusal(errno.EACCES, existing)
+
+
+def _exists(path: Path) -> bool:
+    """Tell whether something lies at a path. A name that is too long for any is an error."""
+    try:
+        path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    return True
+
+
+def _refusal(number: int, path: Path) -> OSError:
+    return OSError(number, os.strerror(number), str(path))
 
 
 def make_private(path: Path) -> None:

@@ -12,9 +12,15 @@ from typing import Final
 _UNSEEN: Final = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]"
 )
+_LINE_ENDS: Final = re.compile("[\r\n\u2028\u2029]+")
 _REPLACEMENT: Final = "\ufffd"
 
 
 def shown(text: str) -> str:
     """Return a text with the sign of an unknown character in the place of each such one."""
     return _UNSEEN.sub(_REPLACEMENT, text)
+
+
+def one_line(text: str) -> str:
+    """Return a text as `shown` does, on one line: none of it can pass for a line of ours."""
+    return shown(_LINE_ENDS.sub(" ", text.strip("\r\n\u2028\u2029")))

@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from gripcourse.text.conventions import is_english
 from gripcourse.text.number_text import format_number
-from gripcourse.text.shown import shown
+from gripcourse.text.shown import one_line
 from gripcourse.text.translations import catalogue_file, read_translations
 
 LANGUAGES = ("en", "ru", "uk")
@@ -91,7 +91,7 @@ class Words:
             return value.of(self.language)
         if isinstance(value, float):
             return self.number(value)
-        return shown(str(value))
+        return one_line(str(value))
 
 
 @lru_cache(maxsize=len(LANGUAGES))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from gripcourse.course.model import Course
 from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.files import expect_folder, write_bytes
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.variants import draw_variants
@@ -55,7 +55,9 @@ def audit_table(
     Raises:
         GripcourseError: the table cannot be read, or holds variants that cannot be solved; every
             row is named.
+        OSError: nothing can be written there.
     """
+    expect_folder(out)
     from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
         CertificateSource,
     )
@@ -99,7 +101,9 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
 
     Raises:
         GripcourseError: there is no such scheme, or its space gives too few variants.
+        OSError: nothing can be written there.
     """
+    expect_folder(out)
     from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
         CertificateSource,
     )

@@ -1,9 +1,11 @@
-"""Taking graded results to a platform, a table or people; nothing is ever sent anywhere."""
+"""Taking graded results to a platform, a table or people; nothing is ever sent anywhere.
+
+Whatever is written here has names and marks, or solutions: only its owner may read it.
+"""
 
 import csv
 import io
 import json
-import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,7 +28,7 @@ from gripcourse.exports.platforms.works import GradedWork, works_of
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
 from gripcourse.issuing.store import read_register
-from gripcourse.machine.files import replacing, write_bytes, write_text
+from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.grade import REPORTS
@@ -103,15 +105,15 @@ def moodle_files(
     notes: tuple[Message, ...] = ()
     if feedback is not None:
         packed, notes = feedback_zip(filled, results.report_of, words)
-        write_bytes(feedback, packed)
-    write_bytes(out, filled.content)
+        write_bytes(feedback, packed, private=True)
+    write_bytes(out, filled.content, private=True)
     return filled, notes
 
 
 def canvas_file(results: Results, gradebook: Path, assignment: str, out: Path) -> FilledGradebook:
     """Write the table that Canvas imports; see `exports.platforms.canvas`."""
     filled = fill_gradebook(gradebook, results.works, assignment)
-    write_bytes(out, filled.content)
+    write_bytes(out, filled.content, private=True)
     return filled
 
 
@@ -130,7 +132,8 @@ def gradescope_file(results: Results, student: str, out: Path, *, published: boo
     report = _only_report(results, student)
     words = Words(results.course.language)
     plain = gradescope_results(report, results.course, words, published=published)
-    write_text(out, json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False))
+    text = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
+    write_text(out, text, private=True)
 
 
 def table_files(results: Results, out: Path) -> tuple[Path, ...]:
@@ -142,11 +145,11 @@ def table_files(results: Results, out: Path) -> tuple[Path, ...]:
     """
     tables = results_tables(results.grades, results.students)
     if out.suffix.lower() == ".xlsx":
-        write_bytes(out, workbook(tables))
+        write_bytes(out, workbook(tables), private=True)
         return (out,)
     written = csv_tables(tables)
     for name, data in written.items():
-        write_bytes(out / name, data)
+        write_bytes(out / name, data, private=True)
     return tuple(out / name for name in written)
 
 
@@ -162,15 +165,14 @@ def outbox_folders(results: Results, out: Path) -> tuple[Path, ...]:
     folders = []
     for work in results.works:
         folder = out / work.report.student
-        write_text(folder / _TEXT, _letter(results, work))
+        write_text(folder / _TEXT, _letter(results, work), private=True)
         report = results.report_of(work)
         if report.is_file():
-            with replacing(folder / _REPORT) as temporary:
-                shutil.copyfile(report, temporary)
+            write_bytes(folder / _REPORT, report.read_bytes(), private=True)
         told = (work.report.student, work.report.name, work.email, folder.name)
         table.writerow([text_cell(one) for one in told])
         folders.append(folder)
-    write_bytes(out / _LIST, stream.getvalue().encode("utf-8-sig"))
+    write_bytes(out / _LIST, stream.getvalue().encode("utf-8-sig"), private=True)
     return tuple(folders)
 
 
@@ -227,5 +229,5 @@ def moodle_questions(
         what = message("The table has no variant '{variant}'.", variant=min(unknown))
         raise UsageError([Problem(str(table), "", what, message("Name those that it has."))])
     wanted = [one for one in variants if not chosen or one.id in chosen]
-    write_bytes(out, moodle_xml(wanted, course, load_policy(course), words))
+    write_bytes(out, moodle_xml(wanted, course, load_policy(course), words), private=True)
     return len(wanted)

@@ -26,7 +26,7 @@ def print_sheets(
         handouts: what was issued; who has no sheet because it failed is left out.
         course: its language is that of the list.
         out: folder that the sheets were written to.
-        target: file to write.
+        target: file to write; with everybody's name in it only its owner may read it.
         day: that the list prints.
 
     Returns:
@@ -38,7 +38,7 @@ def print_sheets(
     entries.sort(key=lambda one: one.student.group)  # stable: else in the order of the roster
     listed = handout_list(entries, course, Words(course.language), day)
     parts = [listed, *(sheets[one.student.id].read_bytes() for one in entries)]
-    write_bytes(target, joined(parts))
+    write_bytes(target, joined(parts), private=True)
     return len(entries)
 
 

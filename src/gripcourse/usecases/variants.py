@@ -8,6 +8,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import Readable
+from gripcourse.machine.files import expect_file
 from gripcourse.policy.load import load_policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.suggestion import did_you_mean
@@ -74,6 +75,7 @@ def draw_table(  # noqa: PLR0913 (the last two are for those who need them)
     apart_from: Readable | None = None,
 ) -> Drawn:
     """Draw variants and write them as a table; see `draw_variants`."""
+    expect_file(out)
     others = () if apart_from is None else read_table(apart_from, course)
     drawn = draw_variants(course, count, seed, scheme, freely=freely, apart_from=others)
     write_table(out, drawn.variants, course)

@@ -8,7 +8,7 @@ from pathlib import Path
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.register_file import read_register_file
-from gripcourse.machine.files import write_text
+from gripcourse.machine.files import expect_file, expect_folder, write_text
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.confusion import GraderEvaluation, evaluate
@@ -66,6 +66,7 @@ def simulate(
         what = message("This folder is not empty.")
         remedy = message("Name a new or empty folder: nothing is ever overwritten.")
         raise UsageError([Problem(str(out), "", what, remedy, parameter="out")])
+    expect_folder(out)
     room = make_classroom(
         course, policy, load_mix(course), cohort.count, cohort.seed, cohort.scheme
     )
@@ -86,7 +87,10 @@ def evaluate_folder(
 
     Raises:
         GripcourseError: the folder holds no cohort of this course.
+        OSError: nothing can be written there.
     """
+    if folder.is_dir():
+        expect_file(folder / MISSES)
     found = evaluate(grade_cohort(folder, course, policy, workers, on_done), load_mix(course))
     register = read_register_file(register_of(folder), course.id).by_student()
     write_text(folder / MISSES, _misses(found, register))
@@ -110,7 +114,13 @@ def evaluate_in_memory(
         misses: file to write every miss to; None for none.
         workers: how many processes.
         on_done: called after each student.
+
+    Raises:
+        OSError: the misses cannot be written there.
     """
+    if misses is not None:
+        expect_file(misses)
+        expect_file(foreign_misses_path(misses))
     mix = load_mix(course)
     total: GraderEvaluation | None = None
     tables: list[str] = []
