@@ -7,6 +7,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 
 import pytest
+from openpyxl import load_workbook
 
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded, compared
@@ -29,6 +30,7 @@ from gripcourse.usecases.opening import grading_of
 from gripcourse.usecases.regrade import regrade
 from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
 from gripcourse.variants.table import write_table
+from gripcourse.workbook.cover import variant_text
 from support.classroom import Classroom, open_classroom, table
 
 NOW = datetime(2026, 12, 2, 9, tzinfo=UTC)
@@ -113,20 +115,21 @@ class TestDocuments:
         ("language", "said"),
         [("en", "001, version 2"), ("ru", "001, версия 2"), ("uk", "001, версія 2")],
     )
-    def test_the_sheet_says_which_version_it_is(
+    def test_a_version_after_the_first_is_named_with_its_variant(
         self, term: Term, language: str, said: str
     ) -> None:
-        course, words = term.classroom.course, Words(language)
         entry = term.classroom.register["s01"]
-        values = sheet_values(
-            entry, term.classroom.plan("s01"), term.classroom.policy, course, words
+        assert variant_text(entry, Words(language)) == said
+        assert variant_text(replace(entry, version=1), Words(language)) == "001"
+
+    def test_sheet_and_workbook_say_which_version_they_are(self, term: Term) -> None:
+        room = term.classroom
+        said = sheet_values(
+            room.register["s01"], room.plan("s01"), room.policy, room.course, Words("ru")
         )
-        assert values["variant"] == said
-        first = replace(entry, version=1)
-        values = sheet_values(
-            first, term.classroom.plan("s01"), term.classroom.policy, course, words
-        )
-        assert values["variant"] == "001"
+        assert said["variant"] == "001, версия 2"
+        cover = load_workbook(term.workbook(2)).worksheets[0]
+        assert said["variant"] in {cell.value for row in cover.iter_rows() for cell in row}
 
 
 class TestGrading:

@@ -238,6 +238,50 @@ class Course:
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
+    def reissue(  # noqa: PLR0913 (all but three are for those who need them)
+        self,
+        students: Iterable[str],
+        out: str | Path,
+        why: str,
+        *,
+        by: str = "",
+        variant: str = "",
+        table: FileLike | None = None,
+        deadline: date | None = None,
+        today: date | None = None,
+        workers: int = 0,
+        on_done: Callable[[str], None] = nothing,
+    ) -> IssueResult:
+        """Issue a new version to students; what was handed out stays, and works on it count.
+
+        Args:
+            students: ids of the register.
+            out: folder to write a folder per student to.
+            why: the reason, kept for good.
+            by: who does it.
+            variant: id of another variant; empty for the row of each student's own.
+            table: of variants; None for the course's main one.
+            deadline: last day for handing in; None for everybody's own.
+            today: day of the issue; None for today.
+            workers: how many processes lay out documents; 0 for none but this one.
+            on_done: called with each student's id.
+
+        Raises:
+            GripcourseError: something cannot be used or cannot be done; nothing was issued.
+        """
+        from gripcourse.issuing.reissue import Correction
+        from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
+
+        order = CorrectedOrder(
+            correction=Correction(tuple(students), variant, why, by),
+            table=self.table_source(table),
+            out=Path(out),
+            today=today or _today(),
+            deadline=deadline,
+        )
+        issuing = reissue_order(self.definition, self.policy, order, workers, on_done)
+        return issue_result(issuing, self.words)
+
     def check(
         self, workbook: FileLike, *, ledger: str | Path | None = None, who: str = ""
     ) -> CheckResult:
@@ -279,6 +323,7 @@ class Course:
         graded_on: date | None = None,
         whose: Mapping[str, str] | None = None,
         handed_in: Iterable[str] = (),
+        either_version: bool | None = None,
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -293,6 +338,8 @@ class Course:
             whose: ids of students by file, where a person says who handed it in.
             handed_in: when files were handed in, as `file=2026-12-01 18:00`, or one moment for all;
                 files of which nothing is said have their own time, bytes none.
+            either_version: of what was issued anew, whether the version counts that gives more;
+                None as the gradebook says, else the workbook's own version.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -303,7 +350,7 @@ class Course:
         """
         from gripcourse.policy.time_rules import zone_of
         from gripcourse.usecases.grade import batch_result, grade, write_results
-        from gripcourse.usecases.gradebook import check_gradebook, keep
+        from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
         from gripcourse.usecases.handed_in import handed_in_times
         from gripcourse.usecases.opening import grading_of
         from gripcourse.usecases.whose import read_whose
@@ -311,9 +358,11 @@ class Course:
         sources, others = workbooks(files)
         context = grading_of(self.definition, self.policy)
         pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
-        context = replace(context, whose=read_whose(pairs, sources, context.register))
+        decided = read_whose(pairs, sources, context.register)
+        context = replace(context, whose=decided, either_version=either_version)
         if gradebook is not None:
             check_gradebook(str(gradebook))
+            context = with_kept_versions(context, str(gradebook))
         graded = grade(sources, context, workers, on_done)
         if gradebook is not None:
             times = handed_in_times(handed_in, sources, zone_of(self.policy.late))
