@@ -238,50 +238,6 @@ class Course:
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)
 
-    def reissue(  # noqa: PLR0913 (all but three are for those who need them)
-        self,
-        students: Iterable[str],
-        out: str | Path,
-        why: str,
-        *,
-        by: str = "",
-        variant: str = "",
-        table: FileLike | None = None,
-        deadline: date | None = None,
-        today: date | None = None,
-        workers: int = 0,
-        on_done: Callable[[str], None] = nothing,
-    ) -> IssueResult:
-        """Issue a new version to students; what was handed out stays, and works on it count.
-
-        Args:
-            students: ids of the register.
-            out: folder to write a folder per student to.
-            why: the reason, kept for good.
-            by: who does it.
-            variant: id of another variant; empty for the row of each student's own.
-            table: of variants; None for the course's main one.
-            deadline: last day for handing in; None for everybody's own.
-            today: day of the issue; None for today.
-            workers: how many processes lay out documents; 0 for none but this one.
-            on_done: called with each student's id.
-
-        Raises:
-            GripcourseError: something cannot be used or cannot be done; nothing was issued.
-        """
-        from gripcourse.issuing.reissue import Correction
-        from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
-
-        order = CorrectedOrder(
-            correction=Correction(tuple(students), variant, why, by),
-            table=self.table_source(table),
-            out=Path(out),
-            today=today or _today(),
-            deadline=deadline,
-        )
-        issuing = reissue_order(self.definition, self.policy, order, workers, on_done)
-        return issue_result(issuing, self.words)
-
     def check(
         self, workbook: FileLike, *, ledger: str | Path | None = None, who: str = ""
     ) -> CheckResult:

@@ -311,24 +311,6 @@ def check(
     typer.echo(cli_text.check_text(checked, words))
 
 
-@app.command(cls=SpokenCommand)
-def demo(
-    *,
-    out: OutOption = Path("out"),
-    workers: WorkersOption = PROCESSORS,
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
-    from gripcourse.demo.run import run_demo
-
-    words = words_for(language)
-    say_limits(words)
-    with cli_text.progress() as step:
-        done = run_demo(course_folder(course), out, words, workers, step)
-    confirm(grading_text.demo_text(done, words))
-
-
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
