@@ -19,6 +19,7 @@ from support.command_line import Run, call
 # What a command wants besides the path that is tried; "{}" is a folder with nothing in it.
 REQUIRED: dict[str, tuple[str, ...]] = {
     "issue": ("--roster", "roster.csv", "--out", "out", "--workers", "0"),
+    "reissue": ("s1", "--why", "slip", "--out", "out", "--workers", "0"),
     "grade": ("junk.xlsx", "--out", "out", "--workers", "0"),
     "check": ("junk.xlsx",),
     "draw": ("001",),

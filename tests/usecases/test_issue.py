@@ -193,4 +193,4 @@ def refused(classroom: Classroom, kind: type[GripcourseError], *said: str) -> No
 
 def without_documents(monkeypatch: pytest.MonkeyPatch) -> None:
     """Issue without laying out documents: these tests are about who gets which numbers."""
-    monkeypatch.setattr("gripcourse.usecases.issue._write", lambda *_: ())
+    monkeypatch.setattr("gripcourse.usecases.issue.write_handouts", lambda *_: ())

@@ -18,6 +18,7 @@ from gripcourse.api.documents import (
 from gripcourse.api.marks import enter_mark, enter_marks, trace, what_waits
 from gripcourse.api.measuring import audit_tolerances, evaluate, evaluate_in_memory, simulate
 from gripcourse.api.regrading import apply_regrade, history, publish, regrade, undo_regrade, waive
+from gripcourse.api.reissuing import reissue
 from gripcourse.api.results import (
     CheckResult,
     IssueResult,
@@ -61,6 +62,7 @@ __all__ = [
     "publish",
     "read_result",
     "regrade",
+    "reissue",
     "schemas",
     "simulate",
     "trace",

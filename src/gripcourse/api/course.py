@@ -279,6 +279,7 @@ class Course:
         graded_on: date | None = None,
         whose: Mapping[str, str] | None = None,
         handed_in: Iterable[str] = (),
+        either_version: bool | None = None,
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -293,6 +294,8 @@ class Course:
             whose: ids of students by file, where a person says who handed it in.
             handed_in: when files were handed in, as `file=2026-12-01 18:00`, or one moment for all;
                 files of which nothing is said have their own time, bytes none.
+            either_version: of what was issued anew, whether the version counts that gives more;
+                None as the gradebook says, else the workbook's own version.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -303,7 +306,7 @@ class Course:
         """
         from gripcourse.policy.time_rules import zone_of
         from gripcourse.usecases.grade import batch_result, grade, write_results
-        from gripcourse.usecases.gradebook import check_gradebook, keep
+        from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
         from gripcourse.usecases.handed_in import handed_in_times
         from gripcourse.usecases.opening import grading_of
         from gripcourse.usecases.whose import read_whose
@@ -311,9 +314,11 @@ class Course:
         sources, others = workbooks(files)
         context = grading_of(self.definition, self.policy)
         pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
-        context = replace(context, whose=read_whose(pairs, sources, context.register))
+        decided = read_whose(pairs, sources, context.register)
+        context = replace(context, whose=decided, either_version=either_version)
         if gradebook is not None:
             check_gradebook(str(gradebook))
+            context = with_kept_versions(context, str(gradebook))
         graded = grade(sources, context, workers, on_done)
         if gradebook is not None:
             times = handed_in_times(handed_in, sources, zone_of(self.policy.late))

@@ -5,12 +5,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from gripcourse.batch.one_file import GradingContext
+from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
+from gripcourse.variants.model import Issued
 from gripcourse.workbook.names import AUTHOR
 
 
@@ -38,12 +40,16 @@ def mark_likeness(
 
 def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evidence, ...]:
     """Compare the judged submissions of a batch with each other and with all issued variants."""
-    works = [
-        work_of(report, context.register[report.student], AUTHOR)
-        for report in reports
-        if report.judged and report.student in context.register
-    ]
-    if not works:
+    judged = [one for one in reports if one.judged and one.student in context.register]
+    if not judged:
         return ()
-    variants = [(student, entry.variant) for student, entry in context.register.items()]
+    # Whoever worked on an earlier version has the numbers of that one.
+    issued = {**context.register, **{one.student: _made_for(one, context) for one in judged}}
+    works = [work_of(report, _made_for(report, context), AUTHOR) for report in judged]
+    variants = [(student, entry.variant) for student, entry in issued.items()]
     return find_evidence(works, issued_values(context.course, variants), context.policy.likeness)
+
+
+def _made_for(report: Report, context: GradingContext) -> Issued:
+    versions = versions_of(report.student, context.register, context.earlier)
+    return next((one for one in versions if one.version == report.made_for), versions[-1])

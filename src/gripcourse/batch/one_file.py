@@ -8,9 +8,11 @@ from typing import Final
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
-from gripcourse.grading.model import Report
+from gripcourse.grading.made_for import said_of_both, said_of_version, versions_of
+from gripcourse.grading.model import FlagCode, Report
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.unjudged import (
     disputed_report,
@@ -44,10 +46,14 @@ class GradingContext:
 
     Attributes:
         course, policy: what is graded by.
-        register: entries by student id.
+        register: entries by student id, of each student the last version.
         whose: by file, the id of the student who handed it in, where a person says so.
         office: the command that starts LibreOffice, for files that need it; None for none.
         pattern: how paths say whose a file is; None where only platforms' own ways count.
+        earlier: what students were issued before that, by student id, oldest first.
+        either_version: whether works are judged by every version and the best one counts; None
+            where nobody says so now.
+        either_for: digests of the files for which this was said before.
     """
 
     course: Course
@@ -56,6 +62,9 @@ class GradingContext:
     whose: Mapping[str, str] = field(default_factory=dict)
     office: str | None = None
     pattern: PathPattern | None = None
+    earlier: Mapping[str, tuple[Issued, ...]] = field(default_factory=dict)
+    either_version: bool | None = None
+    either_for: frozenset[str] = frozenset()
 
 
 def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
@@ -84,8 +93,8 @@ def handed_in_by(file: str, identity: Identity | None, context: GradingContext) 
     """Tell whose a file is: a person's word first, then `identify`."""
     student = context.whose.get(file)
     if student is not None:
-        return named_by_person(student, context.register)
-    return identify(file, identity, context.register, context.pattern)
+        return named_by_person(student, identity, context.register, context.earlier)
+    return identify(file, identity, context.register, context.pattern, context.earlier)
 
 
 def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingContext) -> Report:
@@ -95,7 +104,45 @@ def _report(raw: RawWorkbook | Rejected, handed_in: HandedIn, context: GradingCo
         return disputed_report(raw.file, handed_in.doubt, raw.digest)
     if handed_in.issued is None:
         return unknown_student_report(raw.file, raw.identity.student, raw.digest)
-    return judge_read(raw, handed_in.issued, context)
+    return judge_versions(raw, handed_in.issued, context)
+
+
+def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) -> Report:
+    """Judge a workbook by the version that it was made for; by all of them where that is allowed.
+
+    Of several the best one counts. Flags are about the version that the workbook was made for.
+    """
+    report = judge_read(raw, made_for, context)
+    versions = versions_of(made_for.student.id, context.register, context.earlier)
+    if not report.judged or len(versions) == 1:
+        return report
+    said = said_of_version(made_for, versions)
+    said_before = raw.digest in context.either_for
+    if not (said_before if context.either_version is None else context.either_version):
+        return replace(report, remarks=(*said, *report.remarks))
+    others = [one for one in reversed(versions) if one.version != made_for.version]
+    tried = [(made_for, report), *((one, judge_read(raw, one, context)) for one in others)]
+    judged = [(one, found) for one, found in tried if found.judged]
+    # Of equal ones the first: that is the version that the workbook was made for.
+    counts, best = max(judged, key=lambda pair: _share(pair[1]))
+    rest = [(one, found) for one, found in judged if one is not counts]
+    shares = [_share(found) for found in (best, *(found for _, found in rest))]
+    both = said_of_both(counts, [one for one, _ in rest], shares)
+    own_flags = (flag for flag in report.flags if flag.code is not FlagCode.NOT_JUDGED)
+    return replace(
+        best,
+        remarks=(both, *report.remarks),
+        flags=(*own_flags, *not_judged_flags(best.findings)),
+        givens=report.givens,
+        made_for=made_for.version,
+        either_version=True,
+    )
+
+
+def _share(report: Report) -> float:
+    """Return the share of the points that are decided; what waits for a person waits in all."""
+    possible = report.max_score + report.open_points
+    return report.score / possible if possible else 0.0
 
 
 def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Report:

@@ -179,7 +179,8 @@ def _write_page(
             arguments.append((name, _described(parameter, context, words)))
         elif isinstance(parameter, TyperOption) and not parameter.hidden:
             value = _value_name(parameter, words)
-            written = ", ".join(parameter.opts) + (f" <{value}>" if value else "")
+            names = (*parameter.opts, *parameter.secondary_opts)
+            written = ", ".join(names) + (f" <{value}>" if value else "")
             options.append((written, _described(parameter, context, words)))
     commands: list[tuple[str, str]] = []
     if isinstance(command, TyperGroup):

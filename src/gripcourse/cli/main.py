@@ -23,6 +23,7 @@ from gripcourse.cli import grading_text, simulation
 from gripcourse.cli import key as cli_key
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import regrade as cli_regrade
+from gripcourse.cli import reissue as cli_reissue
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
@@ -36,6 +37,7 @@ from gripcourse.cli.options import (
     WRONG_USE,
     CourseOption,
     DateOption,
+    EitherVersionOption,
     GradebookOption,
     LanguageOption,
     OutFileOption,
@@ -65,7 +67,16 @@ app = command_group(
     "Course assignments: issue variants, check, grade, report.",
     is_program=True,
 )
-for part in (cli_mark, cli_regrade, cli_trace, cli_draw, cli_course, simulation, cli_desk):
+for part in (
+    cli_reissue,
+    cli_mark,
+    cli_regrade,
+    cli_trace,
+    cli_draw,
+    cli_course,
+    simulation,
+    cli_desk,
+):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")
 app.add_typer(cli_export.app, name="export")
@@ -219,6 +230,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             help="Where your own paths say whose a file is.",
         ),
     ] = None,
+    either_version: EitherVersionOption = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -231,7 +243,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.collect import collect
-    from gripcourse.usecases.gradebook import check_gradebook, keep
+    from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
     from gripcourse.usecases.whose import read_whose
@@ -242,10 +254,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = open_grading(course_folder(course))
     decided = read_whose(whose or (), files, context.register)
     order = None if pattern is None else path_pattern(pattern, context.register)
-    context = replace(context, whose=decided, pattern=order)
+    context = replace(context, whose=decided, pattern=order, either_version=either_version)
     times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
+    context = with_kept_versions(context, place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
     say_limits(words)
@@ -296,24 +309,6 @@ def check(
     checked = check_file(file, loaded, load_policy(loaded), read_apart, counted)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
-
-
-@app.command(cls=SpokenCommand)
-def demo(
-    *,
-    out: OutOption = Path("out"),
-    workers: WorkersOption = PROCESSORS,
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
-    from gripcourse.demo.run import run_demo
-
-    words = words_for(language)
-    say_limits(words)
-    with cli_text.progress() as step:
-        done = run_demo(course_folder(course), out, words, workers, step)
-    confirm(grading_text.demo_text(done, words))
 
 
 def main() -> None:

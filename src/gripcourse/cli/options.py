@@ -60,6 +60,14 @@ WorkersOption = Annotated[
     ),
 ]
 PROCESSORS = os.cpu_count() or 1
+EitherVersionOption = Annotated[
+    bool | None,
+    typer.Option(
+        "--either-version/--own-version",
+        help="What was issued anew: the version counts that gives more, or the workbook's own.",
+        show_default="as before, else the workbook's own",
+    ),
+]
 GradebookOption = Annotated[
     str | None,
     typer.Option(

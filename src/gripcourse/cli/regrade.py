@@ -17,6 +17,7 @@ from gripcourse.cli.options import (
     NEEDS_PERSON,
     PROCESSORS,
     CourseOption,
+    EitherVersionOption,
     GradebookOption,
     LanguageOption,
     WorkersOption,
@@ -62,6 +63,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
             "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
         ),
     ] = None,
+    either_version: EitherVersionOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
     course: CourseOption = None,
@@ -84,7 +86,8 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
         )
     files = collect(paths).files
     context = open_grading(course_folder(course))
-    context = replace(context, whose=read_whose(whose or (), files, context.register))
+    decided = read_whose(whose or (), files, context.register)
+    context = replace(context, whose=decided, either_version=either_version)
     place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
     existing_gradebook(place)
     say_limits(words)

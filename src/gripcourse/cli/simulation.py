@@ -1,4 +1,4 @@
-"""Commands that measure the grader: virtual students and tolerances."""
+"""Commands that measure the grader: virtual students and tolerances; and the demonstration."""
 
 from pathlib import Path
 from time import perf_counter
@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from gripcourse.cli import simulation_text
+from gripcourse.cli import grading_text, simulation_text
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.costs_text import paying_text
 from gripcourse.cli.foreign_text import markdown_table
@@ -26,6 +26,7 @@ from gripcourse.cli.options import (
     WorkersOption,
     course_folder,
     main_table,
+    say_limits,
     words_for,
 )
 from gripcourse.text.words import message
@@ -153,3 +154,21 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
         confirm(words.say(said))
     elif found.refuses or paying.problems:
         raise typer.Exit(NEEDS_PERSON)
+
+
+@app.command(cls=SpokenCommand)
+def demo(
+    *,
+    out: OutOption = Path("out"),
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
+    from gripcourse.demo.run import run_demo
+
+    words = words_for(language)
+    say_limits(words)
+    with cli_text.progress() as step:
+        done = run_demo(course_folder(course), out, words, workers, step)
+    confirm(grading_text.demo_text(done, words))

@@ -197,6 +197,10 @@ def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
         for one in issuing.handouts
         for fault in one.faults
     ]
+    if issuing.outdated:
+        typed = f"gripcourse reissue {' '.join(map(shown, issuing.outdated))} --why …"
+        remedy = message("To issue the new numbers as a new version: {typed}", typed=typed)
+        lines.append(words.say(remedy))
     return "\n".join(lines)
 
 

@@ -19,6 +19,7 @@ from gripcourse.text.amounts import NO_BREAK_SPACE, counted_points, day_text, pe
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Message, Words, message
 from gripcourse.variants.model import Issued
+from gripcourse.workbook.cover import variant_text
 
 TEMPLATE = "assignment.html.j2"
 STYLES = ("page.css", "formula.css", "assignment.css")
@@ -126,7 +127,7 @@ def sheet_values(
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
-        "variant": issued.variant.id,
+        "variant": variant_text(issued, words),
         "control": issued.signature[:_CONTROL_LETTERS],
         "seal": picture(seal_svg(seal_of(issued, course.id), course.address)),
         "address": course.address,
@@ -164,7 +165,7 @@ def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:
     pairs = [
         (words.say(message("Student")), issued.student.name),
         (words.say(message("Group")), issued.student.group),
-        (words.say(message("Variant")), issued.variant.id),
+        (words.say(message("Variant")), variant_text(issued, words)),
         (words.say(message("Scheme")), plan.scheme.title.of(language)),
         (words.say(message("Issued on")), day_text(issued.issued_on, words)),
         (words.say(message("Deadline")), day_text(deadline, words) if deadline else ""),

@@ -57,6 +57,8 @@ class Attempt:
         regrade: number of the regrade that it belongs to; None where it was graded by itself.
         handed_in: when, by the file or the platform, or as a person says; None where unknown.
         handed_in_said: whether a person says so.
+        version: of the student's assignment, that it was judged by.
+        either_version: whether several versions were tried, of which the best one counts.
     """
 
     student: str
@@ -72,6 +74,8 @@ class Attempt:
     regrade: int | None = None
     handed_in: datetime | None = None
     handed_in_said: bool = False
+    version: int = 1
+    either_version: bool = False
 
     @property
     def by_quantity(self) -> Mapping[str, Result]:
@@ -137,6 +141,8 @@ def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) 
         fingerprints=fingerprints,
         judged=report.judged,
         results=results_of(report),
+        version=report.version,
+        either_version=report.either_version,
     )
 
 
@@ -155,7 +161,9 @@ def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:
 def says_the_same(one: Attempt, other: Attempt) -> bool:
     """Tell whether an attempt came to the same as an earlier one, and says no other time."""
     same_time = not other.handed_in_said or other.handed_in == one.handed_in
-    return same_time and one.judged == other.judged and same_results(one.results, other.results)
+    same_version = (one.version, one.either_version) == (other.version, other.either_version)
+    same_judgement = same_version and one.judged == other.judged
+    return same_time and same_judgement and same_results(one.results, other.results)
 
 
 def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]:

@@ -30,6 +30,8 @@ def attempt_row(attempt: Attempt) -> Row:
         "handed_in": None if attempt.handed_in is None else stored(attempt.handed_in),
         "handed_in_said": attempt.handed_in_said,
         "judged": attempt.judged,
+        "version": attempt.version,
+        "either_version": attempt.either_version,
     }
 
 
@@ -95,6 +97,8 @@ def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
         regrade=first["regrade"],
         handed_in=None if first["handed_in"] is None else in_utc(first["handed_in"]),
         handed_in_said=bool(first["handed_in_said"]),
+        version=first["version"] or 1,
+        either_version=bool(first["either_version"]),
     )
 
 

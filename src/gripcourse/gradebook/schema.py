@@ -38,6 +38,8 @@ attempts = Table(
     Column("regrade", Integer),  # that it belongs to; none where it was graded by itself
     Column("handed_in", DateTime),  # UTC; none where unknown
     Column("handed_in_said", Boolean),  # whether a person says so
+    Column("version", Integer),  # of what was issued; none before there were versions
+    Column("either_version", Boolean),  # whether several versions were tried
 )
 
 results = Table(

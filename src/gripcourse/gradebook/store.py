@@ -132,6 +132,13 @@ class Gradebook:
         kept = {(one.student, one.number): one for one in self.attempts(marked)}
         return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
 
+    def students_of_either_version(self) -> frozenset[str]:
+        """Return the students of whose works any version was ever allowed to count."""
+        column = schema.attempts.c
+        question = select(column.student).where(column.either_version.is_(True)).distinct()
+        with refusals_named(self.place), self.engine.connect() as connection:
+            return frozenset(connection.execute(question).scalars())
+
     def undone(self) -> frozenset[int]:
         """Return the numbers of the regrades that were taken back."""
         column = schema.regrades.c.undoes

@@ -5,18 +5,21 @@ id and nothing else. Words that happen to be an id (`Lab 1`, `report (2)`) tell 
 workbook and path disagree, somebody handed in another's work or took another's name: a person asks.
 """
 
-import hmac
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
+from types import MappingProxyType
 
 from gripcourse.grading.known_by import KnownBy
+from gripcourse.grading.made_for import is_signed_as, version_made_for, versions_of
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.platforms import PlatformPart, platform_part
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
+
+_NONE_EARLIER: Mapping[str, Sequence[Issued]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +27,8 @@ class HandedIn:
     """Whose file it is.
 
     Attributes:
-        issued: the register's entry of the student; None where a person must say, or nobody can.
+        issued: the version that the student's workbook was made for; None where a person must
+            say, or nobody can.
         known_by: what told it.
         doubt: why a person must say; None where there is no doubt, or nothing to go by.
     """
@@ -39,33 +43,39 @@ def identify(
     identity: Identity | None,
     register: Mapping[str, Issued],
     pattern: PathPattern | None = None,
+    earlier: Mapping[str, Sequence[Issued]] = _NONE_EARLIER,
 ) -> HandedIn:
-    """Tell who handed a file in.
+    """Tell who handed a file in, and which version of the assignment it was made for.
 
     Args:
         file: path of the file.
         identity: what the workbook says; None where it could not be read.
         register: entries by student id, whose signatures were verified with the course's key.
         pattern: of the instructor's own order of folders; None for none.
+        earlier: versions before those of the register by student id, oldest first.
     """
     by_path = _by_path(file, register, pattern)
     named = "" if identity is None else identity.student
-    if identity is not None and named in register and _is_signed(identity, register[named]):
-        said = _contradiction(file, register[named], by_path, register)
-        return _doubtful(said) if said else HandedIn(register[named], KnownBy.SIGNATURE)
+    if identity is not None and named in register:
+        made_for = version_made_for(identity, versions_of(named, register, earlier))
+        if is_signed_as(identity, made_for):
+            said = _contradiction(file, made_for, by_path, register)
+            return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
     if by_path.issued is None:
         return _doubtful(_unsigned(named)) if named in register else by_path
     path_says = by_path.issued.student.id
     return by_path if named in {"", path_says} else _doubtful(_two_names(named, path_says))
 
 
-def named_by_person(student: str, register: Mapping[str, Issued]) -> HandedIn:
+def named_by_person(
+    student: str,
+    identity: Identity | None,
+    register: Mapping[str, Issued],
+    earlier: Mapping[str, Sequence[Issued]] = _NONE_EARLIER,
+) -> HandedIn:
     """Take a person's word for who handed a file in; the student is on the register."""
-    return HandedIn(register[student], KnownBy.PERSON)
-
-
-def _is_signed(identity: Identity, issued: Issued) -> bool:
-    return hmac.compare_digest(identity.signature.encode(), issued.signature.encode())
+    made_for = version_made_for(identity, versions_of(student, register, earlier))
+    return HandedIn(made_for, KnownBy.PERSON)
 
 
 def _by_path(file: str, register: Mapping[str, Issued], pattern: PathPattern | None) -> HandedIn:

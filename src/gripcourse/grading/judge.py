@@ -104,6 +104,8 @@ def _report(
         causes=causes,
         givens=submission.givens,
         creator=submission.creator,
+        version=issued.version,
+        made_for=issued.version,
     )
 
 

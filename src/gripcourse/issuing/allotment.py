@@ -20,11 +20,13 @@ class Terms:
         key: of the signatures.
         today: day of the issue.
         deadline: last day for handing in, None for none.
+        declarations: fingerprint of the course's declarations.
     """
 
     key: bytes
     today: date
     deadline: date | None
+    declarations: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,10 +36,12 @@ class Extended:
     Attributes:
         register: old entries first, in their order; new ones in the order of the roster.
         notes: what was kept although the roster or the table says otherwise now.
+        outdated: students of whose variants the table has other numbers now.
     """
 
     register: Register
     notes: tuple[Message, ...]
+    outdated: tuple[str, ...] = ()
 
 
 def extend(
@@ -66,7 +70,7 @@ def extend(
     roster = {student.id: student for student in students}
     kept = tuple(_updated(entry, roster) for entry in register.entries)
     new = [student for student in students if student.id not in known]
-    chosen = _allot(new, variants, {entry.variant.id: entry for entry in register.entries})
+    chosen = _allot(new, variants, holders_of(register))
     issued = tuple(
         Issued(
             student,
@@ -74,11 +78,30 @@ def extend(
             terms.today,
             terms.deadline,
             sign(terms.key, register.course_id, student.id, chosen[student.id]),
+            declarations=terms.declarations,
         )
         for student in new
     )
     notes = _notes(register, roster, variants, terms.deadline)
-    return Extended(Register(register.course_id, (*kept, *issued)), notes)
+    extended = Register(register.course_id, (*kept, *issued), register.earlier)
+    return Extended(extended, notes, _outdated(register, roster, variants))
+
+
+def _outdated(
+    register: Register, roster: Mapping[str, Student], variants: Sequence[Variant]
+) -> tuple[str, ...]:
+    table = {variant.id: variant for variant in variants}
+    return tuple(
+        entry.student.id
+        for entry in register.entries
+        if entry.student.id in roster
+        and table.get(entry.variant.id, entry.variant) != entry.variant
+    )
+
+
+def holders_of(register: Register) -> dict[str, str]:
+    """Return by variant the student who was handed it out, now or in an earlier version."""
+    return {entry.variant.id: entry.student.id for entry in (*register.earlier, *register.entries)}
 
 
 def _updated(entry: Issued, roster: Mapping[str, Student]) -> Issued:
@@ -90,12 +113,12 @@ def _updated(entry: Issued, roster: Mapping[str, Student]) -> Issued:
 
 
 def _allot(
-    new: Sequence[Student], variants: Sequence[Variant], taken: Mapping[str, Issued]
+    new: Sequence[Student], variants: Sequence[Variant], taken: Mapping[str, str]
 ) -> dict[str, Variant]:
     """Return the variant of each new student: fixed ones first, then the free ones in order."""
     problems: list[Problem] = []
     chosen: dict[str, Variant] = {}
-    holders = {id_: entry.student.id for id_, entry in taken.items()}
+    holders = dict(taken)
     for student in (one for one in new if one.variant):
         variant = find_variant(variants, student.variant)
         if variant is None or variant.id in holders:

@@ -19,7 +19,7 @@ _Row: TypeAlias = dict[str, object]
 
 
 def read_rows(connection: Connection, course_id: str, place: str) -> Register:
-    """Return what was issued in a course: of each student the last version, in order of the first.
+    """Return what was issued in a course: of each student the last version counts.
 
     Args:
         connection: to the database.
@@ -29,19 +29,25 @@ def read_rows(connection: Connection, course_id: str, place: str) -> Register:
     Raises:
         RegisterError: a row cannot be read.
     """
-    versions = _last(connection, schema.issued, course_id, schema.issued.c.id)
+    question = select(schema.issued).where(schema.issued.c.course == course_id)
+    found = connection.execute(question.order_by(schema.issued.c.id)).mappings().all()
     # After them: whoever is issued to in between is a person more, never one too few.
     persons = _last(connection, schema.persons, course_id, schema.persons.c.number)
-    entries = []
-    for student, row in versions.items():
+    entries: dict[str, Issued] = {}
+    earlier: list[Issued] = []
+    for row in found:
+        student = row["student"]
         try:
-            entries.append(_entry(row, persons[student]))
+            entry = _entry(row, persons[student])
         except (KeyError, TypeError, ValueError) as fault:
             key = message("student {student}", student=student)
             what = message("The entry is damaged: {fault}.", fault=repr(fault))
             remedy = message("Restore the register from a backup; do not edit it by hand.")
             raise RegisterError([Problem(place, key, what, remedy)]) from fault
-    return Register(course_id, tuple(entries))
+        if student in entries:
+            earlier.append(entries[student])
+        entries[student] = entry
+    return Register(course_id, tuple(entries.values()), tuple(earlier))
 
 
 def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
@@ -52,9 +58,13 @@ def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
 
 
 def add_rows(connection: Connection, before: Register, after: Register) -> None:
-    """Add what a register has more than before: entries, and persons with other data."""
+    """Add what a register has more than before: versions, and persons with other data."""
     known, course = before.by_student(), after.course_id
-    fresh = [one for one in after.entries if one.student.id not in known]
+    fresh = [
+        one
+        for one in after.entries
+        if one.student.id not in known or known[one.student.id].version < one.version
+    ]
     last = select(func.max(schema.issued.c.id)).where(schema.issued.c.course == course)
     first = (connection.execute(last).scalar() or 0) + 1
     issued = [_issued_row(course, number, one) for number, one in enumerate(fresh, start=first)]
@@ -91,7 +101,7 @@ def _issued_row(course: str, number: int, entry: Issued) -> _Row:
         "course": course,
         "id": number,
         "student": entry.student.id,
-        "version": 1,
+        "version": entry.version,
         "variant": variant.id,
         "scheme": variant.scheme,
         "options": json.dumps(dict(variant.options), ensure_ascii=False),
@@ -99,6 +109,9 @@ def _issued_row(course: str, number: int, entry: Issued) -> _Row:
         "signature": entry.signature,
         "issued_on": entry.issued_on.isoformat(),
         "deadline": entry.deadline.isoformat() if entry.deadline else None,
+        "declarations": entry.declarations or None,
+        "issued_by": entry.issued_by or None,
+        "why": entry.why or None,
     }
 
 
@@ -143,6 +156,10 @@ def _entry(row: RowMapping, person: RowMapping) -> Issued:
         issued_on=date.fromisoformat(row["issued_on"]),
         deadline=None if deadline is None else date.fromisoformat(deadline),
         signature=row["signature"],
+        version=row["version"],
+        why=row["why"] or "",
+        issued_by=row["issued_by"] or "",
+        declarations=row["declarations"] or "",
     )
 
 

@@ -23,6 +23,9 @@ issued = Table(
     Column("signature", String(64), nullable=False),
     Column("issued_on", String(10), nullable=False),  # ISO 8601
     Column("deadline", String(10)),  # ISO 8601
+    Column("declarations", String(64)),  # fingerprint of the course; none before it was kept
+    Column("issued_by", String),  # of a version after the first
+    Column("why", Text),  # of a version after the first
     UniqueConstraint("course", "student", "version"),
 )
 

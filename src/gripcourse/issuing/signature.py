@@ -123,17 +123,25 @@ def read_keys(path: Path) -> tuple[bytes, ...]:
     return tuple(map(bytes.fromhex, lines))
 
 
-def sign(key: bytes, course_id: str, student_id: str, variant: Variant) -> str:
-    """Return the HMAC-SHA256 over the course, the student and the variant, in hexadecimal.
+def sign(key: bytes, course_id: str, student_id: str, variant: Variant, version: int = 1) -> str:
+    """Return the HMAC-SHA256 over course, student, variant and version, in hexadecimal.
 
     A student's name or language may be corrected later, so they are not part of it.
     """
-    return hmac.new(key, _canonical(course_id, student_id, variant), hashlib.sha256).hexdigest()
+    signed = _canonical(course_id, student_id, variant, version)
+    return hmac.new(key, signed, hashlib.sha256).hexdigest()
 
 
-def verify(key: bytes, course_id: str, student_id: str, variant: Variant, signature: str) -> bool:
+def verify(
+    key: bytes,
+    course_id: str,
+    student_id: str,
+    variant: Variant,
+    signature: str,
+    version: int = 1,
+) -> bool:
     """Tell whether a signature belongs to these numbers, in time that says nothing about it."""
-    expected = sign(key, course_id, student_id, variant)
+    expected = sign(key, course_id, student_id, variant, version)
     return hmac.compare_digest(expected.encode(), signature.encode())
 
 
@@ -142,9 +150,9 @@ def _check_length(random_bytes: bytes) -> None:
         raise ValueError(f"a key has {KEY_BYTES} bytes, not {len(random_bytes)}")
 
 
-def _canonical(course_id: str, student_id: str, variant: Variant) -> bytes:
+def _canonical(course_id: str, student_id: str, variant: Variant, version: int) -> bytes:
     """Write what is signed in the one form that equal values have."""
-    signed = {
+    signed: dict[str, object] = {
         "course": course_id,
         "student": student_id,
         "variant": variant.id,
@@ -152,6 +160,9 @@ def _canonical(course_id: str, student_id: str, variant: Variant) -> bytes:
         "options": dict(variant.options),
         "given": {id_: float(value) for id_, value in variant.given.items()},
     }
+    if version > 1:
+        # What was signed before there were versions stays as it was.
+        signed["version"] = version
     return json.dumps(
         signed, sort_keys=True, ensure_ascii=True, allow_nan=False, separators=(",", ":")
     ).encode()

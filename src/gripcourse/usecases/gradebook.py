@@ -35,6 +35,20 @@ def check_gradebook(place: str) -> None:
         open_gradebook(place)
 
 
+def with_kept_versions(context: GradingContext, place: str) -> GradingContext:
+    """Return the context that knows for which files any version may count, as was said before.
+
+    Raises:
+        GradebookError: the gradebook is there and cannot be used.
+    """
+    if not exists(place):
+        return context
+    book = open_gradebook(place)
+    works = works_of(book.standing(book.students_of_either_version())).values()
+    said = (one.digest for all_ in works for one in all_ if one.attempt.either_version)
+    return replace(context, either_for=frozenset(said))
+
+
 def keep(
     graded: Sequence[Graded],
     context: GradingContext,

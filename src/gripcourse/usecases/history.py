@@ -114,7 +114,10 @@ def _of_attempt(attempt: Attempt) -> Event:
 
 def _parts(attempt: Attempt) -> Iterator[str]:
     yield shown(attempt.file)
-    yield f"({attempt.digest[:7]}; {versions_text(attempt)})"
+    # Of what was issued, where it was issued anew: `v2` judged it, `v2*` as the better of several.
+    version = f"; v{attempt.version}" if attempt.version > 1 or attempt.either_version else ""
+    chosen = "*" if attempt.either_version else ""
+    yield f"({attempt.digest[:7]}; {versions_text(attempt)}{version}{chosen})"
 
 
 def _of_mark(entry: GradebookEntry) -> Event:

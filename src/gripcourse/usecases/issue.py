@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
@@ -60,10 +61,17 @@ class Order:
 
 @dataclass(frozen=True, slots=True)
 class Issuing:
-    """What was issued: a handout per student, and notes for the instructor."""
+    """What was issued.
+
+    Attributes:
+        handouts: one per student.
+        notes: for the instructor.
+        outdated: students who keep numbers that the table has no longer.
+    """
 
     handouts: tuple[Handout, ...]
     notes: tuple[Message, ...]
+    outdated: tuple[str, ...] = ()
 
 
 def issue_order(
@@ -93,14 +101,17 @@ def issue_order(
         GripcourseError: the deadline, the roster, the table, the register or the key cannot be
             used; nothing was written.
     """
-    _refuse_past(order)
+    refuse_past(order.deadline, order.today)
     before = read_register(course.root, course.id)
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
     variants = read_table(order.table, course)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
-    terms = Terms(known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline)
+    declarations = fingerprints(course.root).course
+    terms = Terms(
+        known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline, declarations
+    )
     extend(before, students, variants, terms)  # what is refused makes neither key nor folder
     # Before anything is kept: a folder that cannot be written must not cost a variant.
     order.out.mkdir(parents=True, exist_ok=True)
@@ -114,16 +125,21 @@ def issue_order(
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
     made_key = _key_notes(course) if known is None else ()
     notes = (*made_key, *roster.notes, *extended.notes)
-    return Issuing(_write(context, entries, workers, on_done, issue_one), notes)
+    handouts = write_handouts(context, entries, workers, on_done, issue_one)
+    return Issuing(handouts, notes, extended.outdated)
 
 
-def _refuse_past(order: Order) -> None:
-    """Refuse a deadline before the day of the issue: every work would be late."""
-    if order.deadline is not None and order.deadline < order.today:
+def refuse_past(deadline: date | None, today: date) -> None:
+    """Refuse a deadline before the day of the issue: every work would be late.
+
+    Raises:
+        UsageError: it lies before.
+    """
+    if deadline is not None and deadline < today:
         what = message(
             "The deadline {deadline} lies before the day of the issue, {today}.",
-            deadline=order.deadline.isoformat(),
-            today=order.today.isoformat(),
+            deadline=deadline.isoformat(),
+            today=today.isoformat(),
         )
         remedy = message("Name a later deadline, or an earlier day of the issue.")
         raise UsageError([Problem("", "", what, remedy, parameter="deadline")])
@@ -138,13 +154,14 @@ def _key_notes(course: Course) -> tuple[Message, ...]:
     return (said,)
 
 
-def _write(
+def write_handouts(
     context: IssuingContext,
     entries: Sequence[Issued],
     workers: int,
     on_done: Callable[[str], None],
     issue_one: IssueOne,
 ) -> tuple[Handout, ...]:
+    """Write the documents of entries of the register; a handout each, in the same order."""
     shared = (issue_one, context)
     jobs = run_each(_issue, entries, shared, workers=workers, seconds=SECONDS_PER_STUDENT)
 

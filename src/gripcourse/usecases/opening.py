@@ -28,5 +28,8 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
     Raises:
         RegisterError: the register cannot be used.
     """
-    register = read_register(course.root, course.id).by_student()
-    return GradingContext(course, policy, register, office=office_command())
+    register = read_register(course.root, course.id)
+    earlier = {student: versions[:-1] for student, versions in register.versions().items()}
+    return GradingContext(
+        course, policy, register.by_student(), office=office_command(), earlier=earlier
+    )

@@ -25,6 +25,7 @@ from gripcourse.gradebook.works import StudentWork, points_of, works_of
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
+from gripcourse.usecases.gradebook import with_kept_versions
 from gripcourse.usecases.mark import existing_gradebook
 
 
@@ -83,6 +84,7 @@ def regrade(
         GradebookError: there is no gradebook, or it cannot be used.
     """
     book = existing_gradebook(place)
+    context = with_kept_versions(context, place)
     graded = grade_files(files, context, min(workers, len(files)), on_done)
     by_student = works_of(book.standing())
     works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}

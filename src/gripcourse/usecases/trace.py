@@ -64,7 +64,8 @@ def in_register(root: Path, course: Course) -> Sought:
         RegisterError: the register is damaged or of another course.
         UsageError: nothing was issued there.
     """
-    entries = read_register(root, course.id).entries
+    register = read_register(root, course.id)
+    entries = (*register.entries, *register.earlier)
     if not entries:
         what = message("Nothing was issued from this course.")
         remedy = message("Name another folder, or a table of variants.")

@@ -56,9 +56,13 @@ class Issued:
     Attributes:
         student: as in the roster when it was issued.
         variant: the values that were issued; later changes of the table do not touch them.
-        issued_on: day of the first issue.
+        issued_on: day on which this version was issued first.
         deadline: last day for handing in, None for none.
-        signature: hexadecimal HMAC over the course, the student and the variant.
+        signature: hexadecimal HMAC over the course, the student, the variant and the version.
+        version: counts what the student was issued, from 1; the last one counts.
+        why: it was issued anew; empty for a first version.
+        issued_by: who issued it anew; empty for a first version.
+        declarations: fingerprint of the course's declarations then; empty where it was not kept.
     """
 
     student: Student
@@ -66,3 +70,7 @@ class Issued:
     issued_on: date
     deadline: date | None
     signature: str
+    version: int = 1
+    why: str = ""
+    issued_by: str = ""
+    declarations: str = ""

@@ -74,6 +74,15 @@ def write_cover(
     sheet.activate()
 
 
+def variant_text(issued: Issued, words: Words) -> str:
+    """Name a variant as documents do: with its version where it was issued anew."""
+    if issued.version == 1:
+        return issued.variant.id
+    said = message("{variant}, version {version}", variant=issued.variant.id,
+                   version=issued.version)  # fmt: skip
+    return words.say(said)
+
+
 def _heights(cover: Cover) -> list[float]:
     """Return the heights of all rows, as they are where nothing is wrapped."""
     lines = (*cover.givens, *cover.constants)
@@ -95,7 +104,7 @@ def _write_particulars(
     pairs = [
         (words.say(message("Student")), student.name),
         (words.say(message("Group")), student.group),
-        (words.say(message("Variant")), issued.variant.id),
+        (words.say(message("Variant")), variant_text(issued, words)),
         (words.say(message("Scheme")), plan.scheme.title.of(language)),
         *options,
         (words.say(message("Issued on")), day_text(issued.issued_on, words)),

@@ -184,6 +184,12 @@ def _keep_copy(file: Path) -> None:
 
 
 def _unusable(place: str, said: str) -> GradebookError:
+    if "database is locked" in said:
+        return _failure(
+            place,
+            message("Another program writes to the gradebook and does not end."),
+            message("Nothing was written; end that program, or try again in a minute."),
+        )
     return _failure(
         place,
         message("The gradebook cannot be used: {fault}.", fault=said.strip().rstrip(".")),

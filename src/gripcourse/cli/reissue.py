@@ -1,0 +1,79 @@
+"""`gripcourse reissue`: parse, one call, print, exit code. No logic."""
+
+import getpass
+from datetime import datetime
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    PROCESSORS,
+    CourseOption,
+    DateOption,
+    LanguageOption,
+    OutOption,
+    TableOption,
+    WorkersOption,
+    course_folder,
+    day_of,
+    main_table,
+    say_limits,
+    words_for,
+)
+from gripcourse.cli.regrade import ByOption, WhyOption
+from gripcourse.text.words import message
+
+# Every command imports what it needs itself: numpy, pandas and the database cost half a second.
+# ruff: noqa: PLC0415
+
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
+def reissue(  # noqa: PLR0913 (one parameter per option)
+    students: Annotated[
+        list[str], typer.Argument(metavar="student", help="To whom; ids of the register.")
+    ],
+    *,
+    out: OutOption,
+    why: WhyOption = "",
+    variant: Annotated[
+        str, typer.Option("--variant", help="Another variant; default: the student's own row.")
+    ] = "",
+    table: TableOption = None,
+    deadline: Annotated[
+        datetime | None,
+        typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in; default: as it was."),
+    ] = None,
+    by: ByOption = None,
+    on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Issue a new version of assignments; what was handed out stays, and works on it count."""
+    from gripcourse.course.load import load_course
+    from gripcourse.issuing.reissue import Correction
+    from gripcourse.policy.load import load_policy
+    from gripcourse.usecases.reissue import CorrectedOrder, reissue_order
+
+    words = words_for(language)
+    loaded = load_course(course_folder(course))
+    order = CorrectedOrder(
+        correction=Correction(tuple(students), variant, why, by or getpass.getuser()),
+        table=table or main_table(loaded.root),
+        out=out,
+        today=day_of(on),
+        deadline=deadline.date() if deadline else None,
+    )
+    say_limits(words)
+    with cli_text.progress() as step:
+        tick = step(words.say(message("Issuing")), len(students))
+        issuing = reissue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
+    confirm(cli_text.issuing_text(issuing, out, words))
+    raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)

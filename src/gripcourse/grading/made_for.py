@@ -1,0 +1,71 @@
+"""Which version of an assignment a workbook was made for: told by its signature."""
+
+import hmac
+from collections.abc import Iterable, Mapping, Sequence
+
+from gripcourse.submission.model import Identity
+from gripcourse.text.words import Message, message
+from gripcourse.variants.model import Issued
+
+
+def is_signed_as(identity: Identity, issued: Issued) -> bool:
+    """Tell whether a workbook bears the signature of what was issued."""
+    return hmac.compare_digest(identity.signature.encode(), issued.signature.encode())
+
+
+def version_made_for(identity: Identity | None, versions: Sequence[Issued]) -> Issued:
+    """Return the version that a workbook was made for; the last where none signed it.
+
+    Args:
+        identity: what the workbook says; None where it could not be read.
+        versions: of one student, oldest first.
+    """
+    if identity is None:
+        return versions[-1]
+    return next((one for one in versions if is_signed_as(identity, one)), versions[-1])
+
+
+def versions_of(
+    student: str, register: Mapping[str, Issued], earlier: Mapping[str, Sequence[Issued]]
+) -> tuple[Issued, ...]:
+    """Return all that a student was issued, oldest first; the student is on the register."""
+    return (*earlier.get(student, ()), register[student])
+
+
+def said_of_version(issued: Issued, versions: Sequence[Issued]) -> tuple[Message, ...]:
+    """Say which version a work was judged by; nothing where there was only one."""
+    last = versions[-1]
+    if last.version == 1:
+        return ()
+    if issued.version == last.version:
+        said = message(
+            "Judged by version {version} of the assignment, the last one.", version=last.version
+        )
+    else:
+        said = message(
+            "This workbook was made for version {version} of the assignment and was judged by it;"
+            " version {last} was issued later.",
+            version=issued.version,
+            last=last.version,
+        )
+    return (said,)
+
+
+def said_of_both(counts: Issued, others: Iterable[Issued], shares: Sequence[float]) -> Message:
+    """Say that a work was judged by several versions, and which of them counts.
+
+    Args:
+        counts: the version that counts.
+        others: the versions that do not.
+        shares: of the points that are decided, 0…1: of `counts`, then of `others`.
+    """
+    best, *rest = (round(100 * share, 1) for share in shares)
+    return message(
+        "Judged by several versions of the assignment, as the instructor allowed: version {version}"
+        " counts ({percent} %); not counted: {others}.",
+        version=counts.version,
+        percent=best,
+        others=", ".join(
+            f"{one.version} ({share:g} %)" for one, share in zip(others, rest, strict=True)
+        ),
+    )

@@ -1,0 +1,195 @@
+"""Issuing anew: a new version beside what was handed out, which stays as it was. Pure."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.issuing.allotment import Extended, Terms, find_variant, holders_of
+from gripcourse.issuing.register import Register
+from gripcourse.issuing.signature import sign
+from gripcourse.text.suggestion import did_you_mean
+from gripcourse.text.words import Message, message
+from gripcourse.variants.model import Issued, Variant
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """What is issued anew, and why.
+
+    Attributes:
+        students: ids.
+        variant: id of another variant; empty for the row of each student's own.
+        why: the reason, kept for good.
+        person: who does it.
+    """
+
+    students: tuple[str, ...]
+    variant: str
+    why: str
+    person: str
+
+
+def reissue(
+    register: Register, correction: Correction, variants: Sequence[Variant], terms: Terms
+) -> Extended:
+    """Put a new version in the place of what students were issued; the old one stays beside it.
+
+    Args:
+        register: what was issued before.
+        correction: to whom, and why.
+        variants: the table.
+        terms: of the new versions; without a deadline everybody's own is kept.
+
+    Returns:
+        The register with the new versions, and a note for each that says what changed.
+
+    Raises:
+        UsageError: with everything that cannot be done; nothing is to be kept then.
+    """
+    problems = list(_faults_of_call(correction))
+    known, holders = register.by_student(), holders_of(register)
+    fresh: dict[str, Issued] = {}
+    for student in dict.fromkeys(correction.students):
+        entry = known.get(student)
+        if entry is None:
+            what = message("The register has no student '{student}'.", student=student)
+            problems.append(_problem("student", what, did_you_mean(student, known)))
+            continue
+        variant = _wanted(entry, correction, variants)
+        if isinstance(variant, Problem):
+            problems.append(variant)
+            continue
+        refused = _refusal(entry, variant, holders, terms)
+        if refused is not None:
+            problems.append(refused)
+            continue
+        holders[variant.id] = student
+        fresh[student] = _next_version(register.course_id, entry, variant, correction, terms)
+    if problems:
+        raise UsageError(problems)
+    return Extended(
+        Register(
+            register.course_id,
+            tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
+            (*register.earlier, *(known[student] for student in fresh)),
+        ),
+        tuple(_said(known[student], entry) for student, entry in fresh.items()),
+    )
+
+
+def _faults_of_call(correction: Correction) -> Iterator[Problem]:
+    if not correction.why.strip():
+        yield _problem(
+            "why",
+            message("To issue anew needs a reason."),
+            message("Say why: whoever asks in a year reads it."),
+        )
+    if not correction.students:
+        yield _problem(
+            "student",
+            message("Nobody is named to issue anew to."),
+            message("Name the students by their ids."),
+        )
+
+
+def _wanted(
+    entry: Issued, correction: Correction, variants: Sequence[Variant]
+) -> Variant | Problem:
+    """Return what a student gets: the named variant, else the row of their own as it is now."""
+    if not correction.variant:
+        return find_variant(variants, entry.variant.id) or entry.variant
+    found = find_variant(variants, correction.variant)
+    if found is not None:
+        return found
+    what = message("The table has no variant '{variant}'.", variant=correction.variant)
+    remedy = did_you_mean(correction.variant, (one.id for one in variants))
+    return _problem("variant", what, remedy)
+
+
+def _refusal(
+    entry: Issued, variant: Variant, holders: Mapping[str, str], terms: Terms
+) -> Problem | None:
+    student = entry.student.id
+    holder = holders.get(variant.id, student)
+    if holder != student:
+        return _problem(
+            "variant",
+            message(
+                "The variant '{variant}' is issued to {holder} already.",
+                variant=variant.id,
+                holder=holder,
+            ),
+            message("Name a variant that nobody has."),
+        )
+    if variant == entry.variant and entry.declarations == terms.declarations:
+        return _problem(
+            "student",
+            message(
+                "{student} has just these numbers of variant {variant}, and the declarations are"
+                " those that they were issued by.",
+                student=student,
+                variant=variant.id,
+            ),
+            message(
+                "Correct the row of the table or the declarations first, or name another variant."
+                " A lost sheet is made again by issuing; another deadline needs no new version."
+            ),
+        )
+    return None
+
+
+def _next_version(
+    course_id: str, entry: Issued, variant: Variant, correction: Correction, terms: Terms
+) -> Issued:
+    version = entry.version + 1
+    return replace(
+        entry,
+        variant=variant,
+        issued_on=terms.today,
+        deadline=terms.deadline or entry.deadline,
+        signature=sign(terms.key, course_id, entry.student.id, variant, version),
+        version=version,
+        why=correction.why.strip(),
+        issued_by=correction.person,
+        declarations=terms.declarations,
+    )
+
+
+def _said(before: Issued, after: Issued) -> Message:
+    """Say what a new version changes; of a few numbers, which."""
+    old, new = before.variant, after.variant
+    student, version = after.student.id, after.version
+    if old == new:
+        return message(
+            "{student}: version {version} of variant {variant}, with the same numbers.",
+            student=student,
+            version=version,
+            variant=new.id,
+        )
+    if (old.id, old.scheme, old.options) != (new.id, new.scheme, new.options):
+        return message(
+            "{student}: version {version} is variant {variant}, scheme {scheme}; before it was"
+            " variant {old}, scheme {old_scheme}.",
+            student=student,
+            version=version,
+            variant=new.id,
+            scheme=new.scheme,
+            old=old.id,
+            old_scheme=old.scheme,
+        )
+    changed = (
+        f"{name} {old.given.get(name, '—')} → {new.given.get(name, '—')}"
+        for name in dict.fromkeys((*old.given, *new.given))
+        if old.given.get(name) != new.given.get(name)
+    )
+    return message(
+        "{student}: version {version} of variant {variant}: {changed}.",
+        student=student,
+        version=version,
+        variant=new.id,
+        changed=", ".join(changed),
+    )
+
+
+def _problem(parameter: str, what: Message, remedy: Message) -> Problem:
+    return Problem("", "", what, remedy, parameter=parameter)

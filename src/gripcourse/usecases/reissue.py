@@ -1,0 +1,111 @@
+"""Correcting what was issued: a new version of students' assignments beside the one they have."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import date
+from functools import partial
+from pathlib import Path
+
+from gripcourse.course.model import Course
+from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.fingerprint import fingerprints
+from gripcourse.issuing.allotment import Extended, Terms
+from gripcourse.issuing.register import Register
+from gripcourse.issuing.reissue import Correction, reissue
+from gripcourse.issuing.signature import key_of, key_path
+from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.machine.content import Readable
+from gripcourse.policy.model import Policy
+from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import message
+from gripcourse.usecases.handout import IssuingContext, issue_one
+from gripcourse.usecases.issue import IssueOne, Issuing, refuse_past, write_handouts
+from gripcourse.variants.explain import why_infeasible
+from gripcourse.variants.model import Issued
+from gripcourse.variants.table import read_table
+
+
+@dataclass(frozen=True, slots=True)
+class CorrectedOrder:
+    """What is to be issued anew.
+
+    Attributes:
+        correction: to whom, which variant, why, and who does it.
+        table: of variants, a file or its bytes.
+        out: folder to write the students' folders to.
+        today: day of the issue.
+        deadline: last day for handing in; None for everybody's own.
+    """
+
+    correction: Correction
+    table: Readable
+    out: Path
+    today: date
+    deadline: date | None
+
+
+def reissue_order(
+    course: Course,
+    policy: Policy,
+    order: CorrectedOrder,
+    workers: int,
+    on_done: Callable[[str], None],
+    *,
+    issue_one: IssueOne = issue_one,
+) -> Issuing:
+    """Issue new versions to students and write their documents; what they had stays on record.
+
+    Args:
+        course: its folder holds the key and the register.
+        policy: printed in the documents.
+        order: what to issue.
+        workers: how many processes lay out documents; 0 for none but this one.
+        on_done: called with each student's id.
+        issue_one: writes one student's documents.
+
+    Raises:
+        GripcourseError: something cannot be used or cannot be done; nothing was written.
+    """
+    refuse_past(order.deadline, order.today)
+    before = read_register(course.root, course.id)
+    key = key_of(key_path(course.root), issued=bool(before.entries))
+    if key is None:
+        what = message("Nothing was issued from this course.")
+        remedy = message("Issue first; what was issued can be corrected.")
+        raise UsageError([Problem(str(course.root), "", what, remedy)])
+    terms = Terms(key, order.today, order.deadline, fingerprints(course.root).course)
+    variants = read_table(order.table, course)
+
+    def change(register: Register) -> Extended:
+        return reissue(register, order.correction, variants, terms)
+
+    _refuse_infeasible(course, _fresh(change(before).register, order))
+    # Before anything is kept: a folder that cannot be written must not cost a version.
+    order.out.mkdir(parents=True, exist_ok=True)
+    extended = extend_register(course.root, course.id, change)
+    context = IssuingContext(course, policy, partial(plan_of, course), order.out)
+    entries = _fresh(extended.register, order)
+    return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
+
+
+def _fresh(register: Register, order: CorrectedOrder) -> list[Issued]:
+    known = register.by_student()
+    return [known[student] for student in dict.fromkeys(order.correction.students)]
+
+
+def _refuse_infeasible(course: Course, entries: Sequence[Issued]) -> None:
+    """Refuse numbers that no sheet can be made of, before they are kept for good."""
+    problems = [
+        Problem(
+            "",
+            message("student {student}", student=entry.student.id),
+            reason,
+            message("Nothing was issued; name another variant, or correct the row."),
+        )
+        for entry in entries
+        for reason in why_infeasible(
+            plan_of(course, entry.variant.composition), entry.variant.given
+        )
+    ]
+    if problems:
+        raise UsageError(problems)
