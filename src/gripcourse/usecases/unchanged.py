@@ -120,7 +120,7 @@ def open_earlier(
 
     Args:
         out: folder of the results.
-        context: the course, its policy, the register.
+        context: the course and its policy as they were loaded from its folder, and the register.
         versions: of the course, taken before it was loaded.
         workers: how many processes grade; without any, fewer kinds of files can be read.
         day: that documents must bear; None where any day will do on which they were printed.
@@ -142,11 +142,11 @@ def open_earlier(
     pattern = context.pattern and context.pattern.expression.pattern
     people = sorted(context.register.items())
     office = context.office if workers else None
-    results = folder / _digest([versions, *map(repr, (context.policy, people, pattern, office))])
+    results = folder / _digest([versions, *map(repr, (people, pattern, office))])
     for old in folder.iterdir():
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)
-    made_with = _digest([versions, repr(context.policy), repr(day)])
+    made_with = _digest([versions, repr(day)])
     return Earlier(KeptReports(results, context.whose), Printed(folder / _PRINTED, made_with))
 
 
