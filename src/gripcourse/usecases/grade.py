@@ -27,7 +27,7 @@ from gripcourse.usecases.student_reports import (
     student_pdf,
     write_reports,
 )
-from gripcourse.usecases.unchanged import Earlier, Printed, TakenOver, told_of
+from gripcourse.usecases.unchanged import Earlier, PrintedBefore, TakenOver, told_of
 
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
@@ -153,7 +153,7 @@ def write_grades(  # noqa: PLR0913 (the last ones are what everybody leaves as t
     workers: int = 1,
     passed_over: Sequence[PassedOver] = (),
     *,
-    printed: Printed | None = None,
+    printed: PrintedBefore | None = None,
 ) -> Lost | None:
     """Write what concerns the whole batch: grades and all files as CSV and JSON, cohort report.
 

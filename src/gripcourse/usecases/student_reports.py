@@ -17,7 +17,7 @@ from gripcourse.machine.files import discard_all_unfinished, make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
-from gripcourse.usecases.unchanged import Printed, told_of
+from gripcourse.usecases.unchanged import PrintedBefore, told_of
 
 # A report takes about a second, a hundred times as much is no report any more.
 SECONDS_PER_REPORT = 120.0
@@ -84,7 +84,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
     on_done: Callable[[Path], None],
     lay_out: LayOut = student_pdf,
     *,
-    printed: Printed | None = None,
+    printed: PrintedBefore | None = None,
 ) -> list[Written]:
     """Write the report of every file whose student is known.
 
@@ -131,7 +131,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
 
 
 def _made_from(report: Report, printing: Printing) -> str:
-    """Tell all of this batch that a student's report is made from; the rest is in `Printed`."""
+    """Tell all of this batch that a student's report is made from; the rest is in `PrintedBefore`."""
     words = Words(report.language or printing.course.language)
     return told_of(report, peers_text(report, printing.policy, words, printing.peers))
 

@@ -39,7 +39,7 @@ class TakenOver:
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
+class PrintedBefore:
     """What the documents of a folder were made from.
 
     Attributes:
@@ -78,7 +78,7 @@ class Earlier:
     """What an earlier run left, where this one leaves its own for the next."""
 
     reports: KeptReports
-    printed: Printed
+    printed: PrintedBefore
 
 
 def told_of(*reports: Report | str) -> str:
@@ -147,7 +147,7 @@ def open_earlier(
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)
     made_with = _digest([versions, repr(day)])
-    return Earlier(KeptReports(results, context.whose), Printed(folder / _PRINTED, made_with))
+    return Earlier(KeptReports(results, context.whose), PrintedBefore(folder / _PRINTED, made_with))
 
 
 def _libraries() -> list[str]:
