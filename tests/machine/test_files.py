@@ -6,7 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.machine.files import discard_unfinished, replacing, write_bytes, write_text
+from gripcourse.machine.files import (
+    discard_all_unfinished,
+    discard_unfinished,
+    replacing,
+    write_bytes,
+    write_text,
+)
 
 
 def _write_half(target: Path) -> None:
@@ -78,3 +84,12 @@ def test_what_a_killed_process_left_is_removed_and_nothing_else(tmp_path: Path) 
 def test_nothing_is_removed_from_a_folder_that_is_not_there(tmp_path: Path) -> None:
     discard_unfinished(tmp_path / "gone" / "s01.xlsx")
     assert not (tmp_path / "gone").exists()
+
+
+def test_a_folder_of_ours_is_rid_of_all_that_was_left_unfinished(tmp_path: Path) -> None:
+    for name in (".s01.0a1b2c3d.pdf", ".s02.0a1b2c3d", "s01.pdf", ".hidden.pdf", ".s.0a1b.pdf"):
+        (tmp_path / name).write_bytes(b"")
+    discard_all_unfinished(tmp_path)
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {"s01.pdf", ".hidden.pdf", ".s.0a1b.pdf"}
+    discard_all_unfinished(tmp_path / "gone")

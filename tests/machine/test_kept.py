@@ -5,7 +5,7 @@ import pytest
 
 from gripcourse.course.load import load_course
 from gripcourse.errors import CourseError
-from gripcourse.machine.kept import digest_of, keep, read_kept
+from gripcourse.machine.kept import digest_of, keep, read_kept, read_value, write_value
 
 
 @pytest.fixture(autouse=True)
@@ -106,3 +106,13 @@ def test_a_course_in_another_place_knows_its_own_place(tmp_path: Path) -> None:
     other = copy_of_small_course(tmp_path / "other")
     assert load_course(one).root == one
     assert load_course(other).root == other
+
+
+def test_a_value_is_written_for_its_owner_and_only_believed_whole(tmp_path: Path) -> None:
+    path = tmp_path / "kept" / "one.kept"
+    assert read_value(path) is None
+    write_value(path, ("mass", 60.0))
+    assert read_value(path) == ("mass", 60.0)
+    assert path.stat().st_mode & 0o077 == path.parent.stat().st_mode & 0o077 == 0
+    path.parent.chmod(0o777)
+    assert read_value(path) is None

@@ -3,6 +3,7 @@
 import os
 import signal
 import time
+from collections.abc import Sequence
 
 from gripcourse.grading.model import Report
 from gripcourse.usecases.handout import Handout, IssuingContext, issue_one, workbook_path
@@ -55,3 +56,13 @@ def issue_and_die_at_s02(context: IssuingContext, entry: Issued) -> Handout:
         workbook.with_name(".s02.00ff00ff.xlsx").write_bytes(b"PK half of a workbook")
         os.kill(os.getpid(), signal.SIGKILL)
     return issue_one(context, entry)
+
+
+def page(report: Report, printing: Printing) -> bytes:
+    """Print what a page is made from, at once."""
+    return f"%PDF-1.7 {printing.graded_on} {report!r}".encode()
+
+
+def cohort_page(reports: Sequence[Report], printing: Printing) -> bytes:
+    """Print a cohort, at once."""
+    return f"%PDF-1.7 {printing.graded_on} {len(reports)}".encode()

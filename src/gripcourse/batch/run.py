@@ -2,15 +2,16 @@
 
 import hashlib
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
 from gripcourse.batch.doubts import put_in_doubt
 from gripcourse.batch.duplicates import mark_doubles
+from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
-from gripcourse.batch.second_look import made_by_office
+from gripcourse.batch.second_look import made_by_office, needs_second_look
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, in_order, run_each
@@ -28,10 +29,17 @@ GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 
 @dataclass(frozen=True, slots=True)
 class Graded:
-    """A report, and the trace of what failed on our side (empty for nothing)."""
+    """What a file came to.
+
+    Attributes:
+        report: of the file.
+        incident: the trace of what failed on our side; empty for nothing.
+        taken_over: whether the report was found out by an earlier run.
+    """
 
     report: Report
     incident: str
+    taken_over: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +50,7 @@ class _Job:
     grade_one: GradeOne
 
 
-def grade_files(
+def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     files: Sequence[Readable],
     context: GradingContext,
     workers: int,
@@ -50,8 +58,11 @@ def grade_files(
     *,
     grade_one: GradeOne = grade_file,
     seconds: float = SECONDS_PER_FILE,
+    kept: KeptReports | None = None,
 ) -> tuple[Graded, ...]:
     """Grade files in parallel; the result is in the order of the files.
+
+    Files are compared with each other each time anew, whatever is known of each.
 
     Args:
         files: to grade; bytes with their names are files too.
@@ -60,18 +71,54 @@ def grade_files(
         on_done: called with each file when it is done.
         grade_one: grades one file.
         seconds: that one file may take.
+        kept: what is known of single files from an earlier run, where every new report is kept as
+            it comes; None for neither.
     """
-    job = _Job(context, grade_one)
-    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+    known = {} if kept is None else kept.of(files)
+    for number in known:
+        on_done(files[number])
+    left = [number for number in range(len(files)) if number not in known]
+    new = _alone([files[number] for number in left], _Job(context, grade_one), workers, on_done,
+                 seconds, kept)  # fmt: skip
+    reports = {**known, **dict(zip(left, new, strict=True))}
+    graded = (
+        replace(_graded(file, reports[number], context), taken_over=number in known)
+        for number, file in enumerate(files)
+    )
+    return compared(tuple(graded), context)
+
+
+def _alone(
+    files: Sequence[Readable],
+    job: _Job,
+    workers: int,
+    on_done: Callable[[Readable], None],
+    seconds: float,
+    kept: KeptReports | None,
+) -> Sequence[Report | Lost]:
+    """Grade files, each for itself, and keep each report as soon as nothing is left to find out."""
 
     def done(number: int) -> None:
         _log.info("graded %s", shown(shown_name(files[number])))
         on_done(files[number])
 
-    alone = in_order(jobs, done)
-    reports = _looked_at_again(files, alone, context, workers, seconds)
-    graded = (_graded(file, report, context) for file, report in zip(files, reports, strict=True))
-    return compared(tuple(graded), context)
+    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+    alone = in_order(_keeping(jobs, files, kept), done)
+    reports = _looked_at_again(files, alone, job.context, workers, seconds)
+    pairs = enumerate(reports)
+    again = ((number, report) for number, report in pairs if report is not alone[number])
+    in_order(_keeping(again, files, kept))
+    return reports
+
+
+def _keeping(
+    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], kept: KeptReports | None
+) -> Iterator[tuple[int, Report | Lost]]:
+    """Keep what was found out of files; what failed or needs a second look is tried again."""
+    for number, report in jobs:
+        if kept is not None and isinstance(report, Report) and not needs_second_look(report):
+            kept.keep(files[number], report)
+        yield number, report
 
 
 def _looked_at_again(
@@ -102,7 +149,10 @@ def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded,
     )
     incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]
-    return tuple(map(Graded, reports, incidents))
+    return tuple(
+        replace(one, report=report, incident=incident)
+        for one, report, incident in zip(graded, reports, incidents, strict=True)
+    )
 
 
 def incident_number(trace: str) -> str:

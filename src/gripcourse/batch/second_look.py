@@ -30,7 +30,7 @@ def made_by_office(
     needed = {
         number: OTHER_FORMATS.get(report.refusal, ".xlsx")
         for number, report in enumerate(reports)
-        if isinstance(report, Report) and (report.lacks_results or report.refusal in OTHER_FORMATS)
+        if isinstance(report, Report) and needs_second_look(report)
     }
     if office is None or not needed:
         return {}
@@ -41,6 +41,11 @@ def made_by_office(
     }
     made = converted(named, office, language)
     return {int(name.partition(".")[0]): data for name, data in made.items()}
+
+
+def needs_second_look(report: Report) -> bool:
+    """Tell whether LibreOffice could make more of a file than our reader alone did."""
+    return report.lacks_results or report.refusal in OTHER_FORMATS
 
 
 def _content(source: Readable) -> bytes | None:

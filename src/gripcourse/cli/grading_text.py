@@ -87,6 +87,16 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         lines.append(words.say(said))
     if outcome.cohort is None:
         lines.append(words.say(message("The report on the batch could not be laid out.")))
+    if outcome.taken_over.results or outcome.taken_over.reports:
+        said = message(
+            "Nothing changed for {results} of {files} files and {reports} of {written} reports: "
+            "taken over as they were. --afresh makes all of them anew.",
+            results=outcome.taken_over.results,
+            files=len(outcome.reports),
+            reports=outcome.taken_over.reports,
+            written=len(outcome.written),
+        )
+        lines.append(words.say(said))
     incidents = out / INCIDENTS
     for said, place in (
         (message("Student reports"), out / REPORTS),

@@ -35,6 +35,7 @@ from gripcourse.cli.options import (
     OUR_MISTAKE,
     PROCESSORS,
     WRONG_USE,
+    AfreshOption,
     CourseOption,
     DateOption,
     EitherVersionOption,
@@ -231,6 +232,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         ),
     ] = None,
     either_version: EitherVersionOption = None,
+    afresh: AfreshOption = False,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
@@ -246,12 +248,15 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.unchanged import open_earlier, versions_of
     from gripcourse.usecases.whose import read_whose
 
     words = words_for(language)
     found = collect(paths)
     files = found.files
-    context = open_grading(course_folder(course))
+    root = course_folder(course)
+    versions = versions_of(root)
+    context = open_grading(root)
     decided = read_whose(whose or (), files, context.register)
     order = None if pattern is None else path_pattern(pattern, context.register)
     context = replace(context, whose=decided, pattern=order, either_version=either_version)
@@ -261,10 +266,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     context = with_kept_versions(context, place)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
+    stated = None if on is None else day_of(on)
+    earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
-        graded = command.grade(files, context, workers, lambda _: tick())
+        graded = command.grade(files, context, workers, lambda _: tick(), earlier)
         graded = keep(graded, context, place, datetime.now(UTC), times)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
@@ -275,6 +282,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             workers,
             lambda _: tick(),
             passed_over=found.passed_over,
+            earlier=earlier,
         )
     if json:
         result = command.batch_result(outcome.reports, words, found.passed_over)

@@ -60,6 +60,10 @@ WorkersOption = Annotated[
     ),
 ]
 PROCESSORS = os.cpu_count() or 1
+AfreshOption = Annotated[
+    bool,
+    typer.Option("--afresh", help="Grade and print also what has not changed since last time."),
+]
 EitherVersionOption = Annotated[
     bool | None,
     typer.Option(

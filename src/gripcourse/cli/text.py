@@ -8,7 +8,9 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.loudness import is_quiet
@@ -56,7 +58,7 @@ def chosen_convention(name: str | None) -> "Convention | None":
 
 @contextmanager
 def progress() -> Iterator[Step]:
-    """Show a bar for each step with the time that it still takes; on stderr, plain without one."""
+    """Show a bar for each step with its rate and the time that it still takes; on stderr."""
     from rich.console import Console
     from rich.progress import (
         BarColumn,
@@ -70,13 +72,20 @@ def progress() -> Iterator[Step]:
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
+        TextColumn("{task.fields[rate]}"),
         TimeRemainingColumn(),
     )
     with Progress(*columns, console=Console(stderr=True), disable=is_quiet()) as bar:
 
         def step(name: str, total: int | None) -> Callable[[], None]:
-            task = bar.add_task(name, total=total)
-            return lambda: bar.advance(task)
+            task = bar.add_task(name, total=total, rate="")
+            began, done = perf_counter(), count(1)
+
+            def tick() -> None:
+                rate = 60 * next(done) / max(perf_counter() - began, 0.001)
+                bar.update(task, advance=1, rate=f"{rate:.0f}/min")
+
+            return tick
 
         yield step
 

@@ -180,6 +180,22 @@ def _temporary(path: Path) -> Path:
     return path.with_name(f".{path.stem}.{secrets.token_hex(_TOKEN_BYTES)}{path.suffix}")
 
 
+def discard_all_unfinished(folder: Path) -> None:
+    """Remove what a process that was killed left of its writing into a folder of ours.
+
+    Args:
+        folder: nobody else may be writing into it; it need not be there.
+
+    Raises:
+        OSError: a file cannot be removed.
+    """
+    unfinished = re.compile(rf"\..+\.[0-9a-f]{{{2 * _TOKEN_BYTES}}}(\.[^.]+)?")
+    if folder.is_dir():
+        for one in folder.iterdir():
+            if unfinished.fullmatch(one.name):
+                one.unlink(missing_ok=True)
+
+
 def discard_unfinished(path: Path) -> None:
     """Remove what a process that was killed left of its writing of `path`.
 

@@ -39,15 +39,32 @@ def digest_of(root: Path, files: Iterable[Path]) -> str:
 def read_kept(digest: str) -> Any:  # noqa: ANN401 (whatever was kept)
     """Return what was kept under a digest, None where nothing is."""
     path = _path(digest)
+    value = None if path is None else read_value(path)
+    if path is not None and value is not None:
+        with suppress(OSError):
+            os.utime(path)
+    return value
+
+
+def read_value(path: Path) -> Any:  # noqa: ANN401 (whatever was kept)
+    """Return what `write_value` wrote; None where it is not there, damaged, or not this user's."""
     try:
-        if path is None or not _is_mine(path):
+        if not hasattr(os, "getuid") or not _is_mine(path):
             return None
         with few_collections():
-            value = pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
-        os.utime(path)
+            return pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
     except Exception:  # noqa: BLE001 (a damaged file fails in any way; the value is computed again)
         return None
-    return value
+
+
+def write_value(path: Path, value: object) -> None:
+    """Write a value for the next process, in a folder that only this user may open.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    write_bytes(path, pickle.dumps(value), private=True)
 
 
 def keep(digest: str, value: object) -> None:
@@ -55,8 +72,7 @@ def keep(digest: str, value: object) -> None:
     path = _path(digest)
     with suppress(OSError):
         if path is not None:
-            path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-            write_bytes(path, pickle.dumps(value), private=True)
+            write_value(path, value)
             kept = sorted(path.parent.glob("*.kept"), key=lambda one: one.stat().st_mtime)
             for old in kept[:-_MOST]:
                 old.unlink(missing_ok=True)

@@ -14,6 +14,7 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.archive import Unusable, is_bundle, members_of
 from gripcourse.machine.content import PackedFile, Readable, shown_name
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.unchanged import EARLIER
 
 # What people hand in as a workbook: the reader says what is wrong with those that are none.
 WORKBOOKS: Final = frozenset({".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"})
@@ -143,7 +144,8 @@ def _packed(archive: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
 
 def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
     for path in sorted(folder.rglob("*")):
-        if not path.is_dir():
+        # What we keep of an earlier run is nobody's work, wherever the results were put.
+        if not path.is_dir() and EARLIER not in path.parts:
             yield path, why_not(path) if path.is_file() else WhyNot.NO_FILE
 
 

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
@@ -15,16 +15,19 @@ from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
-from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.machine.files import discard_unfinished, write_bytes, write_text
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.student_reports import (
+    AsItWas,
     LayOut,
     Printing,
+    Written,
     cohort_pdf,
     student_pdf,
     write_reports,
 )
+from gripcourse.usecases.unchanged import Earlier, PrintedBefore, TakenOver, told_of
 
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
@@ -45,6 +48,7 @@ class GradingOutcome:
         needs_person: whether something waits for a person.
         passed_over: files that were found and not looked at.
         left_over: student reports of earlier runs that this one did not renew.
+        taken_over: what was neither graded nor printed again.
     """
 
     reports: tuple[Report, ...]
@@ -53,6 +57,7 @@ class GradingOutcome:
     needs_person: bool
     passed_over: tuple[PassedOver, ...] = ()
     left_over: tuple[Path, ...] = ()
+    taken_over: TakenOver = field(default_factory=TakenOver)
 
 
 def grade(
@@ -60,9 +65,11 @@ def grade(
     context: GradingContext,
     workers: int,
     on_done: Callable[[Readable], None],
+    earlier: Earlier | None = None,
 ) -> tuple[Graded, ...]:
-    """Grade files; see `batch.run.grade_files`."""
-    return grade_files(files, context, min(workers, len(files)), on_done)
+    """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
+    kept = None if earlier is None else earlier.reports
+    return grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
@@ -75,21 +82,28 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     *,
     passed_over: Sequence[PassedOver] = (),
     lay_out: LayOut = student_pdf,
+    earlier: Earlier | None = None,
 ) -> GradingOutcome:
     """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
 
     A report that cannot be laid out is an incident of that student; the others are written. So it
     is with the cohort report: grades are never lost for it.
+
+    What an earlier run printed from the very same is left as it is.
     """
+    _discard_unfinished(out)
     plain = [one.report for one in graded]
     peers = tuple(shares(plain))
     printing = Printing(context.course, context.policy, graded_on, peers=peers)
-    outcomes = write_reports(plain, printing, out / REPORTS, workers, on_done, lay_out)
+    printed = None if earlier is None else earlier.printed
+    outcomes = write_reports(
+        plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed
+    )
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
     written = {
         report.file: path
-        for report, path in zip(reports, outcomes, strict=True)
-        if isinstance(path, Path)
+        for report, one in zip(reports, outcomes, strict=True)
+        if (path := one.path if isinstance(one, AsItWas) else one) and isinstance(path, Path)
     }
     incidents = [one.incident for one in graded if one.incident]
     incidents += [
@@ -97,7 +111,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, context, out, graded_on, workers, passed_over)
+    failed = write_grades(reports, context, out, graded_on, workers, passed_over, printed=printed)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -115,6 +129,10 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         or any(one.needs_person for one in passed_over),
         passed_over=tuple(passed_over),
         left_over=left_over(out / REPORTS, written.values()),
+        taken_over=TakenOver(
+            results=sum(one.taken_over for one in graded),
+            reports=sum(isinstance(one, AsItWas) for one in outcomes),
+        ),
     )
 
 
@@ -127,13 +145,15 @@ def left_over(folder: Path, written: Iterable[Path]) -> tuple[Path, ...]:
     return tuple(sorted(set(folder.glob("*.pdf")) - set(written)))
 
 
-def write_grades(
+def write_grades(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     reports: Sequence[Report],
     context: GradingContext,
     out: Path,
     graded_on: date,
     workers: int = 1,
     passed_over: Sequence[PassedOver] = (),
+    *,
+    printed: PrintedBefore | None = None,
 ) -> Lost | None:
     """Write what concerns the whole batch: grades and all files as CSV and JSON, cohort report.
 
@@ -146,6 +166,9 @@ def write_grades(
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
     write_text(out / GRADES_JSON, json_text(reports, words, passed_over), private=True)
+    made_from = told_of(*reports) if printed else ""
+    if printed and printed.stands(out / COHORT_PDF, made_from):
+        return None
     printing = Printing(context.course, context.policy, graded_on)
     ((_, pdf),) = run_each(
         cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
@@ -155,7 +178,15 @@ def write_grades(
         (out / COHORT_PDF).unlink(missing_ok=True)
         return pdf
     write_bytes(out / COHORT_PDF, pdf, private=True)
+    if printed:
+        printed.note(out / COHORT_PDF, made_from, pdf)
     return None
+
+
+def _discard_unfinished(out: Path) -> None:
+    """Remove what a run that was killed left half-written."""
+    for name in (GRADES_JSON, GRADES_CSV, FILES_CSV, COHORT_PDF, INCIDENTS):
+        discard_unfinished(out / name)
 
 
 def json_text(
@@ -193,7 +224,7 @@ def _told(lost: Lost, of: str) -> str:
     return f"incident {incident_number(lost.trace)}: {of}\n{lost.trace}"
 
 
-def _with_incident(report: Report, outcome: Path | Lost | None) -> Report:
+def _with_incident(report: Report, outcome: Written) -> Report:
     if not isinstance(outcome, Lost):
         return report
     said = message(

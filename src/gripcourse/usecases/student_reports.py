@@ -8,14 +8,16 @@ from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.documents.report.totals import peers_text
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.enclosed import file_below
-from gripcourse.machine.files import make_private_folder, write_bytes
+from gripcourse.machine.files import discard_all_unfinished, make_private_folder, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words
+from gripcourse.usecases.unchanged import PrintedBefore, told_of
 
 # A report takes about a second, a hundred times as much is no report any more.
 SECONDS_PER_REPORT = 120.0
@@ -43,6 +45,17 @@ LayOut: TypeAlias = Callable[[Report, Printing], bytes]
 """Lays out one student's report; it must be found by its name in another process."""
 
 
+@dataclass(frozen=True, slots=True)
+class AsItWas:
+    """A report that an earlier run wrote and that would come out the same."""
+
+    path: Path
+
+
+Written: TypeAlias = Path | AsItWas | Lost | None
+"""What became of a report: written, left as it was, failed on our side, or for nobody."""
+
+
 def student_pdf(report: Report, printing: Printing) -> bytes:
     """Lay out one student's report, in the student's language."""
     from gripcourse.documents.report.student import student_report  # noqa: PLC0415 (WeasyPrint, 450 ms)
@@ -63,14 +76,16 @@ def cohort_pdf(reports: Sequence[Report], printing: Printing) -> bytes:
     return cohort_report(reports, printing.policy, course, words, printing.graded_on)
 
 
-def write_reports(
+def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     reports: Sequence[Report],
     printing: Printing,
     folder: Path,
     workers: int,
     on_done: Callable[[Path], None],
     lay_out: LayOut = student_pdf,
-) -> list[Path | Lost | None]:
+    *,
+    printed: PrintedBefore | None = None,
+) -> list[Written]:
     """Write the report of every file whose student is known.
 
     Each file appears whole or not at all. Where a report cannot be laid out, what an earlier run
@@ -83,28 +98,42 @@ def write_reports(
         workers: how many processes.
         on_done: called with each graded file.
         lay_out: lays out one report.
+        printed: what earlier runs wrote, to leave those reports as they are that would come out the
+            same; None to write all.
 
     Returns:
-        For each report the file that was written, what failed on our side, or None where there is
-        nobody to write to.
+        For each report the file that was written or left as it was, what failed on our side, or
+        None where there is nobody to write to.
 
     Raises:
         OSError: the folder cannot be written.
     """
     make_private_folder(folder)
+    discard_all_unfinished(folder)
     paths = _paths(reports, folder)
-    to_do = [number for number, path in enumerate(paths) if path is not None]
-    outcomes: list[Path | Lost | None] = [None] * len(reports)
-    for report, path in zip(reports, paths, strict=True):
-        if path is None:
-            on_done(Path(report.file))
+    made_from = [_made_from(one, printing) if printed else "" for one in reports]
+    outcomes: list[Written] = [
+        AsItWas(path) if printed and path and printed.stands(path, told) else None
+        for path, told in zip(paths, made_from, strict=True)
+    ]
+    to_do = [number for number, path in enumerate(paths) if path and outcomes[number] is None]
+    for number in sorted(set(range(len(reports))) - set(to_do)):
+        on_done(Path(reports[number].file))
     shared, items = (lay_out, printing), [reports[number] for number in to_do]
     jobs = run_each(_lay_out, items, shared, workers=workers, seconds=printing.seconds)
     for place, pdf in jobs:
         number = to_do[place]
         outcomes[number] = _keep(pdf, paths[number])
+        if printed and isinstance(pdf, bytes) and (path := paths[number]):
+            printed.note(path, made_from[number], pdf)
         on_done(Path(reports[number].file))
     return outcomes
+
+
+def _made_from(report: Report, printing: Printing) -> str:
+    """Tell what of this batch a report is made from; `PrintedBefore` knows the rest."""
+    words = Words(report.language or printing.course.language)
+    return told_of(report, peers_text(report, printing.policy, words, printing.peers))
 
 
 def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:

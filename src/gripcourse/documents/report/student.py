@@ -21,7 +21,7 @@ from gripcourse.documents.report.totals import (
     SectionTotal,
     empty_sections,
     is_blank,
-    peer_quartiles,
+    peers_text,
     section_totals,
 )
 from gripcourse.documents.report.worked import notation_notes
@@ -121,7 +121,7 @@ def student_values(
         "timing": timing_texts(report, words),
         "waits": waiting_text(report, plan.quantities, words),
         "reveal": reveal,
-        "peers": peer_quartiles(peers, words) if reveal and report.judged else "",
+        "peers": peers_text(report, policy, words, peers),
         "remarks": [words.say(remark) for remark in (*_misplaced(report), *report.remarks)],
         "sections": aligned_rows(sections, "points"),
         "dense": sum(row.detailed for one in sections for row in one.rows) > _AT_EASE,

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, Outcome, Report
+from gripcourse.policy.model import Policy, Reveal
 from gripcourse.text.amounts import percent_text
 from gripcourse.text.words import Words, message
 
@@ -112,6 +113,12 @@ def peer_quartiles(earned: Sequence[float], words: Words) -> str:
         median=percent_text(median, words),
     )
     return words.say(said)
+
+
+def peers_text(report: Report, policy: Policy, words: Words, earned: Sequence[float]) -> str:
+    """Say in a student's report how the class did, once the policy publishes the solution."""
+    told = policy.reveal is Reveal.REFERENCE and report.judged
+    return peer_quartiles(earned, words) if told else ""
 
 
 def section_shares(reports: Sequence[Report], section: str) -> list[float]:

@@ -1,0 +1,65 @@
+"""What single files came to, kept as it comes: a batch that was stopped goes on where it was."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from gripcourse.grading.model import Report
+from gripcourse.machine.content import Readable, content_of, shown_name
+from gripcourse.machine.kept import read_value, write_value
+from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
+
+
+@dataclass(frozen=True, slots=True)
+class KeptReports:
+    """Reports of single files, before they are compared with each other.
+
+    Attributes:
+        folder: of these reports alone, named after all that a report is made from but its file.
+        whose: by file, the student who handed it in, where a person says so.
+    """
+
+    folder: Path
+    whose: Mapping[str, str]
+
+    def of(self, files: Sequence[Readable]) -> dict[int, Report]:
+        """Return what is known of files, by their places: the same bytes under the same name."""
+        found = {number: self._find(file) for number, file in enumerate(files)}
+        return {number: report for number, report in found.items() if report is not None}
+
+    def keep(self, file: Readable, report: Report) -> None:
+        """Keep the report of a file under the digest of the bytes that it was made from.
+
+        A file that could not be read is looked at again each time: the machine may be to blame.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        if report.digest and not report.refusal:
+            write_value(self._path(file, report.digest), report)
+
+    def _find(self, file: Readable) -> Report | None:
+        if not self.folder.is_dir():
+            return None
+        digest = _digest(file)
+        found = read_value(self._path(file, digest)) if digest else None
+        return found if isinstance(found, Report) and found.digest == digest else None
+
+    def _path(self, file: Readable, digest: str) -> Path:
+        name = shown_name(file)
+        told = repr((name, digest, self.whose.get(name)))
+        return self.folder / f"{hashlib.sha256(told.encode()).hexdigest()}.kept"
+
+
+def _digest(file: Readable) -> str:
+    """Return the digest of a file; empty for one that is gone or that nobody would read."""
+    try:
+        if isinstance(file, Path):
+            if file.stat().st_size > LARGEST_FILE:
+                return ""
+            with file.open("rb") as stream:
+                return hashlib.file_digest(stream, "sha256").hexdigest()
+        return hashlib.sha256(content_of(file)).hexdigest()
+    except OSError:
+        return ""
