@@ -181,6 +181,8 @@ CHANGES: Final[Mapping[str, tuple[Callable[..., Any], TakenOver]]] = {
     "a mark": (mark, TakenOver(2, 1)),
     "a person's word": (lambda _: {"whose": {"works/s01.xlsx": "s01"}}, TakenOver(1, 1)),
     "a pattern": (lambda _: {"pattern": path_pattern("{id}*.xlsx", ["s01", "s02"])}, None),
+    "either version": (lambda _: {"either_version": True}, TakenOver(0, 2)),
+    "either version, as before": (lambda _: {"either_for": frozenset({"0" * 64})}, TakenOver(0, 2)),
     "LibreOffice": (lambda _: {"office": "none"}, TakenOver(2, 2)),
     "the day": (lambda _: {"day": date(2026, 12, 3)}, TakenOver(2, 0)),
     "asked for": (lambda _: {"afresh": True}, NOTHING),

@@ -226,9 +226,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     pattern: Annotated[
         str | None,
         typer.Option(
-            "--pattern",
-            metavar="pattern",
-            help="Where your own paths say whose a file is.",
+            "--pattern", metavar="pattern", help="Where your own paths say whose a file is."
         ),
     ] = None,
     either_version: EitherVersionOption = None,
