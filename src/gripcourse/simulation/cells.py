@@ -67,7 +67,12 @@ def unfit_unit(quantity: Quantity, units: Iterable[str], rng: np.random.Generato
 
 
 def _is_a_power_of_ten(unit: str, declared: str) -> bool:
-    if unit == declared or dimension(unit) != dimension(declared):
+    # What has no dimension may still be a share or an angle: nobody writes 80 % as 0.8 rad.
+    if (
+        unit == declared
+        or dimension(unit) != dimension(declared)
+        or dimension(unit) == dimension("")
+    ):
         return False
     power = math.log10(factor(declared) / factor(unit))
     return bool(unit) and abs(power - round(power)) < _WHOLE_POWER
