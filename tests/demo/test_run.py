@@ -324,7 +324,7 @@ def test_a_result_is_found_on_a_page_in_a_bookmark_and_in_an_attachment(
     writer = PdfWriter(clone_from=sheet_path(demo.assignments, student))
     writer.add_metadata({"/Keywords": spelled[0], "/Author": USER})
     writer.add_outline_item(title=spelled[1], page_number=0)
-    writer.add_attachment("notes.txt", spelled[2].encode() + secret.key)
+    writer.add_attachment("notes.txt", spelled[2].encode() + b" of it\n" + secret.key)
     stream = io.BytesIO()
     writer.write(stream)
     parts = pieces("a.pdf", stream.getvalue())
