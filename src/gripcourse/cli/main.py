@@ -44,6 +44,7 @@ from gripcourse.cli.options import (
     OutFileOption,
     OutOption,
     TableOption,
+    WhoseOption,
     WorkersOption,
     chosen_words,
     course_folder,
@@ -209,12 +210,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     *,
     out: OutOption,
     json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
-    whose: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
-        ),
-    ] = None,
+    whose: WhoseOption = None,
     handed_in: Annotated[
         list[str] | None,
         typer.Option(

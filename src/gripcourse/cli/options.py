@@ -64,6 +64,12 @@ AfreshOption = Annotated[
     bool,
     typer.Option("--afresh", help="Grade and print also what has not changed since last time."),
 ]
+WhoseOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
+    ),
+]
 EitherVersionOption = Annotated[
     bool | None,
     typer.Option(

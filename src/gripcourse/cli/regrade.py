@@ -20,6 +20,7 @@ from gripcourse.cli.options import (
     EitherVersionOption,
     GradebookOption,
     LanguageOption,
+    WhoseOption,
     WorkersOption,
     course_folder,
     gradebook_place,
@@ -57,12 +58,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
         bool, typer.Option("--allow-lower", help="Published results may get worse.")
     ] = False,
     by: ByOption = None,
-    whose: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--whose", metavar="file=student", help="Who handed a file in, where it is in doubt."
-        ),
-    ] = None,
+    whose: WhoseOption = None,
     either_version: EitherVersionOption = None,
     workers: WorkersOption = PROCESSORS,
     gradebook: GradebookOption = None,
