@@ -77,6 +77,13 @@ def test_every_link_leads_somewhere(page: Path) -> None:
     assert dead == []
 
 
+@pytest.mark.parametrize("origin", sorted(BORROWED.values()))
+def test_a_page_that_the_site_borrows_links_to_pages_of_the_site(origin: str) -> None:
+    links = LINK.findall(FENCE.sub("", (REPOSITORY / origin).read_text(encoding="utf-8")))
+    inside = [link for link in links if not ADDRESS.match(link)]
+    assert [link for link in inside if not link.startswith(("docs/", "#"))] == []
+
+
 def calls(page: Path) -> Iterator[list[str]]:
     """What the pages tell to type behind `gripcourse`, in words."""
     text = page.read_text(encoding="utf-8")

@@ -52,6 +52,23 @@ def test_the_tutorial_leads_from_an_empty_folder_to_a_graded_answer() -> None:
     assert "belt_speed=without_pi" in Path("graded/grades.csv").read_text(encoding="utf-8")
 
 
+def test_the_grown_up_course_does_what_its_page_shows(here: Path) -> None:
+    (here / "examples").symlink_to(DOCS.parent / "examples")
+    part = Path("variants/sections/base_tensioning.toml")
+    printed = ""
+    for step in steps_of(DOCS / "tutorial-belts.md"):
+        match step:
+            case ChangedLine():
+                change(step, Path())
+            case Typed(line):
+                printed = type_line(line)
+            case Shown():
+                assert missing_from(printed, step) == [], printed
+            case WrittenFile():
+                write(step, Path())
+    assert part.read_bytes() == (here / "examples" / "belt_drive" / part).read_bytes()
+
+
 @pytest.mark.usefixtures("here")
 def test_a_given_number_is_added_in_one_file_for_all_schemes() -> None:
     printed = ""
