@@ -1,7 +1,7 @@
 """Where a symbol may stand: boxes round the places that it names, with leaders where it is far."""
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import shapely
@@ -37,7 +37,7 @@ class Candidates:
     """
 
     boxes: Array
-    leaders: NDArray[np.object_]
+    leaders: NDArray[Any]
     far: Array
 
     def some(self, rows: NDArray[np.intp]) -> "Candidates":
