@@ -1,0 +1,66 @@
+"""Our own key: platforms verify with its public half that a request is ours."""
+
+import json
+from pathlib import Path
+from typing import Any, Final
+
+from joserfc.errors import JoseError
+from joserfc.jwk import KeySet, RSAKey
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.machine.files import make_private_folder, write_text
+from gripcourse.text.words import message
+
+_BITS: Final = 2048
+_FORMER: Final = 2
+"""How many former keys are still published: a platform keeps for a while what it fetched."""
+
+
+def tool_key_path(root: Path) -> Path:
+    """Return where a course keeps its key for platforms."""
+    return root / "private" / "lti_key.json"
+
+
+def make_tool_key(root: Path) -> Path:
+    """Put a new key on top: it signs from now on; where there was one, it is still published.
+
+    Raises:
+        UsageError: the key that is there is damaged.
+        OSError: the folder cannot be written.
+    """
+    path = tool_key_path(root)
+    former = read_tool_keys(root).keys if path.is_file() else []
+    made = RSAKey.generate_key(_BITS, auto_kid=True)
+    keys = KeySet([made, *former[:_FORMER]])
+    make_private_folder(path.parent)
+    write_text(path, json.dumps(keys.as_dict(private=True)) + "\n", private=True)
+    return path
+
+
+def read_tool_keys(root: Path) -> KeySet:
+    """Read our keys; the first of them signs.
+
+    Raises:
+        UsageError: there is none, or the file is damaged.
+        OSError: the file cannot be read.
+    """
+    path = tool_key_path(root)
+    if not path.is_file():
+        what = message("There is no key for learning platforms yet.")
+        remedy = message("Declare a platform first; that makes the key.")
+        raise UsageError([Problem(str(path), "", what, remedy)])
+    try:
+        keys = KeySet.import_key_set(json.loads(path.read_text(encoding="utf-8")))
+    except (JoseError, ValueError, KeyError, TypeError):
+        keys = KeySet([])
+    if not keys.keys or not all(isinstance(one, RSAKey) and one.is_private for one in keys.keys):
+        what = message("The key for learning platforms is damaged.")
+        remedy = message("Restore it from a backup, or remove the file to make a new one.")
+        raise UsageError([Problem(str(path), "", what, remedy)])
+    return keys
+
+
+def public_keys(keys: KeySet) -> dict[str, Any]:
+    """Return what platforms may know of our keys."""
+    published = [{**one.as_dict(private=False), "use": "sig", "alg": "RS256"} for one in keys.keys]
+    return {"keys": published}
