@@ -10,9 +10,11 @@ from urllib.parse import parse_qsl, urlsplit
 
 import httpx2
 from starlette.testclient import TestClient
+from starlette.types import ASGIApp
 
 from gripcourse.desk.store import open_desk
-from gripcourse.lti.platforms import KnownBy, Platform
+from gripcourse.lti.known_by import KnownBy
+from gripcourse.lti.platforms import Platform
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.desk import DeskContext
@@ -68,14 +70,17 @@ class LtiCourse:
 
     def client(self, **changes: object) -> TestClient:
         """Return a browser that has never been here; its server is its own."""
+        return TestClient(self.app(**changes), TOOL, follow_redirects=False)
+
+    def app(self, **changes: object) -> ASGIApp:
+        """Return a server."""
         site = Site(
             context=self.context,
             checkers=make_checkers(self.context, 1, None),
             clock=self.clock,
             **changes,  # type: ignore[arg-type]
         )
-        app = make_app(site, lti_routes(site, TOOL))
-        return TestClient(app, TOOL, follow_redirects=False)
+        return make_app(site, lti_routes(site, TOOL))
 
     def begin(self, client: TestClient, hint: str, **more: str) -> dict[str, str]:
         """Open the assignment in the platform; return what the tool asks it."""

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
+from starlette.types import ASGIApp
 
 from gripcourse.lti.platforms import add_platform, load_platforms, platforms_path
 from gripcourse.lti.states import MINUTES
@@ -22,6 +23,7 @@ from support.platform import (
     CLAIM,
     ELSEWHERE_TEACHER,
     TEACHER,
+    TOOL,
     base64url,
     new_key,
     public_jwk,
@@ -44,6 +46,12 @@ def school(opened: LtiCourse) -> Iterator[LtiCourse]:
     platforms_path(opened.context.course.root).write_text(declared, encoding="utf-8")
     opened.clock.now = BEGAN
     opened.platform.down = False
+
+
+@pytest.fixture(scope="module")
+def one_server(opened: LtiCourse) -> ASGIApp:
+    """A server for many visitors who are all refused."""
+    return opened.app()
 
 
 @dataclass(slots=True)
@@ -277,10 +285,10 @@ FORGED: dict[str, tuple[str, Callable[[Attempt], str]]] = {
 
 @pytest.mark.parametrize("name", FORGED)
 def test_what_is_forged_opens_nothing(
-    school: LtiCourse, name: str, caplog: pytest.LogCaptureFixture
+    school: LtiCourse, one_server: ASGIApp, name: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     code, forge = FORGED[name]
-    client = school.client()
+    client = TestClient(one_server, TOOL, follow_redirects=False)
     one = attempt(school, client)
     token = forge(one)
     before = store_of(school.context).places()

@@ -4,6 +4,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 import httpx2
@@ -33,8 +34,10 @@ class _Kept:
 class KeySets:
     """The keys of platforms; safe between threads."""
 
-    def __init__(self, client: httpx2.Client, clock: Callable[[], float] = time.monotonic) -> None:
-        self._client = client
+    def __init__(
+        self, make: Callable[[], httpx2.Client], clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._client = lru_cache(maxsize=1)(make)  # made when somebody comes
         self._clock = clock
         self._lock = threading.Lock()
         self._kept: dict[str, _Kept] = {}
@@ -62,7 +65,7 @@ class KeySets:
 
     def _fetched(self, url: str) -> Mapping[str, RSAKey] | None:
         try:
-            content = ask(self._client, Asked(url)).content
+            content = ask(self._client(), Asked(url)).content
         except PlatformFailedError:
             return None
         match content:

@@ -4,7 +4,6 @@ import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import StrEnum
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Final
@@ -12,15 +11,9 @@ from urllib.parse import urlsplit
 
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem, UsageError
+from gripcourse.lti.known_by import KnownBy
 from gripcourse.machine.files import make_private_folder, write_text
 from gripcourse.text.words import Message, message
-
-
-class KnownBy(StrEnum):
-    """By what the platform's user is known to be a student of the roster."""
-
-    SOURCEDID = "sourcedid"  # the office's number of the person is the student's id
-    EMAIL = "email"
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,9 +7,10 @@ from enum import StrEnum
 from pathlib import Path
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.lti.known_by import KnownBy
 from gripcourse.lti.launch import Launch, Person
 from gripcourse.lti.model import Bond, Place, Stranger, UserKey
-from gripcourse.lti.platforms import KnownBy, Platform, add_platform, load_platforms
+from gripcourse.lti.platforms import Platform, add_platform, load_platforms
 from gripcourse.lti.store import LtiStore
 from gripcourse.lti.tool_key import make_tool_key, tool_key_path
 from gripcourse.text.words import message
@@ -133,6 +134,15 @@ def chosen_platform(root: Path, name: str) -> Platform:
     if platforms:
         remedy = message("Name one of: {all}.", all=", ".join(platforms))
     raise UsageError([Problem("", "", what, remedy, parameter="platform")])
+
+
+def platform_names(root: Path) -> Mapping[tuple[str, str], str]:
+    """Return what platforms are called, by issuer and by what they call us.
+
+    Raises:
+        CourseError: the file cannot be used.
+    """
+    return {(one.issuer, one.client_id): name for name, one in load_platforms(root).items()}
 
 
 def _found(register: Mapping[str, Issued], launch: Launch) -> str | NotTold:

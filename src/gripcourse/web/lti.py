@@ -24,7 +24,7 @@ from gripcourse.lti.launch import Launch, Role, read_launch
 from gripcourse.lti.platforms import Platform, load_platforms
 from gripcourse.lti.refused import LaunchRefusedError, Refused
 from gripcourse.lti.states import MINUTES, Signer, check_state, is_of, new_state, nonce_of
-from gripcourse.lti.tool_key import public_keys, read_tool_keys
+from gripcourse.lti.tool_key import public_keys
 from gripcourse.lti.web_client import make_client
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.links import token_of
@@ -126,9 +126,9 @@ def lti_routes(site: Site, address: str) -> list[Route]:
     """
     context = site.context
     signer = Signer(context.key, context.course.id)
-    door = Door(site, address.rstrip("/"), KeySets(make_client()), signer)
+    door = Door(site, address.rstrip("/"), KeySets(make_client), signer)
     door.platforms()
-    read_tool_keys(context.course.root)
+    public_keys(context.course.root)
 
     async def login(request: Request) -> Response:
         fields = await _fields(request)
@@ -139,9 +139,8 @@ def lti_routes(site: Site, address: str) -> list[Route]:
         return await run_in_threadpool(_enter, door, request, fields)
 
     async def keys(_: Request) -> Response:
-        published = await run_in_threadpool(read_tool_keys, context.course.root)
-        headers = {"Cache-Control": "max-age=300"}
-        return JSONResponse(public_keys(published), headers=headers)
+        published = await run_in_threadpool(public_keys, context.course.root)
+        return JSONResponse(published, headers={"Cache-Control": "max-age=300"})
 
     return [
         Route("/lti/login", login, methods=["GET", "POST"], name="lti_login"),
