@@ -234,7 +234,7 @@ def test_one_of_several_places_has_to_be_named(
     assert school.platform.scores[-1][0] == "/lines/2/scores"
 
 
-def test_the_roster_comes_from_the_platform(school: LtiCourse, run: Run, tmp_path: Path) -> None:
+def test_the_roster_comes_from_the_platform(run: Run, tmp_path: Path) -> None:
     out = tmp_path / "roster.csv"
     assert run("roster", "--out", str(out)).startswith("0 Students in")
     with out.open(encoding="utf-8-sig", newline="") as stream:

@@ -50,7 +50,8 @@ class LtiStore:
 
     def bonds(self) -> Mapping[UserKey, Bond]:
         """Return what holds now, by user."""
-        return {one.key: one for one in self._rows(schema.bonds, Bond) if one.student}
+        last = {one.key: one for one in self._rows(schema.bonds, Bond)}
+        return {key: one for key, one in last.items() if one.student}
 
     def add_stranger(self, stranger: Stranger) -> None:
         """Keep that somebody could not be told to be a student."""

@@ -127,12 +127,13 @@ def chosen_platform(root: Path, name: str) -> Platform:
         return platforms[name]
     if not name and len(platforms) == 1:
         return next(iter(platforms.values()))
-    what = message("There is no platform '{name}'.", name=name)
-    if not name:
-        what = message("Which platform is meant?")
+    what = message("No platform is declared.")
     remedy = message("Declare one first.")
     if platforms:
+        what = message("There is no platform '{name}'.", name=name)
         remedy = message("Name one of: {all}.", all=", ".join(platforms))
+    if platforms and not name:
+        what = message("Several platforms are declared.")
     raise UsageError([Problem("", "", what, remedy, parameter="platform")])
 
 

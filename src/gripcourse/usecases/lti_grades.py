@@ -78,22 +78,25 @@ def send_grades(
     scopes = [SCORE_SCOPE] if column.line_item else [SCORE_SCOPE, LINE_ITEM_SCOPE]
     access = open_access(client, platform, read_tool_keys(context.course.root), scopes, now)
     address = column.line_item or _made(access, column, context)
-    ours = (platform.issuer, platform.client_id)
-    bonds = {one.student: one for one in store.bonds().values() if (one.issuer, one.client) == ours}
+    bonds = _bonds(store, platform)
     # The same column and the same user: what was sent last is what stands there.
     last = {(one.line_item, one.user): one for one in store.sent()}
     for student, issued in context.register().items():
         published = published_to(context, student)
         score = None if published is None else score_of(published.report, issued, context.course)
-        bond = bonds.get(student)
         if score is None:
             yield Sending(student, Fate.NO_RESULT)
-        elif bond is None:
-            yield Sending(student, Fate.NOT_SEEN)
-        elif _is_there(last.get((address, bond.user)), score):
-            yield Sending(student, Fate.UNCHANGED)
-        else:
-            yield _sent(store, access, bond, _Sent(address, score, wanted.by, now))
+            continue
+        match bonds.get(student, []):
+            case []:
+                yield Sending(student, Fate.NOT_SEEN)
+            case [bond] if _is_there(last.get((address, bond.user)), score):
+                yield Sending(student, Fate.UNCHANGED)
+            case [bond]:
+                yield _sent(store, access, bond, _Sent(address, score, wanted.by, now))
+            case _:
+                said = message("Several users of the platform are this student.")
+                yield Sending(student, Fate.FAILED, said)
 
 
 def score_of(report: ReportResult, issued: Issued, course: Course) -> Score | None:
@@ -154,6 +157,15 @@ def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
     )
     store.add_sent(kept)
     return Sending(bond.student, Fate.SENT)
+
+
+def _bonds(store: LtiStore, platform: Platform) -> dict[str, list[Bond]]:
+    """Return who of a platform each student is."""
+    found: dict[str, list[Bond]] = {}
+    for one in store.bonds().values():
+        if (one.issuer, one.client) == (platform.issuer, platform.client_id):
+            found.setdefault(one.student, []).append(one)
+    return found
 
 
 def _is_there(last: SentScore | None, score: Score) -> bool:
