@@ -13,8 +13,8 @@ from starlette.testclient import TestClient
 from starlette.types import ASGIApp
 
 from gripcourse.desk.store import open_desk
-from gripcourse.lti.known_by import KnownBy
 from gripcourse.lti.platforms import Platform
+from gripcourse.lti.user_rule import UserRule
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.desk import DeskContext
@@ -112,7 +112,7 @@ def declared_as(platform: StandIn) -> Platform:
         jwks_url=f"{platform.address}/jwks",
         deployments=("1",),
         contexts=("course-2",),
-        known_by=(KnownBy.SOURCEDID, KnownBy.EMAIL),
+        known_by=(UserRule.SOURCEDID, UserRule.EMAIL),
         frames=(platform.address,),
         token_audience=f"{platform.address}/token",
     )

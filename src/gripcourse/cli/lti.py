@@ -22,7 +22,7 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.errors import Problem, UsageError
-from gripcourse.lti.known_by import KnownBy
+from gripcourse.lti.user_rule import UserRule
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: the database and signatures cost half a second.
@@ -115,8 +115,12 @@ def register(  # noqa: PLR0913 (one parameter per option)
         typer.Option("--context", metavar="id", help="A course of the platform that is let in."),
     ] = None,
     known_by: Annotated[
-        list[KnownBy] | None,
-        typer.Option("--known-by", help="By what a student is known; default: sourcedid."),
+        list[UserRule] | None,
+        typer.Option(
+            "--known-by",
+            metavar="sourcedid|email",
+            help="By what a student is known: the office's number (default), the mail.",
+        ),
     ] = None,
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -137,7 +141,7 @@ def register(  # noqa: PLR0913 (one parameter per option)
         client_id,
         tuple(deployments),
         tuple(contexts or ()),
-        tuple(known_by or (KnownBy.SOURCEDID,)),
+        tuple(known_by or (UserRule.SOURCEDID,)),
     )
     platform = usual.platform_of(name, places, admission)
     made = register_platform(course_folder(course), platform)
@@ -244,7 +248,7 @@ def send_grades(
 
     words, root = words_for(language), course_folder(course)
     context = open_context(root)
-    wanted = command.Wanted(chosen_platform(root, platform), line_item, by or getpass.getuser())
+    wanted = command.ScoreOrder(chosen_platform(root, platform), line_item, by or getpass.getuser())
     with _platform_answers(), make_client() as client:
         done = list(command.send_grades(context, client, wanted, datetime.now(UTC)))
     for one in done:
@@ -255,14 +259,14 @@ def send_grades(
     said = message(
         "Sent: {sent}; unchanged: {unchanged}; without a result: {none}; not seen on the platform:"
         " {unseen}; failed: {failed}.",
-        sent=fates.count(command.Fate.SENT),
-        unchanged=fates.count(command.Fate.UNCHANGED),
-        none=fates.count(command.Fate.NO_RESULT),
-        unseen=fates.count(command.Fate.NOT_SEEN),
-        failed=fates.count(command.Fate.FAILED),
+        sent=fates.count(command.ScoreFate.SENT),
+        unchanged=fates.count(command.ScoreFate.UNCHANGED),
+        none=fates.count(command.ScoreFate.NO_RESULT),
+        unseen=fates.count(command.ScoreFate.NOT_SEEN),
+        failed=fates.count(command.ScoreFate.FAILED),
     )
     confirm(words.say(said))
-    raise typer.Exit(NEEDS_PERSON if command.Fate.FAILED in fates else DONE)
+    raise typer.Exit(NEEDS_PERSON if command.ScoreFate.FAILED in fates else DONE)
 
 
 @app.command("roster", cls=SpokenCommand)

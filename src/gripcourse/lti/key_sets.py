@@ -11,8 +11,8 @@ import httpx2
 from joserfc.errors import JoseError
 from joserfc.jwk import RSAKey
 
-from gripcourse.lti.refused import LaunchRefusedError, PlatformFailedError, Refused
-from gripcourse.lti.web_client import Asked, ask
+from gripcourse.lti.refused import LaunchRefusal, LaunchRefusedError, PlatformFailedError
+from gripcourse.lti.web_client import PlatformQuestion, ask
 
 KEPT_SECONDS: Final = 3600.0
 _APART_SECONDS: Final = 20.0
@@ -53,9 +53,9 @@ class KeySets:
             if kept is None or self._is_due(kept, key_id, now):
                 kept = self._kept[url] = _Kept(self._fetched(url), now)
         if kept.keys is None:
-            raise LaunchRefusedError(Refused.KEYS)
+            raise LaunchRefusedError(LaunchRefusal.KEYS)
         if key_id not in kept.keys:
-            raise LaunchRefusedError(Refused.KEY)
+            raise LaunchRefusedError(LaunchRefusal.KEY)
         return kept.keys[key_id]
 
     def _is_due(self, kept: _Kept, key_id: str, now: float) -> bool:
@@ -65,7 +65,7 @@ class KeySets:
 
     def _fetched(self, url: str) -> Mapping[str, RSAKey] | None:
         try:
-            content = ask(self._client(), Asked(url)).content
+            content = ask(self._client(), PlatformQuestion(url)).content
         except PlatformFailedError:
             return None
         match content:

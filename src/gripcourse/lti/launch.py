@@ -12,7 +12,7 @@ from joserfc.errors import BadSignatureError, JoseError
 
 from gripcourse.lti.key_sets import ALGORITHM, KeySets
 from gripcourse.lti.platforms import Platform, is_safe
-from gripcourse.lti.refused import LaunchRefusedError, Refused
+from gripcourse.lti.refused import LaunchRefusal, LaunchRefusedError
 
 SCORE_SCOPE: Final = "https://purl.imsglobal.org/spec/lti-ags/scope/score"
 LINE_ITEM_SCOPE: Final = "https://purl.imsglobal.org/spec/lti-ags/scope/lineitem"
@@ -28,7 +28,7 @@ _SKEW_SECONDS: Final = 60
 _OLDEST_SECONDS: Final = 600
 
 
-class Role(StrEnum):
+class PlatformRole(StrEnum):
     """What somebody is in the platform's course."""
 
     STUDENT = "student"
@@ -82,7 +82,7 @@ class Launch:
 
     platform: Platform
     person: Person
-    role: Role
+    role: PlatformRole
     context: str
     link: str
     services: Services
@@ -117,21 +117,21 @@ def read_launch(token: str, platform: Platform, keys: KeySets, nonce: str, now: 
         raise LaunchRefusedError(fault.refused, platform.name, fault.context) from fault
 
 
-def role_of(roles: object) -> Role:
+def role_of(roles: object) -> PlatformRole:
     """Tell what somebody is in the course; roles in the whole institution count for nothing.
 
     Raises:
         LaunchRefusedError: neither student nor instructor.
     """
     if not isinstance(roles, list):
-        raise LaunchRefusedError(Refused.CLAIMS)
+        raise LaunchRefusedError(LaunchRefusal.CLAIMS)
     # The bare words are an older spelling of the same.
     short = {str(one).removeprefix(_MEMBERSHIP) for one in roles}
     if "Instructor" in short:
-        return Role.INSTRUCTOR
+        return PlatformRole.INSTRUCTOR
     if "Learner" in short:
-        return Role.STUDENT
-    raise LaunchRefusedError(Refused.ROLE)
+        return PlatformRole.STUDENT
+    raise LaunchRefusedError(LaunchRefusal.ROLE)
 
 
 def person_of(claims: Mapping[str, Any]) -> Person:
@@ -153,59 +153,59 @@ def person_of(claims: Mapping[str, Any]) -> Person:
 def _signed(token: str, platform: Platform, keys: KeySets) -> dict[str, Any]:
     """Return what is said in a token, after its signature was verified."""
     if not token or len(token) > _LONGEST_TOKEN:
-        raise LaunchRefusedError(Refused.FORM)
+        raise LaunchRefusedError(LaunchRefusal.FORM)
     try:
         header = jws.extract_compact(token.encode()).headers()
     except (JoseError, ValueError) as fault:
-        raise LaunchRefusedError(Refused.FORM) from fault
+        raise LaunchRefusedError(LaunchRefusal.FORM) from fault
     # Before any key is looked for: a public key is no secret to compute a signature with.
     if header.get("alg") != ALGORITHM:
-        raise LaunchRefusedError(Refused.ALGORITHM)
+        raise LaunchRefusedError(LaunchRefusal.ALGORITHM)
     key_id = header.get("kid")
     if not isinstance(key_id, str):
-        raise LaunchRefusedError(Refused.KEY)
+        raise LaunchRefusedError(LaunchRefusal.KEY)
     key = keys.key(platform.jwks_url, key_id)
     try:
         return jwt.decode(token, key, algorithms=[ALGORITHM]).claims
     except BadSignatureError as fault:
-        raise LaunchRefusedError(Refused.SIGNATURE) from fault
+        raise LaunchRefusedError(LaunchRefusal.SIGNATURE) from fault
     except (JoseError, ValueError, RecursionError) as fault:
-        raise LaunchRefusedError(Refused.FORM) from fault
+        raise LaunchRefusedError(LaunchRefusal.FORM) from fault
 
 
 def _check_envelope(claims: Mapping[str, Any], platform: Platform, nonce: str, now: float) -> None:
     if claims.get("iss") != platform.issuer:
-        raise LaunchRefusedError(Refused.ISSUER)
+        raise LaunchRefusedError(LaunchRefusal.ISSUER)
     audience = claims.get("aud")
     audiences = audience if isinstance(audience, list) else [audience]
     party = claims.get("azp")
     if platform.client_id not in audiences or party not in {None, platform.client_id}:
-        raise LaunchRefusedError(Refused.AUDIENCE)
+        raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
     if len(audiences) > 1 and party is None:
-        raise LaunchRefusedError(Refused.AUDIENCE)
+        raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
     issued, expires = _seconds(claims, "iat"), _seconds(claims, "exp")
     begins = _seconds(claims, "nbf") if "nbf" in claims else issued
     if expires + _SKEW_SECONDS <= now or issued + _OLDEST_SECONDS < now:
-        raise LaunchRefusedError(Refused.TIME)
+        raise LaunchRefusedError(LaunchRefusal.TIME)
     if max(issued, begins) > now + _SKEW_SECONDS:
-        raise LaunchRefusedError(Refused.TIME)
+        raise LaunchRefusedError(LaunchRefusal.TIME)
     if claims.get("nonce") != nonce:
-        raise LaunchRefusedError(Refused.NONCE)
+        raise LaunchRefusedError(LaunchRefusal.NONCE)
 
 
 def _check_message(claims: Mapping[str, Any], platform: Platform) -> None:
     if claims.get(f"{_CLAIM}deployment_id") not in platform.deployments:
-        raise LaunchRefusedError(Refused.DEPLOYMENT)
+        raise LaunchRefusedError(LaunchRefusal.DEPLOYMENT)
     if claims.get(f"{_CLAIM}version") != "1.3.0":
-        raise LaunchRefusedError(Refused.VERSION)
+        raise LaunchRefusedError(LaunchRefusal.VERSION)
     if claims.get(f"{_CLAIM}message_type") != "LtiResourceLinkRequest":
-        raise LaunchRefusedError(Refused.MESSAGE)
+        raise LaunchRefusedError(LaunchRefusal.MESSAGE)
 
 
 def _context(claims: Mapping[str, Any], platform: Platform) -> str:
     context = _text(_table(claims, f"{_CLAIM}context"), "id", required=True)
     if context not in platform.contexts:
-        raise LaunchRefusedError(Refused.CONTEXT, context=context)
+        raise LaunchRefusedError(LaunchRefusal.CONTEXT, context=context)
     return context
 
 
@@ -232,7 +232,7 @@ def _service(table: Mapping[str, Any], name: str) -> str:
 def _seconds(claims: Mapping[str, Any], name: str) -> float:
     value = claims.get(name)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise LaunchRefusedError(Refused.TIME)
+        raise LaunchRefusedError(LaunchRefusal.TIME)
     return float(value)
 
 
@@ -241,7 +241,7 @@ def _table(claims: Mapping[str, Any], name: str) -> Mapping[str, Any]:
     if value is None:
         return {}
     if not isinstance(value, dict):
-        raise LaunchRefusedError(Refused.CLAIMS)
+        raise LaunchRefusedError(LaunchRefusal.CLAIMS)
     return value
 
 
@@ -250,5 +250,5 @@ def _text(table: Mapping[str, Any], name: str, *, required: bool = False) -> str
     if not isinstance(value, str):
         value = ""
     if (required and not value) or len(value) > _LONGEST_TEXT:
-        raise LaunchRefusedError(Refused.CLAIMS)
+        raise LaunchRefusedError(LaunchRefusal.CLAIMS)
     return value

@@ -64,7 +64,7 @@ class Stranger:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class PlatformPlace:
     """Where the assignment stands in a platform's course, and what is offered there.
 
     Attributes:

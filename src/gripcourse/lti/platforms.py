@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem, UsageError
-from gripcourse.lti.known_by import KnownBy
+from gripcourse.lti.user_rule import UserRule
 from gripcourse.machine.files import make_private_folder, write_text
 from gripcourse.text.words import Message, message
 
@@ -40,7 +40,7 @@ class Platform:
     jwks_url: str
     deployments: tuple[str, ...]
     contexts: tuple[str, ...]
-    known_by: tuple[KnownBy, ...]
+    known_by: tuple[UserRule, ...]
     frames: tuple[str, ...]
     token_audience: str
 
@@ -192,14 +192,14 @@ def _some(table: Table, name: str) -> tuple[str, ...]:
     return found
 
 
-def _rules(table: Table) -> tuple[KnownBy, ...]:
+def _rules(table: Table) -> tuple[UserRule, ...]:
     written = table.strings("known_by")
-    known = {one.value for one in KnownBy}
+    known = {one.value for one in UserRule}
     for one in written:
         if one not in known:
             what = message("'{rule}' is no rule.", rule=one)
             table.add("known_by", what, message("Write some of: {all}.", all=", ".join(known)))
-    return tuple(KnownBy(one) for one in written if one in known)
+    return tuple(UserRule(one) for one in written if one in known)
 
 
 def _refuse_doubles(table: Table, found: Mapping[str, Platform]) -> None:

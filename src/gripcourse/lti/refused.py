@@ -5,7 +5,7 @@ from enum import StrEnum
 from gripcourse.text.words import Message
 
 
-class Refused(StrEnum):
+class LaunchRefusal(StrEnum):
     """Why a launch opens nothing; each is a word in the log and on the page."""
 
     PLATFORM = "platform"  # nobody declared it
@@ -39,7 +39,7 @@ class LaunchRefusedError(Exception):
         context: the platform's course, where this is what is refused.
     """
 
-    def __init__(self, refused: Refused, platform: str = "", context: str = "") -> None:
+    def __init__(self, refused: LaunchRefusal, platform: str = "", context: str = "") -> None:
         super().__init__(f"{refused} {platform}".strip())
         self.refused = refused
         self.platform = platform

@@ -18,12 +18,12 @@ from gripcourse.lti.launch import (
     MEMBERS_SCOPE,
     SCORE_SCOPE,
     Person,
-    Role,
+    PlatformRole,
     role_of,
 )
 from gripcourse.lti.platforms import Platform
 from gripcourse.lti.refused import LaunchRefusedError, PlatformFailedError
-from gripcourse.lti.web_client import Answered, Asked, ask
+from gripcourse.lti.web_client import PlatformAnswer, PlatformQuestion, ask
 from gripcourse.text.words import message
 
 _ASSERTION: Final = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
@@ -95,7 +95,7 @@ def open_access(
             "client_assertion": jwt.encode(header, {**claims, "jti": secrets.token_urlsafe()}, key),
             "scope": scope,
         }
-        asked = Asked(platform.token_url, "POST", {"Accept": "application/json"}, fields)
+        asked = PlatformQuestion(platform.token_url, "POST", {"Accept": "application/json"}, fields)
         match ask(client, asked).content:
             case {"access_token": str(token)} if token.isascii() and token.isprintable():
                 tokens[scope] = token
@@ -170,7 +170,7 @@ def _student(member: object) -> Person | None:
             if more.get("status", "Active") != "Active":
                 return None
             try:
-                if role_of(roles) is not Role.STUDENT:
+                if role_of(roles) is not PlatformRole.STUDENT:
                     return None
             except LaunchRefusedError:
                 return None
@@ -180,19 +180,19 @@ def _student(member: object) -> Person | None:
     return None
 
 
-def _pages(access: Access, scope: str, address: str, kind: str) -> Iterable[Answered]:
+def _pages(access: Access, scope: str, address: str, kind: str) -> Iterable[PlatformAnswer]:
     for _ in range(_MOST_PAGES):
-        page = ask(access.client, Asked(address, "GET", _headers(access, scope, kind)))
+        page = ask(access.client, PlatformQuestion(address, "GET", _headers(access, scope, kind)))
         yield page
         address = page.next_page
         if not address:
             return
 
 
-def _post(access: Access, scope: str, address: str, kind: str, sent: object) -> Answered:
+def _post(access: Access, scope: str, address: str, kind: str, sent: object) -> PlatformAnswer:
     headers = {**_headers(access, scope, kind), "Content-Type": kind}
     body = json.dumps(sent, ensure_ascii=False, allow_nan=False).encode()
-    return ask(access.client, Asked(address, "POST", headers, body=body))
+    return ask(access.client, PlatformQuestion(address, "POST", headers, body=body))
 
 
 def _headers(access: Access, scope: str, kind: str) -> dict[str, str]:

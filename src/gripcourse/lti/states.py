@@ -15,7 +15,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Final
 
 from gripcourse.lti.platforms import Platform
-from gripcourse.lti.refused import LaunchRefusedError, Refused
+from gripcourse.lti.refused import LaunchRefusal, LaunchRefusedError
 
 MINUTES: Final = 10
 """How long somebody may take between opening the assignment and being let in: a login fits in."""
@@ -72,11 +72,11 @@ def check_state(signer: Signer, state: str, browser: str, now: datetime) -> str:
     found = _TEXT.fullmatch(state)
     said = state.rpartition("~")[0]
     if found is None or not hmac.compare_digest(found["mac"], _mac(signer, _PURPOSE, said)):
-        raise LaunchRefusedError(Refused.STATE)
+        raise LaunchRefusedError(LaunchRefusal.STATE)
     if now >= datetime.fromtimestamp(int(found["expires"]), UTC):
-        raise LaunchRefusedError(Refused.LATE)
+        raise LaunchRefusedError(LaunchRefusal.LATE)
     if not browser or not hmac.compare_digest(found["browser"], _short_digest(browser)):
-        raise LaunchRefusedError(Refused.BROWSER)
+        raise LaunchRefusedError(LaunchRefusal.BROWSER)
     return found["platform"]
 
 

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -11,7 +11,7 @@ from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError
 from gripcourse.lti import schema
-from gripcourse.lti.model import Bond, Place, SentScore, Stranger, UserKey
+from gripcourse.lti.model import Bond, PlatformPlace, SentScore, Stranger, UserKey
 from gripcourse.machine.database.opening import refusals_named, without_password, writing
 
 if TYPE_CHECKING:
@@ -54,8 +54,10 @@ class LtiStore:
         return {key: one for key, one in last.items() if one.student}
 
     def add_stranger(self, stranger: Stranger) -> None:
-        """Keep that somebody could not be told to be a student."""
-        self._add(schema.strangers, stranger)
+        """Keep that somebody could not be told to be a student; the same again is not kept."""
+        known = {one.key: one for one in self._rows(schema.strangers, Stranger)}.get(stranger.key)
+        if known is None or replace(known, at=stranger.at) != stranger:
+            self._add(schema.strangers, stranger)
 
     def strangers(self) -> tuple[Stranger, ...]:
         """Return those who came and are still nobody of the roster: of each the last time."""
@@ -63,15 +65,17 @@ class LtiStore:
         known = self.bonds()
         return tuple(one for key, one in last.items() if key not in known)
 
-    def note_place(self, place: Place) -> None:
+    def note_place(self, place: PlatformPlace) -> None:
         """Keep where the assignment stands; nothing where that is known already."""
         known = [one for one in self.places() if _where(one) == _where(place)]
-        if not known or {**asdict(known[0]), "at": place.at} != asdict(place):
+        if not known or replace(known[0], at=place.at) != place:
             self._add(schema.places, place)
 
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[PlatformPlace, ...]:
         """Return all places, of each what was said last."""
-        return tuple({_where(one): one for one in self._rows(schema.places, Place)}.values())
+        return tuple(
+            {_where(one): one for one in self._rows(schema.places, PlatformPlace)}.values()
+        )
 
     def add_sent(self, sent: SentScore) -> None:
         """Keep that a platform took a score."""
@@ -97,7 +101,7 @@ class LtiStore:
             return tuple(make(**_plain(row)) for row in connection.execute(question).mappings())
 
 
-def _where(place: Place) -> tuple[str, str, str, str]:
+def _where(place: PlatformPlace) -> tuple[str, str, str, str]:
     return (place.issuer, place.client, place.context, place.link)
 
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import Any, Final
 
-from gripcourse.lti.known_by import KnownBy
 from gripcourse.lti.launch import LINE_ITEM_SCOPE, MEMBERS_SCOPE, SCORE_SCOPE
 from gripcourse.lti.platforms import Platform, origin_of
+from gripcourse.lti.user_rule import UserRule
 
 _CANVAS: Final = "https://canvas.instructure.com"
 _CANVAS_SIGN_IN: Final = "https://sso.canvaslms.com"
@@ -29,7 +29,7 @@ class Admission:
     client_id: str
     deployments: tuple[str, ...]
     contexts: tuple[str, ...]
-    known_by: tuple[KnownBy, ...]
+    known_by: tuple[UserRule, ...]
 
 
 def moodle(address: str) -> Endpoints:

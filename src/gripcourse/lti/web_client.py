@@ -19,7 +19,7 @@ _DONE: Final = range(200, 300)
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class PlatformQuestion:
     """What is asked of a platform.
 
     Attributes:
@@ -38,7 +38,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True)
-class Answered:
+class PlatformAnswer:
     """What a platform answered: plain data, and where the next page of it is."""
 
     content: Any
@@ -53,7 +53,7 @@ def make_client() -> httpx2.Client:
     )
 
 
-def ask(client: httpx2.Client, asked: Asked) -> Answered:
+def ask(client: httpx2.Client, asked: PlatformQuestion) -> PlatformAnswer:
     """Ask a platform.
 
     Raises:
@@ -77,7 +77,7 @@ def ask(client: httpx2.Client, asked: Asked) -> Answered:
         raise PlatformFailedError(said) from fault
     if status not in _DONE:
         raise PlatformFailedError(message("The platform answered {status}.", status=str(status)))
-    return Answered(_plain(body), following)
+    return PlatformAnswer(_plain(body), following)
 
 
 def _bounded(response: httpx2.Response) -> bytes:

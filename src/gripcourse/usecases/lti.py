@@ -7,12 +7,12 @@ from enum import StrEnum
 from pathlib import Path
 
 from gripcourse.errors import Problem, UsageError
-from gripcourse.lti.known_by import KnownBy
 from gripcourse.lti.launch import Launch, Person
-from gripcourse.lti.model import Bond, Place, Stranger, UserKey
+from gripcourse.lti.model import Bond, PlatformPlace, Stranger, UserKey
 from gripcourse.lti.platforms import Platform, add_platform, load_platforms
 from gripcourse.lti.store import LtiStore
 from gripcourse.lti.tool_key import make_tool_key, tool_key_path
+from gripcourse.lti.user_rule import UserRule
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.variants.model import Issued
@@ -81,7 +81,7 @@ def student_of(context: DeskContext, launch: Launch, now: datetime) -> Issued | 
 def note_place(context: DeskContext, launch: Launch, now: datetime) -> None:
     """Keep where in the platform the assignment stands: grades go there."""
     services = launch.services
-    place = Place(
+    place = PlatformPlace(
         launch.platform.issuer,
         launch.platform.client_id,
         launch.context,
@@ -157,8 +157,8 @@ def _found(register: Mapping[str, Issued], launch: Launch) -> str | NotTold:
     return NotTold.AMBIGUOUS if len(everybody) > 1 else everybody.pop()
 
 
-def _fits(rule: KnownBy, issued: Issued, person: Person) -> bool:
-    if rule is KnownBy.SOURCEDID:
+def _fits(rule: UserRule, issued: Issued, person: Person) -> bool:
+    if rule is UserRule.SOURCEDID:
         return person.sourcedid != "" and person.sourcedid == issued.student.id
     email = person.email.strip().casefold()
     return email != "" and email == issued.student.email.strip().casefold()

@@ -11,7 +11,7 @@ from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import ReportResult
 from gripcourse.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
-from gripcourse.lti.model import Bond, Place, SentScore
+from gripcourse.lti.model import Bond, PlatformPlace, SentScore
 from gripcourse.lti.platforms import Platform
 from gripcourse.lti.refused import PlatformFailedError
 from gripcourse.lti.services import Access, Score, line_item_of, open_access, send_score
@@ -26,7 +26,7 @@ from gripcourse.variants.model import Issued
 _DECIMALS = 4  # more of them are noise of the last bits, and would count as a change
 
 
-class Fate(StrEnum):
+class ScoreFate(StrEnum):
     """What became of a student's result."""
 
     SENT = "sent"
@@ -41,12 +41,12 @@ class Sending:
     """What became of a student's result, and why where it failed."""
 
     student: str
-    fate: Fate
+    fate: ScoreFate
     why: Message | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class ScoreOrder:
     """What an instructor wants to be sent.
 
     Attributes:
@@ -61,7 +61,7 @@ class Wanted:
 
 
 def send_grades(
-    context: DeskContext, client: httpx2.Client, wanted: Wanted, now: datetime
+    context: DeskContext, client: httpx2.Client, wanted: ScoreOrder, now: datetime
 ) -> Iterator[Sending]:
     """Send what is published and is not there yet, student by student.
 
@@ -85,18 +85,18 @@ def send_grades(
         published = published_to(context, student)
         score = None if published is None else score_of(published.report, issued, context.course)
         if score is None:
-            yield Sending(student, Fate.NO_RESULT)
+            yield Sending(student, ScoreFate.NO_RESULT)
             continue
         match bonds.get(student, []):
             case []:
-                yield Sending(student, Fate.NOT_SEEN)
+                yield Sending(student, ScoreFate.NOT_SEEN)
             case [bond] if _is_there(last.get((address, bond.user)), score):
-                yield Sending(student, Fate.UNCHANGED)
+                yield Sending(student, ScoreFate.UNCHANGED)
             case [bond]:
                 yield _sent(store, access, bond, _Sent(address, score, wanted.by, now))
             case _:
                 said = message("Several users of the platform are this student.")
-                yield Sending(student, Fate.FAILED, said)
+                yield Sending(student, ScoreFate.FAILED, said)
 
 
 def score_of(report: ReportResult, issued: Issued, course: Course) -> Score | None:
@@ -141,7 +141,7 @@ def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
     try:
         send_score(access, one.line_item, bond.user, score, one.now)
     except PlatformFailedError as fault:
-        return Sending(bond.student, Fate.FAILED, fault.said)
+        return Sending(bond.student, ScoreFate.FAILED, fault.said)
     kept = SentScore(
         issuer=bond.issuer,
         client=bond.client,
@@ -156,7 +156,7 @@ def _sent(store: LtiStore, access: Access, bond: Bond, one: _Sent) -> Sending:
         at=one.now,
     )
     store.add_sent(kept)
-    return Sending(bond.student, Fate.SENT)
+    return Sending(bond.student, ScoreFate.SENT)
 
 
 def _bonds(store: LtiStore, platform: Platform) -> dict[str, list[Bond]]:
@@ -172,7 +172,7 @@ def _is_there(last: SentScore | None, score: Score) -> bool:
     return last is not None and score == Score(last.points, last.maximum, last.comment, last.final)
 
 
-def _column(store: LtiStore, wanted: Wanted) -> Place:
+def _column(store: LtiStore, wanted: ScoreOrder) -> PlatformPlace:
     """Return the place whose column takes the results; its line item is empty where none is made.
 
     Only places in courses of the platform that are declared now count: who has another course there
@@ -200,7 +200,7 @@ def _column(store: LtiStore, wanted: Wanted) -> Place:
     return known[-1]
 
 
-def _made(access: Access, place: Place, context: DeskContext) -> str:
+def _made(access: Access, place: PlatformPlace, context: DeskContext) -> str:
     """Return our column in a course whose columns we may make."""
     course = context.course
     label = course.title.of(course.language)

@@ -20,9 +20,9 @@ from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from gripcourse.lti.key_sets import KeySets
-from gripcourse.lti.launch import Launch, Role, read_launch
+from gripcourse.lti.launch import Launch, PlatformRole, read_launch
 from gripcourse.lti.platforms import Platform, load_platforms
-from gripcourse.lti.refused import LaunchRefusedError, Refused
+from gripcourse.lti.refused import LaunchRefusal, LaunchRefusedError
 from gripcourse.lti.states import MINUTES, Signer, check_state, is_of, new_state, nonce_of
 from gripcourse.lti.tool_key import public_keys
 from gripcourse.lti.web_client import make_client
@@ -55,20 +55,22 @@ _UNTRUSTED: Final = message(
     "What came is not from your learning platform as it is known here, so nothing was opened."
     " Tell your instructor."
 )
-_SAID: Final[Mapping[Refused, Message]] = {
-    Refused.PLATFORM: message("This learning platform is not known here. Tell your instructor."),
-    Refused.STATE: _OLD,
-    Refused.LATE: _OLD,
-    Refused.USED: _OLD,
-    Refused.TIME: _OLD,
-    Refused.BROWSER: message(
+_SAID: Final[Mapping[LaunchRefusal, Message]] = {
+    LaunchRefusal.PLATFORM: message(
+        "This learning platform is not known here. Tell your instructor."
+    ),
+    LaunchRefusal.STATE: _OLD,
+    LaunchRefusal.LATE: _OLD,
+    LaunchRefusal.USED: _OLD,
+    LaunchRefusal.TIME: _OLD,
+    LaunchRefusal.BROWSER: message(
         "This did not begin in this browser, or it keeps no cookies. Open the assignment in your"
         " learning platform again, in a window of its own."
     ),
-    Refused.KEYS: message(
+    LaunchRefusal.KEYS: message(
         "Your learning platform cannot be asked now whether this is from it. Try again later."
     ),
-    Refused.ROLE: message(
+    LaunchRefusal.ROLE: message(
         "Your learning platform does not say that you are a student or an instructor of its course."
     ),
 }
@@ -178,7 +180,7 @@ def _begin(door: Door, request: Request, fields: Mapping[str, str]) -> Response:
         one for one in door.platforms() if one.issuer == issuer and client in {"", one.client_id}
     ]
     if len(found) != 1 or not hint:
-        return _refusal(door, request, LaunchRefusedError(Refused.PLATFORM))
+        return _refusal(door, request, LaunchRefusedError(LaunchRefusal.PLATFORM))
     platform = found[0]
     if request.headers.get("sec-fetch-dest", "") in _IN_A_PAGE:
         return _own_window(door, request, platform, fields)
@@ -242,7 +244,7 @@ def _enter(door: Door, request: Request, fields: Mapping[str, str]) -> Response:
         return _refusal(door, request, fault)
     site, root = door.site, str(request.scope.get("root_path", ""))
     context, now = site.context, site.clock()
-    if launch.role is Role.INSTRUCTOR:
+    if launch.role is PlatformRole.INSTRUCTOR:
         note_place(context, launch, now)
         token = offer_sign_in(context, _name_of(launch), now)
         return RedirectResponse(f"{root}/desk/sign-in/{token}", HTTPStatus.SEE_OTHER)
@@ -267,11 +269,11 @@ def _launch(door: Door, browser: str, fields: Mapping[str, str]) -> Launch:
     digest = check_state(door.signer, state, browser, now)
     platform = next((one for one in door.platforms() if is_of(one, digest)), None)
     if platform is None:
-        raise LaunchRefusedError(Refused.PLATFORM)
+        raise LaunchRefusedError(LaunchRefusal.PLATFORM)
     nonce = nonce_of(door.signer, state)
     launch = read_launch(fields.get("id_token", ""), platform, door.keys, nonce, now)
     if not store_of(door.site.context).use_state(state, now):
-        raise LaunchRefusedError(Refused.USED, platform.name)
+        raise LaunchRefusedError(LaunchRefusal.USED, platform.name)
     return launch
 
 
@@ -285,10 +287,10 @@ def _refusal(door: Door, request: Request, fault: LaunchRefusedError) -> Respons
     # Nothing that came stands in the log: it may be somebody's key.
     _log.warning("launch refused: %s", fault)
     said = _SAID.get(fault.refused, _UNTRUSTED)
-    if fault.refused is Refused.CONTEXT:
+    if fault.refused is LaunchRefusal.CONTEXT:
         said = replace(_OTHER_COURSE, values={"context": fault.context})
     site, status = door.site, HTTPStatus.FORBIDDEN
-    if fault.refused is Refused.KEYS:
+    if fault.refused is LaunchRefusal.KEYS:
         status = HTTPStatus.SERVICE_UNAVAILABLE
     said = message("{what} ({code})", what=said, code=fault.refused.value)
     return notice(site, request, visitor_words(site, request), said, status)

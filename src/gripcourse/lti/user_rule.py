@@ -3,7 +3,7 @@
 from enum import StrEnum
 
 
-class KnownBy(StrEnum):
+class UserRule(StrEnum):
     """What a platform says of a person that the roster has too."""
 
     SOURCEDID = "sourcedid"  # the office's number of the person is the student's id
