@@ -74,13 +74,17 @@ class LtiCourse:
 
     def app(self, **changes: object) -> ASGIApp:
         """Return a server."""
-        site = Site(
+        site = self.site(**changes)
+        return make_app(site, lti_routes(site, TOOL))
+
+    def site(self, **changes: object) -> Site:
+        """Return what its pages are made from."""
+        return Site(
             context=self.context,
             checkers=make_checkers(self.context, 1, None),
             clock=self.clock,
             **changes,  # type: ignore[arg-type]
         )
-        return make_app(site, lti_routes(site, TOOL))
 
     def begin(self, client: TestClient, hint: str, **more: str) -> dict[str, str]:
         """Open the assignment in the platform; return what the tool asks it."""

@@ -7,6 +7,7 @@ import logging
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import timedelta
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -18,6 +19,7 @@ from gripcourse.lti.states import MINUTES
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.links import revoke_links
 from gripcourse.usecases.lti import bind, store_of
+from gripcourse.web.serve import Serving, platform_routes
 from support.lti_course import BEGAN, LtiCourse, open_lti_course
 from support.platform import (
     CLAIM,
@@ -473,6 +475,21 @@ def test_a_platform_that_does_not_answer_lets_nobody_in(school: LtiCourse) -> No
 
 
 # ---- what is declared
+
+
+def test_a_server_has_the_way_in_where_a_platform_is_declared(
+    school: LtiCourse, tmp_path: Path
+) -> None:
+    serving = Serving("127.0.0.1", 0, "https://course.example.org", None, None, 0)
+    site = school.site()
+    assert [one.path for one in platform_routes(site, serving)] == [
+        "/lti/login",
+        "/lti/launch",
+        "/lti/keys.json",
+    ]
+    elsewhere = replace(school.context.course, root=tmp_path)
+    other = replace(site, context=replace(school.context, course=elsewhere))
+    assert platform_routes(other, serving) == []
 
 
 def test_a_platform_is_declared_while_the_server_runs(school: LtiCourse) -> None:
