@@ -29,7 +29,7 @@ LEVELS = (
     ("submission",),
     # What was issued and what is judged meet only in the values of `variants.model`.
     ("issuing", "grading"),
-    ("gradebook", "desk"),
+    ("gradebook", "desk", "lti"),
     ("likeness",),
     ("batch",),
     ("simulation",),

@@ -33,6 +33,12 @@ REQUIRED: dict[str, tuple[str, ...]] = {
     "tolerance audit": ("--count", "0"),
     "atlas": ("none",),
     "init": ("new",),
+    "lti register": (
+        *("moodle", "--client-id", "1", "--deployment", "1"),
+        *("--moodle", "https://moodle.example"),
+    ),
+    "lti bind": ("user-1", "s1"),
+    "lti roster": ("--out", "roster"),
 }
 # A student's file that cannot be used is no wrong use: it is refused in the student's report.
 MAY_REFUSE_A_FILE = {"grade", "check", "regrade"}

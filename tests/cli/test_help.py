@@ -37,6 +37,9 @@ TYPED = frozenset(
             "raised",
             "lowered",
             "unchanged",
+            "sourcedid",
+            "email",
+            "id",
         ),
     )
 )

@@ -21,6 +21,7 @@ from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import export as cli_export
 from gripcourse.cli import grading_text, simulation
 from gripcourse.cli import key as cli_key
+from gripcourse.cli import lti as cli_lti
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import regrade as cli_regrade
 from gripcourse.cli import reissue as cli_reissue
@@ -84,6 +85,7 @@ app.add_typer(cli_variants.app, name="variants")
 app.add_typer(cli_export.app, name="export")
 app.add_typer(simulation.tolerance_app, name="tolerance")
 app.add_typer(cli_key.app, name="key")
+app.add_typer(cli_lti.app, name="lti")
 
 
 @app.command(cls=SpokenCommand)

@@ -3,7 +3,7 @@
 import logging
 import secrets
 import traceback
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from http import HTTPStatus
 from typing import Final
@@ -36,8 +36,13 @@ _NO_REQUEST: Final = message("The browser sent something that cannot be used her
 _GONE: Final = 499  # nobody hears it: who asked has closed the connection
 
 
-def make_app(site: Site) -> ASGIApp:
-    """Make the application of a server."""
+def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
+    """Make the application of a server.
+
+    Args:
+        site: what its pages are made from.
+        further: routes beside those that every server has.
+    """
 
     async def welcome(request: Request) -> Response:
         words = visitor_words(site, request)
@@ -87,6 +92,7 @@ def make_app(site: Site) -> ASGIApp:
         Route("/style.css", style, methods=["GET"]),
         *student_routes(site),
         *instructor_routes(site),
+        *further,
     ]
     handlers = {
         HTTPException: refused,

@@ -1,5 +1,6 @@
 """What stands before every page: how much may be sent, and what a browser is told to refuse."""
 
+from collections.abc import Iterable
 from typing import Final
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -8,20 +9,30 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 LARGEST_BODY: Final = 20_000_000
 """Bytes of one request: a workbook with pictures has a few million."""
 
+_POLICY: Final = "Content-Security-Policy"
+_FRAMES: Final = "X-Frame-Options"
 _HEADERS: Final = {
-    "Content-Security-Policy": (
-        "default-src 'none'; style-src 'self'; img-src 'self' data:; form-action 'self';"
-        " base-uri 'none'; frame-ancestors 'none'"
-    ),
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
     # A link is a key: no other site may learn it, and no cache may keep what it opens.
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
-    "X-Frame-Options": "DENY",
 }
 _HTTPS_ONLY: Final = "max-age=31536000"
+
+
+def content_policy(frames: Iterable[str] = ()) -> str:
+    """Say what a browser may do with a page.
+
+    Args:
+        frames: origins whose pages may show it; none for every page on which something can be done.
+    """
+    ancestors = " ".join(frames) or "'none'"
+    return (
+        "default-src 'none'; style-src 'self'; img-src 'self' data:; form-action 'self';"
+        f" base-uri 'none'; frame-ancestors {ancestors}"
+    )
 
 
 class TooMuchError(Exception):
@@ -55,6 +66,9 @@ class Guard:
                 headers = MutableHeaders(scope=sent)
                 for name, value in _HEADERS.items():
                     headers[name] = value
+                if _POLICY not in headers:
+                    headers[_POLICY] = content_policy()
+                    headers[_FRAMES] = "DENY"
                 headers.setdefault("Cache-Control", "no-store")
                 if self.secure:
                     headers["Strict-Transport-Security"] = _HTTPS_ONLY

@@ -6,6 +6,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from starlette.routing import Route
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.lti.platforms import platforms_path
+from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
@@ -57,13 +62,36 @@ def look_into(serving: Serving) -> None:
                 pass
 
 
+def platform_routes(site: Site, serving: Serving) -> list[Route]:
+    """Return the way in from learning platforms; nothing where none is declared.
+
+    Raises:
+        GripcourseError: what is declared cannot be used, or its library is not installed.
+    """
+    declared = platforms_path(site.context.course.root)
+    if not declared.is_file():
+        return []
+    try:
+        from gripcourse.web.lti import lti_routes  # noqa: PLC0415 (only who declares one pays)
+    except ModuleNotFoundError as missing:
+        what = message("Learning platforms need the package {name}.", name=str(missing.name))
+        remedy = message("Install gripcourse with its extra 'lti'.")
+        raise UsageError([Problem(str(declared), "", what, remedy)]) from missing
+    return lti_routes(site, serving.address)
+
+
 def serve(context: DeskContext, serving: Serving) -> None:
-    """Serve until the process is told to stop."""
+    """Serve until the process is told to stop.
+
+    Raises:
+        GripcourseError: a learning platform is declared that cannot be used.
+    """
     import uvicorn  # noqa: PLC0415 (only who serves pays for it)
 
+    site = make_site(context, serving)
     # No log of addresses: a personal link in a log is a key in a log.
     uvicorn.run(
-        make_app(make_site(context, serving)),
+        make_app(site, platform_routes(site, serving)),
         host=serving.host,
         port=serving.port,
         access_log=False,

@@ -21,10 +21,11 @@ from gripcourse.desk import schema as desk
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
+from gripcourse.lti import schema as lti
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
 from gripcourse.machine.database.opening import open_engine
 
-PARTS = (gradebook, register, desk)
+PARTS = (gradebook, register, desk, lti)
 TABLES = [table for part in PARTS for table in part.metadata.sorted_tables]
 FIRST_VERSION = Path(__file__).with_name("first_version.sql").read_text(encoding="utf-8")
 

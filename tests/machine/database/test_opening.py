@@ -62,7 +62,7 @@ class TestMaking:
         with create_engine(f"sqlite:///{place}").begin() as connection:
             connection.exec_driver_sql("CREATE TABLE attempt (id INTEGER)")
         names = set(inspect(open_engine(str(place))).get_table_names()) - {"attempt"}
-        ours = ("gradebook_", "register_", "desk_", "gripcourse_")
+        ours = ("gradebook_", "register_", "desk_", "lti_", "gripcourse_")
         assert all(one.startswith(ours) for one in names)
 
 
