@@ -9,7 +9,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from gripcourse.documents.pdf import template_environment
-from gripcourse.text.words import LANGUAGES, Message, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.web.site import Site
 
 _TIME: Final = "d MMM y, HH:mm:ss z"
@@ -75,14 +75,13 @@ def notice(
 
 def visitor_words(site: Site, request: Request) -> Words:
     """Return the language of somebody unknown: the browser's first that we speak."""
+    return Words(asked_language(request) or site.context.course.language)
+
+
+def asked_language(request: Request) -> str | None:
+    """Return the first language of a request that we speak; None where it names none."""
     for wish in request.headers.get("accept-language", "").split(","):
         language = wish.strip()[:2].lower()
         if language in LANGUAGES:
-            return Words(language)
-    return Words(site.context.course.language)
-
-
-NOT_FOUND: Final = message("There is nothing at this address.")
-TOO_LARGE: Final = message("The file is too large; a workbook may have at most 20 MB.")
-TOO_OFTEN: Final = message("That was too often. Wait ten minutes and try again.")
-NO_FILE: Final = message("No file came with it. Choose your workbook first.")
+            return language
+    return None
