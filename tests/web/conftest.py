@@ -8,12 +8,17 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
+from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.desk.store import open_desk
+from gripcourse.exports.grades import grades_csv
+from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
+from gripcourse.usecases.hand_in import collect_hand_ins
 from gripcourse.usecases.handout import Handout, IssuingContext, sheet_path, workbook_path
 from gripcourse.usecases.issue import issue_order
 from gripcourse.usecases.links import token_of
@@ -67,6 +72,21 @@ class Server:
         return self.classroom.hand_in(
             student, forget_one_jaw, folder / f"filled_{student}.xlsx"
         ).read_bytes()
+
+    def grade(self, folder: Path) -> None:
+        """Grade what the first student handed in, with a report that nobody reads."""
+        files = collect_hand_ins(self.context, folder / "work")
+        context = GradingContext(self.context.course, self.context.policy, self.context.register())
+        reports = [
+            grade_file(NamedBytes(one.name, one.read_bytes()), context)
+            for one in files
+            if one.stem == "s01"
+        ]
+        (self.graded / REPORTS).mkdir(parents=True, exist_ok=True)
+        (self.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
+        (self.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
+        grades_csv(reports, self.graded / GRADES_CSV)
+        assert reports
 
 
 def quick_handout(context: IssuingContext, entry: Issued) -> Handout:

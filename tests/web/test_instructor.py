@@ -1,6 +1,5 @@
 """The instructor's desk: signing in once, the group, publishing; nothing without a session."""
 
-import json
 import re
 from datetime import timedelta
 from typing import TYPE_CHECKING
@@ -8,12 +7,6 @@ from typing import TYPE_CHECKING
 import pytest
 from starlette.testclient import TestClient
 
-from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.exports.grades import grades_csv
-from gripcourse.machine.content import NamedBytes
-from gripcourse.text.words import Words
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
-from gripcourse.usecases.hand_in import collect_hand_ins
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
 
 if TYPE_CHECKING:
@@ -106,7 +99,7 @@ def test_results_are_seen_from_publication_to_withdrawal(
     home, student = server.home("s01"), server.client()
     student.post(f"{home}hand-in", files={"file": ("work.xlsx", filled)})
     assert "report.pdf" not in student.get(home).text
-    grade(server, tmp_path)
+    server.grade(tmp_path)
     key = form_key(signed_in)
     signed_in.post("/desk/publish", data={"form_key": key, "why": "<b>term</b> over"})
     assert "&lt;b&gt;term&lt;/b&gt; over" in signed_in.get("/desk/").text
@@ -126,21 +119,3 @@ def test_results_are_seen_from_publication_to_withdrawal(
         (True, "Dr. Ноль", "<b>term</b> over"),
         (False, "Dr. Ноль", "a mistake"),
     ]
-
-
-def grade(server: "Server", folder: "Path") -> None:
-    """Grade what was handed in, as the command line does, with a report that nobody reads."""
-    files = collect_hand_ins(server.context, folder / "work")
-    context = GradingContext(
-        server.context.course, server.context.policy, server.context.register()
-    )
-    reports = [
-        grade_file(NamedBytes(one.name, one.read_bytes()), context)
-        for one in files
-        if one.stem == "s01"
-    ]
-    (server.graded / REPORTS).mkdir(parents=True, exist_ok=True)
-    (server.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
-    (server.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
-    grades_csv(reports, server.graded / GRADES_CSV)
-    assert json.loads((server.graded / GRADES_JSON).read_text(encoding="utf-8"))["reports"]

@@ -16,7 +16,7 @@ from gripcourse.usecases.publish import publish, published_to, withdraw
 from gripcourse.variants.model import Issued
 from gripcourse.web.checking import CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
-from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, Refusal, refusal_of_problem
+from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, WebRefusal, refusal_of_problem
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import count
 
@@ -24,7 +24,9 @@ LONGEST_SENTENCE: Final = 1000
 LONGEST_REASON: Final = 300
 
 
-def check(site: Site, student: str, file: NamedBytes | None, words: Words) -> CheckResult | Refusal:
+def check(
+    site: Site, student: str, file: NamedBytes | None, words: Words
+) -> CheckResult | WebRefusal:
     """Say how a workbook is read, and by policy whether its numbers fit; it is logged.
 
     Raises:
@@ -36,7 +38,7 @@ def check(site: Site, student: str, file: NamedBytes | None, words: Words) -> Ch
     result = site.checkers.do(CheckJob(file, student, site.ledger, words.language))
     if isinstance(result, Lost):
         said = message("This file could not be read within the limits of the server.")
-        return Refusal(Code.BEYOND_LIMITS, said)
+        return WebRefusal(Code.BEYOND_LIMITS, said)
     assert isinstance(result, CheckResult)  # noqa: S101 (what the workers return)
     digest, told = hashlib.sha256(file.data).hexdigest(), bool(result.sections)
     site.context.desk.log_check(student, digest, told=told, left=result.left, now=site.clock())
@@ -48,7 +50,7 @@ def checks_left(site: Site, student: str) -> int:
     return left_of(CheckLedger(site.ledger, student), site.context.policy.check.times)
 
 
-def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | Refusal:
+def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | WebRefusal:
     """Keep a file that a student hands in; the receipt is there when it is safe.
 
     Raises:
@@ -69,7 +71,7 @@ def kept_file(site: Site, student: str, number: int) -> HandIn | None:
     return next(found, None)
 
 
-def ask_again(site: Site, student: str, item: str, said: str) -> RegradeRequest | Refusal:
+def ask_again(site: Site, student: str, item: str, said: str) -> RegradeRequest | WebRefusal:
     """Keep that a student asks for an item of the published results to be looked at again.
 
     Raises:
@@ -82,12 +84,12 @@ def ask_again(site: Site, student: str, item: str, said: str) -> RegradeRequest 
     sentence = shown(" ".join(said.split()))
     if not sentence or len(sentence) > LONGEST_SENTENCE:
         said_back = message("Say in a sentence what should be looked at again.")
-        return Refusal(Code.NO_SENTENCE, said_back)
+        return WebRefusal(Code.NO_SENTENCE, said_back)
     count(site, REQUESTS, student)
     return site.context.desk.add_request(student, item, sentence, site.clock())
 
 
-def let_see(site: Site, by: str, why: str) -> Publication | Refusal:
+def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:
     """Let students see what was graded."""
     if site.graded is None:
         return NOT_FOUND
@@ -99,7 +101,7 @@ def let_see(site: Site, by: str, why: str) -> Publication | Refusal:
         return refusal_of_problem(error, Code.CONFLICT)
 
 
-def take_back(site: Site, by: str, why: str) -> Publication | Refusal:
+def take_back(site: Site, by: str, why: str) -> Publication | WebRefusal:
     """Let students see nothing any more."""
     try:
         return withdraw(site.context, by, _reason(why), site.clock())

@@ -19,7 +19,7 @@ from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.pages import notice, visitor_words
 from gripcourse.web.refusals import (
-    Refusal,
+    WebRefusal,
     refusal_of_incident,
     refusal_of_request,
     refusal_of_system,
@@ -44,7 +44,7 @@ def make_app(site: Site) -> ASGIApp:
         headers = {"Cache-Control": "max-age=300"}
         return FileResponse(sheet, media_type="text/css", headers=headers)
 
-    def said(request: Request, why: Refusal) -> Response:
+    def said(request: Request, why: WebRefusal) -> Response:
         return notice(site, request, visitor_words(site, request), why.said, why.status)
 
     async def refused(request: Request, fault: Exception) -> Response:

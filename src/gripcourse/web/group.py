@@ -39,7 +39,7 @@ class GroupMember:
         return 0.0 if self.attempt is None else sum(one.points for one in self.attempt.results)
 
 
-class State(StrEnum):
+class GroupState(StrEnum):
     """What is looked for in a group."""
 
     ANY = ""
@@ -61,17 +61,17 @@ class Wish:
 
     find: str = ""
     group: str = ""
-    state: State = State.ANY
+    state: GroupState = GroupState.ANY
 
     def meets(self, row: GroupMember) -> bool:
         """Tell whether a student is one of them."""
         person = row.issued.student
         states = {
-            State.ANY: True,
-            State.MISSING: row.hand_in is None,
-            State.HANDED_IN: row.hand_in is not None,
-            State.LATE: row.late,
-            State.ASKS: row.requests > 0,
+            GroupState.ANY: True,
+            GroupState.MISSING: row.hand_in is None,
+            GroupState.HANDED_IN: row.hand_in is not None,
+            GroupState.LATE: row.late,
+            GroupState.ASKS: row.requests > 0,
         }
         return (
             self.find.casefold() in f"{person.id} {person.name}".casefold()

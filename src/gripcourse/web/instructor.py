@@ -18,10 +18,10 @@ from gripcourse.usecases.hand_in import kept_path, receipt_of
 from gripcourse.usecases.publish import current, published_grades, published_to
 from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
-from gripcourse.web.group import GroupMember, State, Wish, row_of, rows_of
+from gripcourse.web.group import GroupMember, GroupState, Wish, row_of, rows_of
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import SIGN_INS
-from gripcourse.web.refusals import NOT_FOUND, SIGN_IN, Refusal
+from gripcourse.web.refusals import NOT_FOUND, SIGN_IN, WebRefusal
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
@@ -58,7 +58,7 @@ class Seat:
         """The path of the desk."""
         return f"{self.request.scope.get('root_path', '')}/desk/"
 
-    def refuse(self, why: Refusal) -> Response:
+    def refuse(self, why: WebRefusal) -> Response:
         """Say why something is not done, with a way back."""
         return notice(self.site, self.request, self.words, why.said, why.status, self.home)
 
@@ -143,7 +143,7 @@ def group(seat: Seat) -> Response:
     wish = Wish(
         asked.get("find", ""),
         asked.get("group", ""),
-        State(state) if state in list(State) else State.ANY,
+        GroupState(state) if state in list(GroupState) else GroupState.ANY,
     )
     everybody = rows_of(seat.site.context)
     values: dict[str, object] = {
@@ -226,7 +226,7 @@ def signing_out(seat: Seat) -> Response:
 
 
 def _done(seat: Seat, made: object) -> Response:
-    if isinstance(made, Refusal):
+    if isinstance(made, WebRefusal):
         return seat.refuse(made)
     return RedirectResponse(seat.home, HTTPStatus.SEE_OTHER)
 

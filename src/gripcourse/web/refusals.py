@@ -66,7 +66,7 @@ STATUS: Final[Mapping[Code, HTTPStatus]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Refusal:
+class WebRefusal:
     """Why something is not done.
 
     Attributes:
@@ -90,23 +90,25 @@ LINK_SAID: Final[Mapping[Refused, Message]] = {
     Refused.EXPIRED: message("This link has expired. Ask your instructor for a new one."),
     Refused.REVOKED: message("This link was replaced. Use the newest one that you were sent."),
 }
-NOT_FOUND: Final = Refusal(Code.NOT_FOUND, message("There is nothing at this address."))
-TOO_LARGE: Final = Refusal(
+NOT_FOUND: Final = WebRefusal(Code.NOT_FOUND, message("There is nothing at this address."))
+TOO_LARGE: Final = WebRefusal(
     Code.TOO_LARGE, message("The file is too large; a workbook may have at most 20 MB.")
 )
-TOO_OFTEN: Final = Refusal(
+TOO_OFTEN: Final = WebRefusal(
     Code.TOO_OFTEN, message("That was too often. Wait ten minutes and try again.")
 )
-NO_FILE: Final = Refusal(Code.NO_FILE, message("No file came with it. Choose your workbook first."))
-NOT_ALLOWED: Final = Refusal(
+NO_FILE: Final = WebRefusal(
+    Code.NO_FILE, message("No file came with it. Choose your workbook first.")
+)
+NOT_ALLOWED: Final = WebRefusal(
     Code.NOT_ALLOWED, message("What is at this address is not asked for in this way.")
 )
-NO_REQUEST: Final = Refusal(
+NO_REQUEST: Final = WebRefusal(
     Code.BAD_REQUEST, message("The browser sent something that cannot be used here.")
 )
-NOT_PUBLISHED: Final = Refusal(Code.NOT_PUBLISHED, message("No results are published yet."))
+NOT_PUBLISHED: Final = WebRefusal(Code.NOT_PUBLISHED, message("No results are published yet."))
 
-SIGN_IN: Final = Refusal(
+SIGN_IN: Final = WebRefusal(
     Code.NOT_SIGNED_IN,
     message(
         "Sign in by a link from the command line of the server: gripcourse sign-in."
@@ -114,34 +116,34 @@ SIGN_IN: Final = Refusal(
     ),
 )
 
-_BY_STATUS: Final[Mapping[int, Refusal]] = {
+_BY_STATUS: Final[Mapping[int, WebRefusal]] = {
     one.status: one for one in (NOT_FOUND, NOT_ALLOWED, TOO_LARGE, TOO_OFTEN)
 }
 
 
-def refusal_of_request(fault: Exception) -> Refusal:
+def refusal_of_request(fault: Exception) -> WebRefusal:
     """Say what is wrong with a request that the framework or `Guard` refused."""
     status = fault.status_code if isinstance(fault, HTTPException) else TOO_LARGE.status
     return _BY_STATUS.get(status, NO_REQUEST)
 
 
-def refusal_of_problem(error: GripcourseError, code: Code) -> Refusal:
+def refusal_of_problem(error: GripcourseError, code: Code) -> WebRefusal:
     """Say the first problem of an error with its remedy."""
     problem = error.problems[0]
     said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
-    return Refusal(code, said)
+    return WebRefusal(code, said)
 
 
-def refusal_of_system(fault: Exception) -> Refusal:
+def refusal_of_system(fault: Exception) -> WebRefusal:
     """Say, here and in the log, that the machine or the database could not."""
     assert isinstance(fault, OSError | GripcourseError)  # noqa: S101 (what it is registered for)
     problem = system_problem(fault) if isinstance(fault, OSError) else fault.problems[0]
     _log.error("%s", problem.what)
     said = message("{what} Nothing was recorded. Try again later.", what=problem.what)
-    return Refusal(Code.TROUBLE, said)
+    return WebRefusal(Code.TROUBLE, said)
 
 
-def refusal_of_incident(fault: Exception) -> Refusal:
+def refusal_of_incident(fault: Exception) -> WebRefusal:
     """Log our mistake under a number that can be told."""
     incident = secrets.token_hex(4)
     _log.error("incident %s\n%s", incident, "".join(traceback.format_exception(fault)))
@@ -149,4 +151,4 @@ def refusal_of_incident(fault: Exception) -> Refusal:
         "This is our mistake, not yours. Tell your instructor the number {number}.",
         number=incident,
     )
-    return Refusal(Code.OUR_MISTAKE, said)
+    return WebRefusal(Code.OUR_MISTAKE, said)

@@ -27,7 +27,7 @@ from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
-from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Refusal
+from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, WebRefusal
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
@@ -72,7 +72,7 @@ class Visit:
         root = str(self.request.scope.get("root_path", ""))
         return f"{root}/s/{self.request.path_params['token']}/"
 
-    def refuse(self, why: Refusal) -> Response:
+    def refuse(self, why: WebRefusal) -> Response:
         """Say why something is not done, with a way back."""
         return notice(self.site, self.request, self.words, why.said, why.status, self.home)
 
@@ -175,8 +175,8 @@ def check(visit: Visit) -> Response:
     """Say how a workbook is read, and by policy whether its numbers fit."""
     words, file = visit.words, visit.sent.file
     result = acts.check(visit.site, visit.student, file, words)
-    if isinstance(result, Refusal) or file is None:
-        return visit.refuse(result if isinstance(result, Refusal) else NO_FILE)
+    if isinstance(result, WebRefusal) or file is None:
+        return visit.refuse(result if isinstance(result, WebRefusal) else NO_FILE)
     values: dict[str, object] = {
         "home": visit.home,
         "file": file.name,
@@ -217,7 +217,7 @@ def _counts(result: CheckResult) -> dict[str, int]:
 def handed_in(visit: Visit) -> Response:
     """Keep a file; the receipt is shown when it is safe."""
     made = acts.keep_file(visit.site, visit.issued, visit.sent.file)
-    if isinstance(made, Refusal):
+    if isinstance(made, WebRefusal):
         return visit.refuse(made)
     number = made.hand_in.number
     return RedirectResponse(f"{visit.home}receipt/{number}", HTTPStatus.SEE_OTHER)
@@ -259,7 +259,7 @@ def regrade_request(visit: Visit) -> Response:
     texts = visit.sent.texts
     item, sentence = texts.get("item", ""), texts.get("sentence", "")
     made = acts.ask_again(visit.site, visit.student, item, sentence)
-    if isinstance(made, Refusal):
+    if isinstance(made, WebRefusal):
         return visit.refuse(made)
     return RedirectResponse(f"{visit.home}#requests", HTTPStatus.SEE_OTHER)
 

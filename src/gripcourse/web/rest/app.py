@@ -23,13 +23,13 @@ from gripcourse.web.refusals import (
     LINK_SAID,
     SIGN_IN,
     Code,
-    Refusal,
+    WebRefusal,
     refusal_of_incident,
     refusal_of_request,
     refusal_of_system,
 )
 from gripcourse.web.rest.bodies import read_body, usable
-from gripcourse.web.rest.declare import DeskCall, Operation, Role, SentFile, StudentCall
+from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, StudentCall, TokenRole
 from gripcourse.web.rest.desk import DESK_OPERATIONS
 from gripcourse.web.rest.openapi import description
 from gripcourse.web.rest.problems import NotUsable, problem
@@ -39,7 +39,7 @@ from gripcourse.web.uploads import address_of, count
 
 REST: Final = "/api/v1"
 OPERATIONS: Final = (*STUDENT_OPERATIONS, *DESK_OPERATIONS)
-_NO_TOKEN: Final = Refusal(
+_NO_TOKEN: Final = WebRefusal(
     Code.NO_TOKEN, message("Send the token that you were given: Authorization: Bearer …")
 )
 _CODES: Final = {
@@ -85,12 +85,12 @@ def rest_app(site: Site) -> Starlette:
 
 
 def _endpoint(
-    site: Site, by_method: Mapping[str, Operation]
+    site: Site, by_method: Mapping[str, ApiOperation]
 ) -> Callable[[Request], Awaitable[Response]]:
     async def endpoint(request: Request) -> Response:
         operation = by_method["GET" if request.method == "HEAD" else request.method]
         call = await _call(site, operation, request)
-        if isinstance(call, Refusal | NotUsable):
+        if isinstance(call, WebRefusal | NotUsable):
             return problem(call, visitor_words(site, request))
         made = await run_in_threadpool(operation.answer, call)
         return _response(operation, made, call.words)
@@ -99,36 +99,36 @@ def _endpoint(
 
 
 async def _call(
-    site: Site, operation: Operation, request: Request
-) -> StudentCall | DeskCall | Refusal | NotUsable:
+    site: Site, operation: ApiOperation, request: Request
+) -> StudentCall | DeskCall | WebRefusal | NotUsable:
     """Find out who asks, and only then read what was sent."""
     scheme, _, token = request.headers.get("authorization", "").partition(" ")
     if scheme.lower() != "bearer" or not token.strip():
         return _NO_TOKEN
-    if operation.role is Role.STUDENT:
+    if operation.role is TokenRole.STUDENT:
         return await _student_call(site, operation, request, token.strip())
     return await _desk_call(site, operation, request, token.strip())
 
 
 async def _student_call(
-    site: Site, operation: Operation, request: Request, token: str
-) -> StudentCall | Refusal | NotUsable:
+    site: Site, operation: ApiOperation, request: Request, token: str
+) -> StudentCall | WebRefusal | NotUsable:
     issued = await run_in_threadpool(open_link, site.context, token, site.clock())
     if isinstance(issued, Refused):
         count(site, REFUSED_LINKS, address_of(request))
-        return Refusal(_CODES[issued], LINK_SAID[issued])
+        return WebRefusal(_CODES[issued], LINK_SAID[issued])
     language = asked_language(request) or issued.student.language or site.context.course.language
     body = await read_body(operation, request)
-    if isinstance(body, Refusal | NotUsable):
+    if isinstance(body, WebRefusal | NotUsable):
         return body
     return StudentCall(site, request, Words(language), issued, body)
 
 
 async def _desk_call(
-    site: Site, operation: Operation, request: Request, token: str
-) -> DeskCall | Refusal | NotUsable:
+    site: Site, operation: ApiOperation, request: Request, token: str
+) -> DeskCall | WebRefusal | NotUsable:
     name = ""
-    if operation.role is Role.INSTRUCTOR:
+    if operation.role is TokenRole.INSTRUCTOR:
         desk = site.context.desk
         known = await run_in_threadpool(desk.session_name, token, site.clock())
         if known is None:
@@ -139,13 +139,13 @@ async def _desk_call(
         query = usable(operation.searches, dict(request.query_params))
     body = await read_body(operation, request)
     for sent in (query, body):
-        if isinstance(sent, Refusal | NotUsable):
+        if isinstance(sent, WebRefusal | NotUsable):
             return sent
     return DeskCall(site, request, visitor_words(site, request), token, name, query, body)
 
 
-def _response(operation: Operation, made: object, words: Words) -> Response:
-    if isinstance(made, Refusal):
+def _response(operation: ApiOperation, made: object, words: Words) -> Response:
+    if isinstance(made, WebRefusal):
         return problem(made, words)
     # What is described is what is sent: a declaration that lies is our mistake.
     if not isinstance(made, operation.gives):

@@ -11,17 +11,17 @@ from gripcourse.exports.plain import from_plain
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import message
 from gripcourse.web.guard import declares_too_much
-from gripcourse.web.refusals import TOO_LARGE, Code, Refusal
-from gripcourse.web.rest.declare import Operation
+from gripcourse.web.refusals import TOO_LARGE, Code, WebRefusal
+from gripcourse.web.rest.declare import ApiOperation
 from gripcourse.web.rest.problems import NotUsable
 from gripcourse.web.uploads import read_form
 
 _MOST: Final = 20_000
 """Bytes of a body in JSON: a sentence has a hundred."""
-_NO_JSON: Final = Refusal(Code.BAD_REQUEST, message("The body is no JSON object."))
+_NO_JSON: Final = WebRefusal(Code.BAD_REQUEST, message("The body is no JSON object."))
 
 
-async def read_body(operation: Operation, request: Request) -> Any | Refusal | NotUsable:  # noqa: ANN401 (of the type that the operation takes)
+async def read_body(operation: ApiOperation, request: Request) -> Any | WebRefusal | NotUsable:  # noqa: ANN401 (of the type that the operation takes)
     """Return the body of the type that an operation takes; None where it takes none.
 
     Raises:

@@ -20,7 +20,7 @@ PLACES: Final = re.compile(r"\{(\w+)(?::(int))?\}")
 """Of a path: a name, and `int` for a whole number."""
 
 
-class Role(StrEnum):
+class TokenRole(StrEnum):
     """Whose token is wanted; the name of the scheme in the description."""
 
     STUDENT = "personal_link"
@@ -84,7 +84,7 @@ class SentFile:
 
 
 @dataclass(frozen=True, slots=True)
-class Operation:
+class ApiOperation:
     """A call.
 
     Attributes:
@@ -101,7 +101,7 @@ class Operation:
 
     method: str
     path: str
-    role: Role
+    role: TokenRole
     answer: Callable[[Any], object]
     gives: type[Any]
     takes: type[Any] | None = None
@@ -127,10 +127,10 @@ class Operation:
 
 
 _OF_ROLE: Final = {
-    Role.STUDENT: (
+    TokenRole.STUDENT: (
         *(Code.NO_TOKEN, Code.LINK_FORGED, Code.LINK_EXPIRED, Code.LINK_REVOKED),
         Code.TOO_OFTEN,
     ),
-    Role.SIGN_IN: (Code.NO_TOKEN, Code.NOT_SIGNED_IN, Code.TOO_OFTEN),
-    Role.INSTRUCTOR: (Code.NO_TOKEN, Code.NOT_SIGNED_IN),
+    TokenRole.SIGN_IN: (Code.NO_TOKEN, Code.NOT_SIGNED_IN, Code.TOO_OFTEN),
+    TokenRole.INSTRUCTOR: (Code.NO_TOKEN, Code.NOT_SIGNED_IN),
 }

@@ -12,20 +12,19 @@ from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, Wish, row_of, rows_of
 from gripcourse.web.rates import SIGN_INS
-from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, SIGN_IN, Code, Refusal
-from gripcourse.web.rest.declare import DeskCall, Operation, Role, SentFile
-from gripcourse.web.rest.results import (
+from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, SIGN_IN, Code, WebRefusal
+from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, TokenRole
+from gripcourse.web.rest.desk_results import (
     AttemptResult,
     GroupResult,
     LoggedCheckResult,
     MarkResult,
     MemberResult,
     PublicationResult,
-    PublishedResult,
-    RequestsResult,
     SessionResult,
     StudentRecordResult,
 )
+from gripcourse.web.rest.results import PublishedResult, RequestsResult
 from gripcourse.web.rest.student import (
     BINARY,
     PDF,
@@ -33,11 +32,11 @@ from gripcourse.web.rest.student import (
     receipt_result,
     request_result,
 )
-from gripcourse.web.rest.wishes import Reason
+from gripcourse.web.rest.wishes import PublishingReason
 from gripcourse.web.uploads import address_of, count
 
 
-def begin_session(call: DeskCall) -> SessionResult | Refusal:
+def begin_session(call: DeskCall) -> SessionResult | WebRefusal:
     """Sign in by a token of `gripcourse sign-in`; each is good once."""
     site = call.site
     count(site, SIGN_INS, address_of(call.request))
@@ -67,7 +66,7 @@ def group(call: DeskCall) -> GroupResult:
     )
 
 
-def student(call: DeskCall) -> StudentRecordResult | Refusal:
+def student(call: DeskCall) -> StudentRecordResult | WebRefusal:
     """What a student did, and what was found."""
     row = row_of(call.site.context, _student(call))
     if row is None:
@@ -104,7 +103,7 @@ def student(call: DeskCall) -> StudentRecordResult | Refusal:
     )
 
 
-def student_results(call: DeskCall) -> PublishedResult | Refusal:
+def student_results(call: DeskCall) -> PublishedResult | WebRefusal:
     """What a student sees of the results."""
     issued = call.site.context.register().get(_student(call))
     if issued is None:
@@ -112,7 +111,7 @@ def student_results(call: DeskCall) -> PublishedResult | Refusal:
     return published_result(call.site.context, issued, call.words) or NOT_PUBLISHED
 
 
-def student_report(call: DeskCall) -> SentFile | Refusal:
+def student_report(call: DeskCall) -> SentFile | WebRefusal:
     """The report that a student sees."""
     if _student(call) not in call.site.context.register():
         return NOT_FOUND
@@ -122,7 +121,7 @@ def student_report(call: DeskCall) -> SentFile | Refusal:
     return SentFile(published.pdf, published.pdf.name)
 
 
-def student_file(call: DeskCall) -> SentFile | Refusal:
+def student_file(call: DeskCall) -> SentFile | WebRefusal:
     """A file that a student handed in."""
     kept = acts.kept_file(call.site, _student(call), int(call.request.path_params["number"]))
     if kept is None:
@@ -135,24 +134,24 @@ def requests(call: DeskCall) -> RequestsResult:
     return RequestsResult(tuple(request_result(one) for one in call.site.context.desk.requests()))
 
 
-def grades(call: DeskCall) -> SentFile | Refusal:
+def grades(call: DeskCall) -> SentFile | WebRefusal:
     """The table of grades that is published."""
     path = published_grades(call.site.context)
     return NOT_PUBLISHED if path is None else SentFile(path, path.name)
 
 
-def publish(call: DeskCall) -> PublicationResult | Refusal:
+def publish(call: DeskCall) -> PublicationResult | WebRefusal:
     """Let students see what was graded last; it is kept with your name."""
-    reason: Reason = call.body
+    reason: PublishingReason = call.body
     made = acts.let_see(call.site, call.name, reason.why)
-    return made if isinstance(made, Refusal) else _publication(made)
+    return made if isinstance(made, WebRefusal) else _publication(made)
 
 
-def withdraw(call: DeskCall) -> PublicationResult | Refusal:
+def withdraw(call: DeskCall) -> PublicationResult | WebRefusal:
     """Let students see no results any more; what was published is kept."""
-    reason: Reason = call.body
+    reason: PublishingReason = call.body
     made = acts.take_back(call.site, call.name, reason.why)
-    return made if isinstance(made, Refusal) else _publication(made)
+    return made if isinstance(made, WebRefusal) else _publication(made)
 
 
 def _student(call: DeskCall) -> str:
@@ -179,46 +178,46 @@ def _member(row: GroupMember) -> MemberResult:
     )
 
 
-_DESK: Final = Role.INSTRUCTOR
+_DESK: Final = TokenRole.INSTRUCTOR
 _ONE: Final = "/desk/students/{student}"
 _UNPUBLISHED: Final = (Code.NOT_PUBLISHED,)
 DESK_OPERATIONS: Final = (
-    Operation(
-        *("POST", "/desk/session", Role.SIGN_IN, begin_session, SessionResult),
+    ApiOperation(
+        *("POST", "/desk/session", TokenRole.SIGN_IN, begin_session, SessionResult),
         status=HTTPStatus.CREATED,
     ),
-    Operation(
+    ApiOperation(
         *("DELETE", "/desk/session", _DESK, end_session, NoneType), status=HTTPStatus.NO_CONTENT
     ),
-    Operation("GET", "/desk/group", _DESK, group, GroupResult, searches=Wish),
-    Operation("GET", _ONE, _DESK, student, StudentRecordResult),
-    Operation(
+    ApiOperation("GET", "/desk/group", _DESK, group, GroupResult, searches=Wish),
+    ApiOperation("GET", _ONE, _DESK, student, StudentRecordResult),
+    ApiOperation(
         *("GET", f"{_ONE}/results", _DESK, student_results, PublishedResult), refuses=_UNPUBLISHED
     ),
-    Operation(
+    ApiOperation(
         *("GET", f"{_ONE}/report.pdf", _DESK, student_report, SentFile),
         refuses=_UNPUBLISHED,
         media=PDF,
     ),
-    Operation(
+    ApiOperation(
         *("GET", f"{_ONE}/hand-ins/{{number:int}}/file", _DESK, student_file, SentFile),
         media=BINARY,
     ),
-    Operation("GET", "/desk/requests", _DESK, requests, RequestsResult),
-    Operation(
+    ApiOperation("GET", "/desk/requests", _DESK, requests, RequestsResult),
+    ApiOperation(
         *("GET", "/desk/grades.csv", _DESK, grades, SentFile),
         refuses=_UNPUBLISHED,
         media="text/csv",
     ),
-    Operation(
+    ApiOperation(
         *("POST", "/desk/publish", _DESK, publish, PublicationResult),
-        takes=Reason,
+        takes=PublishingReason,
         refuses=(Code.NOT_FOUND, Code.CONFLICT),
         status=HTTPStatus.CREATED,
     ),
-    Operation(
+    ApiOperation(
         *("POST", "/desk/withdraw", _DESK, withdraw, PublicationResult),
-        takes=Reason,
+        takes=PublishingReason,
         refuses=(Code.CONFLICT,),
         status=HTTPStatus.CREATED,
     ),

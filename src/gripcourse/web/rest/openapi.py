@@ -12,7 +12,7 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import LANGUAGES
 from gripcourse.web.acts import LONGEST_SENTENCE
 from gripcourse.web.refusals import STATUS, Code
-from gripcourse.web.rest.declare import PLACES, Operation, Role, SentFile
+from gripcourse.web.rest.declare import PLACES, ApiOperation, SentFile, TokenRole
 from gripcourse.web.rest.problems import MEDIA, RefusalResult
 from gripcourse.web.rest.wishes import RegradeWish
 
@@ -29,15 +29,15 @@ _FILE: Final = {
     "required": ["file"],
 }
 _TOKENS: Final = {
-    Role.STUDENT: "The part of a personal link behind `/s/`; who has it is that student.",
-    Role.SIGN_IN: "The part of a link of `gripcourse sign-in` behind `/desk/sign-in/`.",
-    Role.INSTRUCTOR: "What signing in gave back.",
+    TokenRole.STUDENT: "The part of a personal link behind `/s/`; who has it is that student.",
+    TokenRole.SIGN_IN: "The part of a link of `gripcourse sign-in` behind `/desk/sign-in/`.",
+    TokenRole.INSTRUCTOR: "What signing in gave back.",
 }
 _LANGUAGE: Final = {
     "name": "Accept-Language",
     "in": "header",
-    "description": "Language of sentences: the first of these that is named.",
-    "schema": {"enum": list(LANGUAGES)},
+    "description": f"Language of sentences, the first that is named of: {', '.join(LANGUAGES)}.",
+    "schema": {"type": "string"},
 }
 _LIMITS: Final = {
     (RegradeWish, "sentence"): {"pattern": r"\S", "maxLength": LONGEST_SENTENCE},
@@ -45,7 +45,7 @@ _LIMITS: Final = {
 """What a body must be besides its types; `acts` refuses the same."""
 
 
-def description(operations: Sequence[Operation], base: str) -> dict[str, Any]:
+def description(operations: Sequence[ApiOperation], base: str) -> dict[str, Any]:
     """Return the document.
 
     Args:
@@ -77,11 +77,11 @@ def description(operations: Sequence[Operation], base: str) -> dict[str, Any]:
     }
 
 
-def _operation(one: Operation, schemas: dict[str, Any]) -> dict[str, Any]:
+def _operation(one: ApiOperation, schemas: dict[str, Any]) -> dict[str, Any]:
     made: dict[str, Any] = {
         "operationId": one.answer.__name__,
         "summary": (inspect.getdoc(one.answer) or "").partition("\n")[0],
-        "tags": ["student" if one.role is Role.STUDENT else "desk"],
+        "tags": ["student" if one.role is TokenRole.STUDENT else "desk"],
         "security": [{one.role.value: []}],
         "parameters": [*_in_path(one.path), *_in_query(one.searches), _LANGUAGE],
         "responses": {
@@ -99,7 +99,7 @@ def _operation(one: Operation, schemas: dict[str, Any]) -> dict[str, Any]:
     return made
 
 
-def _gives(one: Operation, schemas: dict[str, Any]) -> dict[str, Any]:
+def _gives(one: ApiOperation, schemas: dict[str, Any]) -> dict[str, Any]:
     said = {"description": one.status.phrase}
     if one.gives is NoneType:
         return said

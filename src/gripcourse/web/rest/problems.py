@@ -9,10 +9,10 @@ from starlette.responses import JSONResponse
 from gripcourse.errors import Problem
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
-from gripcourse.web.refusals import Code, Refusal
+from gripcourse.web.refusals import Code, WebRefusal
 
 MEDIA: Final = "application/problem+json"
-_NOT_USABLE: Final = Refusal(
+_NOT_USABLE: Final = WebRefusal(
     Code.NOT_USABLE, message("What was sent is not as the description of this call says.")
 )
 
@@ -56,7 +56,7 @@ class NotUsable:
     problems: tuple[Problem, ...]
 
 
-def problem(why: Refusal | NotUsable, words: Words) -> JSONResponse:
+def problem(why: WebRefusal | NotUsable, words: Words) -> JSONResponse:
     """Answer with a refusal."""
     if isinstance(why, NotUsable):
         places = tuple(PlaceResult(str(one.key), words.say(one.what)) for one in why.problems)

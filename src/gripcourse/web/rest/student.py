@@ -19,8 +19,8 @@ from gripcourse.usecases.handout import sheet_path, workbook_path
 from gripcourse.usecases.publish import published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
-from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, Code, Refusal
-from gripcourse.web.rest.declare import Operation, Role, SentFile, StudentCall
+from gripcourse.web.refusals import NOT_FOUND, NOT_PUBLISHED, Code, WebRefusal
+from gripcourse.web.rest.declare import ApiOperation, SentFile, StudentCall, TokenRole
 from gripcourse.web.rest.results import (
     GivenResult,
     ItemPointsResult,
@@ -61,18 +61,18 @@ def status(call: StudentCall) -> StatusResult:
     )
 
 
-def check(call: StudentCall) -> CheckResult | Refusal:
+def check(call: StudentCall) -> CheckResult | WebRefusal:
     """Check a workbook: how each answer is read, never whether it is right."""
     return acts.check(call.site, call.student, call.body, call.words)
 
 
-def hand_in(call: StudentCall) -> ReceiptResult | Refusal:
+def hand_in(call: StudentCall) -> ReceiptResult | WebRefusal:
     """Hand a file in. The last one counts; the same bytes right after are the same hand-in."""
     made = acts.keep_file(call.site, call.issued, call.body)
-    return made if isinstance(made, Refusal) else receipt_result(made)
+    return made if isinstance(made, WebRefusal) else receipt_result(made)
 
 
-def receipt(call: StudentCall) -> ReceiptResult | Refusal:
+def receipt(call: StudentCall) -> ReceiptResult | WebRefusal:
     """The receipt of a file, the same whenever it is asked for."""
     kept = acts.kept_file(call.site, call.student, int(call.request.path_params["number"]))
     if kept is None:
@@ -80,7 +80,7 @@ def receipt(call: StudentCall) -> ReceiptResult | Refusal:
     return receipt_result(receipt_of(call.site.context, call.issued, kept))
 
 
-def own_file(call: StudentCall) -> SentFile | Refusal:
+def own_file(call: StudentCall) -> SentFile | WebRefusal:
     """A file as it was handed in."""
     kept = acts.kept_file(call.site, call.student, int(call.request.path_params["number"]))
     if kept is None:
@@ -88,22 +88,22 @@ def own_file(call: StudentCall) -> SentFile | Refusal:
     return SentFile(kept_path(call.site.context, kept.digest), kept.name)
 
 
-def sheet(call: StudentCall) -> SentFile | Refusal:
+def sheet(call: StudentCall) -> SentFile | WebRefusal:
     """The assignment sheet."""
     return _issued(call, sheet_path)
 
 
-def workbook(call: StudentCall) -> SentFile | Refusal:
+def workbook(call: StudentCall) -> SentFile | WebRefusal:
     """The answer workbook as it was issued."""
     return _issued(call, workbook_path)
 
 
-def results(call: StudentCall) -> PublishedResult | Refusal:
+def results(call: StudentCall) -> PublishedResult | WebRefusal:
     """Your points, when they are published."""
     return published_result(call.site.context, call.issued, call.words) or NOT_PUBLISHED
 
 
-def report(call: StudentCall) -> SentFile | Refusal:
+def report(call: StudentCall) -> SentFile | WebRefusal:
     """The printed report, when results are published."""
     published = published_to(call.site.context, call.student)
     if published is None or published.pdf is None:
@@ -111,11 +111,11 @@ def report(call: StudentCall) -> SentFile | Refusal:
     return SentFile(published.pdf, published.pdf.name)
 
 
-def ask_again(call: StudentCall) -> RequestResult | Refusal:
+def ask_again(call: StudentCall) -> RequestResult | WebRefusal:
     """Ask for an answer of the published results to be looked at again."""
     wish: RegradeWish = call.body
     made = acts.ask_again(call.site, call.student, wish.item, wish.sentence)
-    return made if isinstance(made, Refusal) else request_result(made)
+    return made if isinstance(made, WebRefusal) else request_result(made)
 
 
 def receipt_result(made: Receipt) -> ReceiptResult:
@@ -165,41 +165,41 @@ def _given(quantity: Quantity, value: float, words: Words) -> GivenResult:
     )
 
 
-def _issued(call: StudentCall, place: Callable[[Path, str], Path]) -> SentFile | Refusal:
+def _issued(call: StudentCall, place: Callable[[Path, str], Path]) -> SentFile | WebRefusal:
     if call.site.assignments is None:
         return NOT_FOUND
     path = place(call.site.assignments, call.student)
     return SentFile(path, path.name) if path.is_file() else NOT_FOUND
 
 
-_STUDENT: Final = Role.STUDENT
+_STUDENT: Final = TokenRole.STUDENT
 STUDENT_OPERATIONS: Final = (
-    Operation("GET", "/status", _STUDENT, status, StatusResult),
-    Operation("GET", "/assignment.pdf", _STUDENT, sheet, SentFile, media=PDF),
-    Operation("GET", "/workbook.xlsx", _STUDENT, workbook, SentFile, media=BINARY),
-    Operation(
+    ApiOperation("GET", "/status", _STUDENT, status, StatusResult),
+    ApiOperation("GET", "/assignment.pdf", _STUDENT, sheet, SentFile, media=PDF),
+    ApiOperation("GET", "/workbook.xlsx", _STUDENT, workbook, SentFile, media=BINARY),
+    ApiOperation(
         *("POST", "/checks", _STUDENT, check, CheckResult),
         takes=NamedBytes,
         refuses=(Code.BEYOND_LIMITS,),
     ),
-    Operation(
+    ApiOperation(
         *("POST", "/hand-ins", _STUDENT, hand_in, ReceiptResult),
         takes=NamedBytes,
         refuses=(Code.FILE_NOT_KEPT,),
         status=HTTPStatus.CREATED,
     ),
-    Operation("GET", "/hand-ins/{number:int}", _STUDENT, receipt, ReceiptResult),
-    Operation("GET", "/hand-ins/{number:int}/file", _STUDENT, own_file, SentFile, media=BINARY),
-    Operation(
+    ApiOperation("GET", "/hand-ins/{number:int}", _STUDENT, receipt, ReceiptResult),
+    ApiOperation("GET", "/hand-ins/{number:int}/file", _STUDENT, own_file, SentFile, media=BINARY),
+    ApiOperation(
         *("GET", "/results", _STUDENT, results, PublishedResult),
         refuses=(Code.NOT_PUBLISHED,),
     ),
-    Operation(
+    ApiOperation(
         *("GET", "/results/report.pdf", _STUDENT, report, SentFile),
         refuses=(Code.NOT_PUBLISHED,),
         media=PDF,
     ),
-    Operation(
+    ApiOperation(
         *("POST", "/requests", _STUDENT, ask_again, RequestResult),
         takes=RegradeWish,
         refuses=(Code.NOT_FOUND, Code.NO_SENTENCE),

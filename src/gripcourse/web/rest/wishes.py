@@ -17,7 +17,7 @@ class RegradeWish:
 
 
 @dataclass(frozen=True, slots=True)
-class Reason:
+class PublishingReason:
     """Why something is done.
 
     Attributes:
