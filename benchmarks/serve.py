@@ -52,13 +52,18 @@ TRIES = 20
 
 @dataclass(slots=True)
 class Seen:
-    """What the students saw: seconds of each request by kind, failures, receipts by student."""
+    """What the students saw: seconds of requests by kind, failures, receipts; and how they ask."""
 
     seconds: dict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     failures: list[str] = field(default_factory=list)
     gave_up: int = 0
     receipts: list[tuple[str, int, str]] = field(default_factory=list)
     lock: threading.Lock = field(default_factory=threading.Lock)
+    client: httpx2.Client = field(
+        default_factory=lambda: httpx2.Client(
+            timeout=PATIENCE, limits=httpx2.Limits(max_connections=None)
+        )
+    )
 
 
 class Running:
@@ -88,7 +93,7 @@ class Running:
         began = time.monotonic()
         while time.monotonic() - began < PATIENCE:
             try:
-                httpx2.get(self.address, timeout=1)
+                httpx2.get(self.address, timeout=PATIENCE)
             except httpx2.HTTPError:
                 time.sleep(0.1)
             else:
@@ -103,7 +108,7 @@ class Running:
             for thread in task.iterdir()
             for one in (thread / "children").read_text(encoding="ascii").split()
         ]
-        workers = [one for one in children if b"spawn_main" in _command(one)] or children
+        workers = [one for one in children if b"spawn_main" in _command(one)]
         if workers:
             os.kill(max(workers), signal.SIGKILL)
         return len(workers)
@@ -227,7 +232,7 @@ def ask(seen: Seen, kind: str, method: str, url: str, **sent: object) -> httpx2.
     for _ in range(TRIES):
         began = time.monotonic()
         try:
-            answer = httpx2.request(method, url, timeout=PATIENCE, **sent)  # type: ignore[arg-type]
+            answer = seen.client.request(method, url, **sent)  # type: ignore[arg-type]
             fault = "" if answer.is_success else f"{kind}: status {answer.status_code}"
         except httpx2.HTTPError as error:
             fault = f"{kind}: {type(error).__name__}"

@@ -17,6 +17,7 @@ from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
+from gripcourse.web.marking import marking_routes
 from gripcourse.web.pages import notice, visitor_words
 from gripcourse.web.refusals import (
     WebRefusal,
@@ -24,6 +25,7 @@ from gripcourse.web.refusals import (
     refusal_of_request,
     refusal_of_system,
 )
+from gripcourse.web.regrading import regrading_routes
 from gripcourse.web.rest.app import REST, rest_app
 from gripcourse.web.site import Site
 from gripcourse.web.student import student_routes
@@ -71,6 +73,8 @@ def make_app(site: Site) -> ASGIApp:
         Route("/style.css", style, methods=["GET"]),
         *student_routes(site),
         *instructor_routes(site),
+        *marking_routes(site),
+        *regrading_routes(site),
         Mount(REST, rest_app(site)),
     ]
     handlers = {

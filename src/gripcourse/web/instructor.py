@@ -75,8 +75,7 @@ def instructor_routes(site: Site) -> list[Route]:
     """Return the routes of the desk; all but signing in want a session."""
 
     def route(path: str, answer: Answer, method: str = "GET") -> Route:
-        endpoint = _seated(site, answer)
-        return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
+        return desk_route(site, path, answer, method)
 
     async def offered(request: Request) -> Response:
         words = visitor_words(site, request)
@@ -114,6 +113,12 @@ def instructor_routes(site: Site) -> list[Route]:
         route("withdraw", withdrawing, "POST"),
         route("sign-out", signing_out, "POST"),
     ]
+
+
+def desk_route(site: Site, path: str, answer: Answer, method: str = "GET") -> Route:
+    """Return a route of the desk: whoever asks is signed in, and every form of this session."""
+    endpoint = _seated(site, answer)
+    return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
 
 
 def _seated(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Response]]:

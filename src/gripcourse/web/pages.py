@@ -1,5 +1,6 @@
 """Pages: a template of the course's look, filled in the reader's language."""
 
+from collections.abc import Callable
 from datetime import datetime
 from http import HTTPStatus
 from typing import Final
@@ -39,8 +40,9 @@ def page(
         "root": str(request.scope.get("root_path", "")),
         "course": course.title.of(words.language),
     }
-    # Templates call only what their environment offers.
-    environment.globals["when"] = lambda moment: when(moment, words)
+    # Templates call only what their environment offers. Other threads fill the same one: whoever
+    # comes first or last offers the same function.
+    environment.globals["when"] = _WHEN[words.language]
     template = environment.get_template(f"web/{name}.html.j2")
     return HTMLResponse(template.render(everywhere | values), status)
 
@@ -85,3 +87,11 @@ def asked_language(request: Request) -> str | None:
         if language in LANGUAGES:
             return language
     return None
+
+
+def _when_in(language: str) -> Callable[[datetime], str]:
+    words = Words(language)
+    return lambda moment: when(moment, words)
+
+
+_WHEN: Final = {language: _when_in(language) for language in LANGUAGES}
