@@ -1,6 +1,5 @@
 """The instructor's desk: signing in once, the group, publishing; nothing without a session."""
 
-import re
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
@@ -8,28 +7,42 @@ import pytest
 from starlette.testclient import TestClient
 
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
+from gripcourse.web.checking import make_checkers
+from gripcourse.web.instructor import instructor_routes
+from gripcourse.web.marking import marking_routes
+from gripcourse.web.regrading import regrading_routes
+from gripcourse.web.site import Site
+from web.conftest import form_key
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from web.conftest import Server
 
-PAGES = ("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv")
-FORMS = ("publish", "withdraw", "sign-out")
+PAGES = (
+    *("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv"),
+    *("marking", "marking/s01/general_view_drawing", "regrading"),
+)
+FORMS = (
+    *("publish", "withdraw", "sign-out", "marking/s01/general_view_drawing"),
+    *("regrading", "regrading/apply", "regrading/undo"),
+)
 
 
-@pytest.fixture
-def signed_in(server: "Server") -> TestClient:
-    client = server.client()
-    token = offer_sign_in(server.context, "Dr. Ноль", server.clock.now)
-    assert client.post(f"/desk/sign-in/{token}").status_code == 200
-    return client
-
-
-def form_key(client: TestClient) -> str:
-    found = re.search(r'name="form_key" value="([0-9a-f]{64})"', client.get("/desk/").text)
-    assert found is not None
-    return found[1]
+def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
+    site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
+    routes = (*instructor_routes(site), *marking_routes(site), *regrading_routes(site))
+    paths = {
+        (method, route.path.removeprefix("/desk/"))
+        for route in routes
+        for method in (route.methods or set()) - {"HEAD"}
+        if "sign-in" not in route.path
+    }
+    tried = {("GET", one) for one in PAGES} | {("POST", one) for one in FORMS}
+    places = {"s01": "{student}", "general_view_drawing": "{item}", "file/1": "file/{number:int}"}
+    for value, place in places.items():
+        tried = {(method, path.replace(value, place)) for method, path in tried}
+    assert paths == tried
 
 
 @pytest.mark.parametrize("page", PAGES)

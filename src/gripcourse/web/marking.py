@@ -1,7 +1,7 @@
 """Marking at the desk: what waits for a person, one item after the other, by its rubric."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Final
@@ -17,6 +17,7 @@ from gripcourse.gradebook.waiting import Waiting
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import Words
 from gripcourse.usecases.hand_in import receipt_of
 from gripcourse.usecases.mark import enter_mark, what_waits
 from gripcourse.usecases.opening import grading_of
@@ -59,7 +60,16 @@ def marking_routes(site: Site) -> list[Route]:
 def waiting_items(seat: Seat) -> Response:
     """Show everything that waits for a person."""
     found = [_item(seat, one) for one in _waiting(seat)]
-    items = [(_address(seat, one.issued.student.id, one.quantity.id), one) for one in found if one]
+    items = [
+        {
+            "address": _address(seat, one.issued.student.id, one.quantity.id),
+            "student": one.issued.student,
+            "title": one.quantity.title.of(seat.words.language),
+            "again": one.again,
+        }
+        for one in found
+        if one is not None
+    ]
     return seat.page("marking", {"items": items})
 
 
@@ -97,7 +107,7 @@ def mark(seat: Seat) -> Response:
     return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
 
-def _shown(seat: Seat, typed: Mapping[str, str], faults: "tuple[str, ...] | list[str]") -> Response:
+def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Response:
     waits, here = _waiting(seat), _place(seat)
     wanted = next((one for one in waits if (one.student, one.quantity) == here), None)
     item = None if wanted is None else _item(seat, wanted)
@@ -106,7 +116,11 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: "tuple[str, ...] | list
     context = seat.site.context
     neighbours = {step: _neighbour(waits, here, step) for step in (-1, 1)}
     values: dict[str, object] = {
-        "item": item,
+        "student": item.issued.student,
+        "variant": item.issued.variant.id,
+        "title": item.quantity.title.of(seat.words.language),
+        "again": item.again,
+        "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
         "place": _address(seat, *here),
         "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
         "count": len(waits),
@@ -116,10 +130,29 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: "tuple[str, ...] | list
             receipt_of(context, item.issued, one) for one in context.desk.hand_ins(here[0])
         ],
         "requests": [one for one in context.desk.requests(here[0]) if one.item == here[1]],
-        "typed": typed,
+        "credit": typed.get("credit", ""),
+        "comment": typed.get("comment", ""),
         "faults": faults,
     }
     return seat.page("mark", values)
+
+
+def _form(rubric: Rubric, typed: Mapping[str, str], words: Words) -> dict[str, object]:
+    """Return the rubric as the page shows it, with what was typed before."""
+    lines = [
+        {
+            "name": f"{_LINE}{line.id}",
+            "text": line.text.of(words.language),
+            "share": line.share,
+            "typed": typed.get(f"{_LINE}{line.id}", ""),
+            "levels": [
+                (level.credit, str(level.credit), level.text.of(words.language))
+                for level in line.levels
+            ],
+        }
+        for line in rubric.lines
+    ]
+    return {"title": rubric.title.of(words.language), "lines": lines}
 
 
 def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:

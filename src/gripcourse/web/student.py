@@ -6,6 +6,7 @@ from http import HTTPStatus
 from pathlib import Path
 from typing import Final, TypeAlias
 
+from anyio import to_thread
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
@@ -109,7 +110,10 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
             words, status = visitor_words(site, request), _REFUSED_STATUS[issued]
             return notice(site, request, words, LINK_SAID[issued], status)
         sent = await read_form(request) if request.method == "POST" else Sent({}, None)
-        return await run_in_threadpool(answer, Visit(site, request, issued, sent))
+        visit = Visit(site, request, issued, sent)
+        # Checks wait for workers, which must not take the threads of those who hand in.
+        limiter = site.waiting if answer is check else None
+        return await to_thread.run_sync(answer, visit, limiter=limiter)
 
     return endpoint
 

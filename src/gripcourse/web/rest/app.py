@@ -4,6 +4,7 @@ from collections.abc import Awaitable, Callable, Mapping
 from itertools import groupby
 from typing import Any, Final
 
+from anyio import to_thread
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
@@ -92,7 +93,8 @@ def _endpoint(
         call = await _call(site, operation, request)
         if isinstance(call, WebRefusal | NotUsable):
             return problem(call, visitor_words(site, request))
-        made = await run_in_threadpool(operation.answer, call)
+        limiter = site.waiting if operation.waits else None
+        made = await to_thread.run_sync(operation.answer, call, limiter=limiter)
         return _response(operation, made, call.words)
 
     return endpoint

@@ -97,6 +97,7 @@ class ApiOperation:
         refuses: what it refuses besides what all of its kind do.
         media: media type of a file that it sends.
         status: of an answer that is no refusal.
+        waits: whether it waits for a worker, see `Site.waiting`.
     """
 
     method: str
@@ -109,6 +110,7 @@ class ApiOperation:
     refuses: tuple[Code, ...] = ()
     media: str = "application/json"
     status: HTTPStatus = HTTPStatus.OK
+    waits: bool = False
 
     @property
     def refusals(self) -> tuple[Code, ...]:

@@ -181,6 +181,7 @@ STUDENT_OPERATIONS: Final = (
         *("POST", "/checks", _STUDENT, check, CheckResult),
         takes=NamedBytes,
         refuses=(Code.BEYOND_LIMITS,),
+        waits=True,
     ),
     ApiOperation(
         *("POST", "/hand-ins", _STUDENT, hand_in, ReceiptResult),
