@@ -47,7 +47,7 @@ from gripcourse.workbook.write import write_answer_workbook
 
 SCHEME = "rack_parallelogram"
 PATIENCE = 60.0  # seconds for one answer
-TRIES = 20
+TRIES = 120
 
 
 @dataclass(slots=True)
@@ -86,7 +86,7 @@ class Running:
             *(sys.executable, "-m", "gripcourse", "serve", "--course", str(self.root)),
             *("--port", str(self.port), "--workers", "2"),
         ]
-        return subprocess.Popen(command, stdout=subprocess.DEVNULL)  # noqa: S603 (ourselves)
+        return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # noqa: S603 (ourselves)
 
     def wait(self) -> float:
         """Return after how many seconds it answers."""
