@@ -288,7 +288,8 @@ def test_no_page_of_a_student_breaks_a_rule_of_accessibility(
 @pytest.mark.usefixtures("published")
 def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "WebDriver") -> None:
     broken = {}
-    for page in ("", "student/s01", "student/s03", "?state=asks", "student/nobody"):
+    pages = ("", "student/s01", "student/s03", "?state=asks", "student/nobody", "marking")
+    for page in (*pages, "marking/s01/general_view_drawing", "regrading"):
         sized.get(f"{desk}{page}")
         show(
             sized, f"axe-desk-{page.replace('/', '-')}-{sized.execute_script('return innerWidth')}"

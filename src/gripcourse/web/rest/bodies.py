@@ -46,7 +46,7 @@ def usable(kind: type[Any], plain: Mapping[str, object]) -> Any | NotUsable:  # 
     """Return a wish that a program sent; a name that nobody knows is refused too."""
     known = kind.__dataclass_fields__
     strange = [
-        Problem("", name, message("Nothing is known of this."), message(""))
+        Problem("", name, message("Nothing is known of this."), message("Leave it out."))
         for name in plain
         if name not in known
     ]
