@@ -115,3 +115,9 @@ def test_pages_that_are_filled_at_once_do_not_take_each_others_functions(
     offered = environment.globals["when"]
     client.get(home)
     assert environment.globals["when"] is offered
+
+
+def test_a_page_can_be_opened_while_the_first_check_of_all_is_being_counted(tmp_path: Path) -> None:
+    half_made = tmp_path / "checks.sqlite"
+    half_made.touch()
+    assert left_of(CheckLedger(half_made, "s01"), 3) == 3
