@@ -261,7 +261,7 @@ def test_no_page_of_a_student_breaks_a_rule_of_accessibility(
 ) -> None:
     homes = {name: f"{address}{server.home(name, days=4000)}" for name in ("s01", "s02", "s03")}
     work, other = tmp_path / "work.xlsx", tmp_path / "other.xlsx"
-    work.write_bytes(server.filled("s01", tmp_path))
+    work.write_bytes(server.filled("s03", tmp_path))
     other.write_bytes(b"no workbook")
     broken: dict[str, list[str]] = {}
 
@@ -273,7 +273,7 @@ def test_no_page_of_a_student_breaks_a_rule_of_accessibility(
         sized.get(home)
         look(f"assignment of {name}")
     for file in (work, other):
-        sized.get(homes["s01"])
+        sized.get(homes["s03"])
         upload(sized, file)
         look(f"check of {file.name}")
     sized.get(f"{homes['s01']}receipt/1")

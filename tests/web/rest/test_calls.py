@@ -78,16 +78,17 @@ def test_a_student_sees_the_assignment_in_the_language_that_is_asked_for(api: "A
 
 
 def test_a_check_is_counted_and_logged_as_on_the_page(
-    api: "Api", server: "Server", filled: bytes
+    api: "Api", server: "Server", tmp_path: Path
 ) -> None:
-    program = student(api, "s01", "en")
+    # Each student has three checks that compare numbers, for all tests together.
+    program, filled = student(api, "s02", "en"), server.filled("s02", tmp_path)
     before = program.ask("GET", "/status").json()["checks_left"]
     answer = program.ask("POST", "/checks", files={"file": ("мой.xlsx", filled)})
     result = CheckResult.from_dict(answer.json())
     assert result.refusal == ""
     assert len(result.answers) > 20
     assert result.left == before - 1 == program.ask("GET", "/status").json()["checks_left"]
-    logged = server.context.desk.checks("s01")[-1]
+    logged = server.context.desk.checks("s02")[-1]
     assert (logged.digest, logged.told) == (hashlib.sha256(filled).hexdigest(), True)
     refused = program.ask("POST", "/checks", files={"file": ("a.xlsx", b"PK nothing")})
     assert CheckResult.from_dict(refused.json()).refusal
