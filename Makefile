@@ -96,6 +96,7 @@ clean: ## remove everything that make made
 
 .venv/dev.stamp: .venv/run.stamp
 	@$(PIP_INSTALL) --group dev
+	@$(PIP_INSTALL) --no-deps --group axe
 	@touch $@
 
 .venv/docs.stamp: .venv/run.stamp

@@ -1,6 +1,8 @@
 """Workers that stay: one that dies takes nobody else's job along."""
 
 import os
+import threading
+import time
 from collections.abc import Iterator
 
 import pytest
@@ -36,6 +38,16 @@ def test_a_worker_stays_until_it_dies_and_another_takes_its_place(
     after = workers.do("three")
     assert after.startswith("did three ")
     assert after.split()[-1] != first.split()[-1]
+
+
+def test_a_worker_outlives_the_thread_that_asked_first() -> None:
+    opened, found = StandingWorkers(work, "did", workers=1, seconds=20), []
+    asking = threading.Thread(target=lambda: found.append(opened.do("one")))
+    asking.start()
+    asking.join()
+    time.sleep(0.2)  # for the system to end what belongs to a thread that is gone
+    assert opened.do("one") == found[0]
+    opened.close()
 
 
 def test_without_workers_it_is_done_here() -> None:

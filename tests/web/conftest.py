@@ -1,5 +1,6 @@
 """A server for a course of three students, asked without a network."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
@@ -8,15 +9,23 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
+from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.batch.run import Graded
 from gripcourse.desk.store import open_desk
+from gripcourse.exports.grades import grades_csv
+from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
+from gripcourse.usecases.gradebook import keep
+from gripcourse.usecases.hand_in import collect_hand_ins
 from gripcourse.usecases.handout import Handout, IssuingContext, sheet_path, workbook_path
 from gripcourse.usecases.issue import issue_order
 from gripcourse.usecases.links import token_of
+from gripcourse.usecases.sign_in import offer_sign_in
 from gripcourse.variants.model import Issued
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
@@ -68,6 +77,23 @@ class Server:
             student, forget_one_jaw, folder / f"filled_{student}.xlsx"
         ).read_bytes()
 
+    def grade(self, folder: Path) -> None:
+        """Grade what the first student handed in, with a report that nobody reads."""
+        files = collect_hand_ins(self.context, folder / "work")
+        context = GradingContext(self.context.course, self.context.policy, self.context.register())
+        graded = [
+            Graded(grade_file(NamedBytes(one.name, one.read_bytes()), context), "")
+            for one in files
+            if one.stem == "s01"
+        ]
+        place = home_of(self.context.course.root)
+        reports = [one.report for one in keep(graded, context, place, self.clock.now)]
+        (self.graded / REPORTS).mkdir(parents=True, exist_ok=True)
+        (self.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
+        (self.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
+        grades_csv(reports, self.graded / GRADES_CSV)
+        assert reports
+
 
 def quick_handout(context: IssuingContext, entry: Issued) -> Handout:
     """Write the real workbook, and a sheet that nobody reads."""
@@ -102,3 +128,24 @@ def server(opened: Server) -> Iterator[Server]:
 def filled(server: Server, tmp_path: Path) -> bytes:
     """The workbook of the first student, filled in."""
     return server.filled("s01", tmp_path)
+
+
+@pytest.fixture
+def signed_in(server: Server) -> TestClient:
+    """An instructor's browser."""
+    return sign_in(server)
+
+
+def sign_in(server: Server) -> TestClient:
+    """Return a browser in which an instructor is signed in."""
+    client = server.client()
+    token = offer_sign_in(server.context, "Dr. Ноль", server.clock.now)
+    assert client.post(f"/desk/sign-in/{token}").status_code == 200
+    return client
+
+
+def form_key(client: TestClient) -> str:
+    """Return what every form of a session carries."""
+    found = re.search(r'name="form_key" value="([0-9a-f]{64})"', client.get("/desk/").text)
+    assert found is not None
+    return found[1]

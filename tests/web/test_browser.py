@@ -11,6 +11,8 @@ import sys
 import time
 import urllib.request
 from collections.abc import Iterator
+from datetime import UTC, datetime
+from importlib.resources import files
 from pathlib import Path
 from shutil import which
 from typing import TYPE_CHECKING
@@ -21,6 +23,11 @@ from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+
+from gripcourse.machine.content import NamedBytes
+from gripcourse.usecases.hand_in import hand_in
+from gripcourse.usecases.publish import publish, withdraw
+from gripcourse.usecases.sign_in import offer_sign_in
 
 if TYPE_CHECKING:
     from selenium.webdriver.remote.webdriver import WebDriver
@@ -39,6 +46,7 @@ FLAGS = (
     "--disable-dev-shm-usage",
 )
 SECONDS = 60.0
+AXE = files("axe_playwright_python").joinpath("axe.min.js").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -75,12 +83,20 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator["WebDriver"]:
     options.binary_location = str(which("chromium"))
     for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('profile')}"):
         options.add_argument(flag)
-    javascript = "profile.managed_default_content_settings.javascript"
-    options.add_experimental_option("prefs", {javascript: 2})
     service = webdriver.ChromeService(str(which("chromedriver")))
     driver = webdriver.Chrome(options, service)
+    run_scripts(driver, allowed=False)
+    driver.get("data:text/html,<title>still</title><script>document.title = 'ran'</script>")
+    assert driver.title == "still"
     yield driver
     driver.quit()
+
+
+def run_scripts(browser: "WebDriver", *, allowed: bool) -> None:
+    """Let pages run scripts, or not; what a test asks the browser itself runs always."""
+    browser.execute_cdp_cmd(  # type: ignore[attr-defined]
+        "Emulation.setScriptExecutionDisabled", {"value": not allowed}
+    )
 
 
 def show(browser: "WebDriver", name: str) -> None:
@@ -176,3 +192,107 @@ def test_every_field_has_a_name_and_every_page_one_heading(
     assert len(browser.find_elements(By.TAG_NAME, "h1")) == 1
     for one in browser.find_elements(By.CSS_SELECTOR, "input, select, textarea, button, a"):
         assert one.accessible_name, one.get_attribute("outerHTML")
+
+
+@pytest.fixture(scope="module")
+def published(opened: "Server", tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """The first student has handed in and sees results; somebody asks for another look."""
+    folder, context, now = tmp_path_factory.mktemp("published"), opened.context, opened.clock.now
+    file = NamedBytes("work.xlsx", opened.filled("s01", folder))
+    hand_in(context, opened.classroom.register["s01"], file, now)
+    opened.grade(folder)
+    publish(context, opened.graded, "Dr. Ray", "term over", now)
+    context.desk.add_request("s01", "grip_force", "Please look again.", now)
+    yield
+    withdraw(context, "Dr. Ray", "", now)
+
+
+@pytest.fixture(scope="module")
+def desk(opened: "Server", address: str, browser: "WebDriver") -> str:
+    """The desk, signed in."""
+    token = offer_sign_in(opened.context, "Dr. Ray", datetime.now(UTC))
+    browser.get(f"{address}/desk/sign-in/{token}")
+    assert broken_rules(browser) == []
+    browser.find_element(By.TAG_NAME, "button").click()
+    return f"{address}/desk/"
+
+
+def broken_rules(browser: "WebDriver") -> list[str]:
+    """Return which rules of axe a page breaks, and where."""
+    run_scripts(browser, allowed=True)  # axe waits by timers, which the page would not run
+    browser.execute_script(AXE)
+    found = browser.execute_async_script(
+        "const done = arguments[0];"
+        " axe.run({resultTypes: ['violations']}).then(done, fault => done(String(fault)))"
+    )
+    run_scripts(browser, allowed=False)
+    assert isinstance(found, dict), found
+    assert len(found["passes"]) > 10
+    return [
+        f"{one['id']}: {one['help']}: {node['html'][:200]}"
+        for one in found["violations"]
+        for node in one["nodes"]
+    ]
+
+
+def upload(browser: "WebDriver", work: Path) -> None:
+    browser.find_element(By.ID, "file").send_keys(str(work))
+    browser.find_element(By.CSS_SELECTOR, "form[action$=check] button").click()
+
+
+SIZES = {
+    "desktop": {"width": 1200, "height": 1000, "deviceScaleFactor": 1, "mobile": False},
+    "phone": {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True},
+}
+
+
+@pytest.fixture(params=SIZES)
+def sized(request: pytest.FixtureRequest, browser: "WebDriver") -> Iterator["WebDriver"]:
+    """The browser on a desk, and on a telephone."""
+    size = SIZES[request.param]
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)  # type: ignore[attr-defined]
+    yield browser
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})  # type: ignore[attr-defined]
+
+
+@pytest.mark.usefixtures("published")
+def test_no_page_of_a_student_breaks_a_rule_of_accessibility(
+    server: "Server", address: str, sized: "WebDriver", tmp_path: Path
+) -> None:
+    homes = {name: f"{address}{server.home(name, days=4000)}" for name in ("s01", "s02", "s03")}
+    work, other = tmp_path / "work.xlsx", tmp_path / "other.xlsx"
+    work.write_bytes(server.filled("s03", tmp_path))
+    other.write_bytes(b"no workbook")
+    broken: dict[str, list[str]] = {}
+
+    def look(page: str) -> None:
+        show(sized, f"axe-{page}-{sized.execute_script('return innerWidth')}")
+        broken[page] = broken_rules(sized)
+
+    for name, home in homes.items():
+        sized.get(home)
+        look(f"assignment of {name}")
+    for file in (work, other):
+        sized.get(homes["s03"])
+        upload(sized, file)
+        look(f"check of {file.name}")
+    sized.get(f"{homes['s01']}receipt/1")
+    look("receipt")
+    sized.get(f"{address}/s/forged/")
+    look("notice")
+    sized.get(address)
+    look("welcome")
+    assert {page: rules for page, rules in broken.items() if rules} == {}
+
+
+@pytest.mark.usefixtures("published")
+def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "WebDriver") -> None:
+    broken = {}
+    pages = ("", "student/s01", "student/s03", "?state=asks", "student/nobody", "marking")
+    for page in (*pages, "marking/s01/general_view_drawing", "regrading"):
+        sized.get(f"{desk}{page}")
+        show(
+            sized, f"axe-desk-{page.replace('/', '-')}-{sized.execute_script('return innerWidth')}"
+        )
+        broken[page] = broken_rules(sized)
+    assert {page: rules for page, rules in broken.items() if rules} == {}

@@ -1,42 +1,48 @@
 """The instructor's desk: signing in once, the group, publishing; nothing without a session."""
 
-import json
-import re
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
 import pytest
 from starlette.testclient import TestClient
 
-from gripcourse.batch.one_file import GradingContext, grade_file
-from gripcourse.exports.grades import grades_csv
-from gripcourse.machine.content import NamedBytes
-from gripcourse.text.words import Words
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
-from gripcourse.usecases.hand_in import collect_hand_ins
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
+from gripcourse.web.checking import make_checkers
+from gripcourse.web.instructor import instructor_routes
+from gripcourse.web.marking import marking_routes
+from gripcourse.web.regrading import regrading_routes
+from gripcourse.web.site import Site
+from web.conftest import form_key
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from web.conftest import Server
 
-PAGES = ("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv")
-FORMS = ("publish", "withdraw", "sign-out")
+PAGES = (
+    *("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv"),
+    *("marking", "marking/s01/general_view_drawing", "regrading"),
+)
+FORMS = (
+    *("publish", "withdraw", "sign-out", "marking/s01/general_view_drawing"),
+    *("regrading", "regrading/apply", "regrading/undo"),
+)
 
 
-@pytest.fixture
-def signed_in(server: "Server") -> TestClient:
-    client = server.client()
-    token = offer_sign_in(server.context, "Dr. Ноль", server.clock.now)
-    assert client.post(f"/desk/sign-in/{token}").status_code == 200
-    return client
-
-
-def form_key(client: TestClient) -> str:
-    found = re.search(r'name="form_key" value="([0-9a-f]{64})"', client.get("/desk/").text)
-    assert found is not None
-    return found[1]
+def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
+    site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
+    routes = (*instructor_routes(site), *marking_routes(site), *regrading_routes(site))
+    paths = {
+        (method, route.path.removeprefix("/desk/"))
+        for route in routes
+        for method in (route.methods or set()) - {"HEAD"}
+        if "sign-in" not in route.path
+    }
+    tried = {("GET", one) for one in PAGES} | {("POST", one) for one in FORMS}
+    places = {"s01": "{student}", "general_view_drawing": "{item}", "file/1": "file/{number:int}"}
+    for value, place in places.items():
+        tried = {(method, path.replace(value, place)) for method, path in tried}
+    assert paths == tried
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -106,7 +112,7 @@ def test_results_are_seen_from_publication_to_withdrawal(
     home, student = server.home("s01"), server.client()
     student.post(f"{home}hand-in", files={"file": ("work.xlsx", filled)})
     assert "report.pdf" not in student.get(home).text
-    grade(server, tmp_path)
+    server.grade(tmp_path)
     key = form_key(signed_in)
     signed_in.post("/desk/publish", data={"form_key": key, "why": "<b>term</b> over"})
     assert "&lt;b&gt;term&lt;/b&gt; over" in signed_in.get("/desk/").text
@@ -126,21 +132,3 @@ def test_results_are_seen_from_publication_to_withdrawal(
         (True, "Dr. Ноль", "<b>term</b> over"),
         (False, "Dr. Ноль", "a mistake"),
     ]
-
-
-def grade(server: "Server", folder: "Path") -> None:
-    """Grade what was handed in, as the command line does, with a report that nobody reads."""
-    files = collect_hand_ins(server.context, folder / "work")
-    context = GradingContext(
-        server.context.course, server.context.policy, server.context.register()
-    )
-    reports = [
-        grade_file(NamedBytes(one.name, one.read_bytes()), context)
-        for one in files
-        if one.stem == "s01"
-    ]
-    (server.graded / REPORTS).mkdir(parents=True, exist_ok=True)
-    (server.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
-    (server.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
-    grades_csv(reports, server.graded / GRADES_CSV)
-    assert json.loads((server.graded / GRADES_JSON).read_text(encoding="utf-8"))["reports"]

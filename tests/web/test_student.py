@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.documents.pdf import template_environment
 from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.usecases.hand_in import kept_path
 
@@ -103,3 +104,20 @@ def test_a_form_without_a_file_is_answered_with_a_sentence(server: "Server") -> 
         answer = client.post(f"{home}{action}", data={"file": ""})
         assert (answer.status_code, "Choose your workbook" in answer.text) == (400, True)
     assert client.post(f"{home}hand-in", files=upload(b"", "empty.xlsx")).status_code == 400
+
+
+def test_pages_that_are_filled_at_once_do_not_take_each_others_functions(
+    server: "Server",
+) -> None:
+    client, home = server.client(), server.home("s01")
+    environment = template_environment(server.context.course.root / "templates", "ru")
+    client.get(home)
+    offered = environment.globals["when"]
+    client.get(home)
+    assert environment.globals["when"] is offered
+
+
+def test_a_page_can_be_opened_while_the_first_check_of_all_is_being_counted(tmp_path: Path) -> None:
+    half_made = tmp_path / "checks.sqlite"
+    half_made.touch()
+    assert left_of(CheckLedger(half_made, "s01"), 3) == 3

@@ -58,10 +58,10 @@ class Desk:
         """Return the self-checks of one student or of all."""
         return self._rows(schema.checks, LoggedCheck, student)
 
-    def add_request(self, student: str, item: str, sentence: str, now: datetime) -> None:
+    def add_request(self, student: str, item: str, sentence: str, now: datetime) -> RegradeRequest:
         """Keep that a student asks for an item to be looked at again."""
         row = {"item": item, "sentence": sentence, "at": _utc(now)}
-        self._append(schema.requests, {"student": student}, row)
+        return RegradeRequest(**_plain(self._append(schema.requests, {"student": student}, row)))
 
     def requests(self, student: str | None = None) -> tuple[RegradeRequest, ...]:
         """Return the requests of one student or of all."""

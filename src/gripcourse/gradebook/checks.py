@@ -75,8 +75,11 @@ def left_of(ledger: CheckLedger, most: int) -> int:
         return most
     try:
         with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT)) as file:
+            # Somebody may just be making the file: it is there before its table is.
+            made = "SELECT 1 FROM sqlite_master WHERE name = 'checks'"
             question = "SELECT taken FROM checks WHERE who = ?"
-            row = file.execute(question, (ledger.who,)).fetchone()
+            known = file.execute(made).fetchone() is not None
+            row = file.execute(question, (ledger.who,)).fetchone() if known else None
     except sqlite3.Error as fault:
         raise OSError(None, str(fault), str(ledger.path)) from fault
     return most if row is None else max(0, most - int(row[0]))

@@ -8,7 +8,7 @@ import pickle
 import threading
 import uuid
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor
+from concurrent.futures import BrokenExecutor, Executor, ThreadPoolExecutor
 from typing import Any
 
 from gripcourse.jobs.lost import Lost
@@ -42,6 +42,10 @@ class StandingWorkers:
         self._name = uuid.uuid4().hex
         self._lock = threading.Lock()
         self._opened: Executor | None = None
+        # A worker ends with the thread that started it, and threads that answer requests come and
+        # go: one that stays starts them all.
+        self._keeper = ThreadPoolExecutor(1, "keeper")
+        self._alone = threading.BoundedSemaphore(max(1, workers))
 
     def do(self, item: object) -> Any | Lost:  # noqa: ANN401 (whatever the work returns)
         """Do a job and wait for it; what fails on our side is `Lost`."""
@@ -49,20 +53,22 @@ class StandingWorkers:
             return do(self.task, item)
         executor = self._executor(self.pool)
         try:
-            return executor.submit(perform, self._name, item).result()
+            return self._keeper.submit(executor.submit, perform, self._name, item).result().result()
         except (BrokenExecutor, RuntimeError):
             # A worker died, of this job or of a neighbour's, and all that were opened with it are
             # of no use. Alone it is found out whose job it was.
             self._discard(executor)
-        jobs = run_each(
-            self.task.work,
-            [item],
-            self.task.shared,
-            workers=1,
-            seconds=self.task.seconds,
-            pool=self.pool,
-        )
-        ((_, outcome),) = jobs
+        # All that waited for it come here at once: no more processes than there are workers.
+        with self._alone:
+            jobs = run_each(
+                self.task.work,
+                [item],
+                self.task.shared,
+                workers=1,
+                seconds=self.task.seconds,
+                pool=self.pool,
+            )
+            ((_, outcome),) = jobs
         return outcome
 
     def close(self) -> None:
@@ -71,6 +77,7 @@ class StandingWorkers:
             opened, self._opened = self._opened, None
         if opened is not None:
             opened.shutdown(cancel_futures=True)
+        self._keeper.shutdown()
 
     def _executor(self, pool: Pool) -> Executor:
         with self._lock:

@@ -1,8 +1,5 @@
 """The application: all routes, and a page for everything that goes wrong."""
 
-import logging
-import secrets
-import traceback
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from http import HTTPStatus
@@ -12,27 +9,28 @@ from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, Response
-from starlette.routing import Route
+from starlette.routing import Mount, Route
 from starlette.types import ASGIApp
 
-from gripcourse.errors import system_problem
+from gripcourse.errors import GradebookError
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
-from gripcourse.web.pages import NOT_FOUND, TOO_LARGE, TOO_OFTEN, notice, visitor_words
+from gripcourse.web.marking import marking_routes
+from gripcourse.web.pages import notice, visitor_words
+from gripcourse.web.refusals import (
+    WebRefusal,
+    refusal_of_incident,
+    refusal_of_request,
+    refusal_of_system,
+)
+from gripcourse.web.regrading import regrading_routes
+from gripcourse.web.rest.app import REST, rest_app
 from gripcourse.web.site import Site
 from gripcourse.web.student import student_routes
 
-_log = logging.getLogger(__name__)
-
 _WELCOME: Final = message("Open the personal link that you were sent.")
-_SAID: Final = {
-    HTTPStatus.NOT_FOUND: NOT_FOUND,
-    HTTPStatus.REQUEST_ENTITY_TOO_LARGE: TOO_LARGE,
-    HTTPStatus.TOO_MANY_REQUESTS: TOO_OFTEN,
-}
-_NO_REQUEST: Final = message("The browser sent something that cannot be used here.")
 _GONE: Final = 499  # nobody hears it: who asked has closed the connection
 
 
@@ -53,10 +51,11 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         headers = {"Cache-Control": "max-age=300"}
         return FileResponse(sheet, media_type="text/css", headers=headers)
 
+    def said(request: Request, why: WebRefusal) -> Response:
+        return notice(site, request, visitor_words(site, request), why.said, why.status)
+
     async def refused(request: Request, fault: Exception) -> Response:
-        status = HTTPStatus(fault.status_code if isinstance(fault, HTTPException) else 413)
-        said = _SAID.get(status, _NO_REQUEST)
-        response = notice(site, request, visitor_words(site, request), said, status)
+        response = said(request, refusal_of_request(fault))
         response.headers.update(getattr(fault, "headers", None) or {})
         return response
 
@@ -64,23 +63,10 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         return Response(status_code=_GONE)
 
     async def system(request: Request, fault: Exception) -> Response:
-        assert isinstance(fault, OSError)  # noqa: S101 (what it is registered for)
-        problem = system_problem(fault)
-        _log.error("%s", problem.what)
-        said = message("{what} Nothing was recorded. Try again later.", what=problem.what)
-        words = visitor_words(site, request)
-        return notice(site, request, words, said, HTTPStatus.SERVICE_UNAVAILABLE)
+        return said(request, refusal_of_system(fault))
 
     async def ours(request: Request, fault: Exception) -> Response:
-        incident = secrets.token_hex(4)
-        trace = "".join(traceback.format_exception(fault))
-        _log.error("incident %s\n%s", incident, trace)
-        said = message(
-            "This is our mistake, not yours. Tell your instructor the number {number}.",
-            number=incident,
-        )
-        words = visitor_words(site, request)
-        return notice(site, request, words, said, HTTPStatus.INTERNAL_SERVER_ERROR)
+        return said(request, refusal_of_incident(fault))
 
     @asynccontextmanager
     async def alive(_: Starlette) -> AsyncIterator[None]:
@@ -92,6 +78,9 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         Route("/style.css", style, methods=["GET"]),
         *student_routes(site),
         *instructor_routes(site),
+        *marking_routes(site),
+        *regrading_routes(site),
+        Mount(REST, rest_app(site)),
         *further,
     ]
     handlers = {
@@ -99,6 +88,7 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         TooMuchError: refused,
         ClientDisconnect: gone,
         OSError: system,
+        GradebookError: system,
         Exception: ours,
     }
     return Guard(

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from dataclasses import dataclass
+from enum import StrEnum
 
 from gripcourse.desk.model import HandIn
 from gripcourse.gradebook.model import Attempt
@@ -38,27 +39,44 @@ class GroupMember:
         return 0.0 if self.attempt is None else sum(one.points for one in self.attempt.results)
 
 
+class GroupState(StrEnum):
+    """What is looked for in a group."""
+
+    ANY = ""
+    MISSING = "missing"
+    HANDED_IN = "handed_in"
+    LATE = "late"
+    ASKS = "asks"
+
+
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """Whom an instructor wants to see: part of an id or a name, a group, a state."""
+    """Whom an instructor wants to see.
 
-    find: str
-    group: str
-    state: str
+    Attributes:
+        find: part of an id or of a name; empty for all.
+        group: of the roster; empty for all.
+        state: what is looked for.
+    """
+
+    find: str = ""
+    group: str = ""
+    state: GroupState = GroupState.ANY
 
     def meets(self, row: GroupMember) -> bool:
         """Tell whether a student is one of them."""
         person = row.issued.student
         states = {
-            "missing": row.hand_in is None,
-            "handed_in": row.hand_in is not None,
-            "late": row.late,
-            "asks": row.requests > 0,
+            GroupState.ANY: True,
+            GroupState.MISSING: row.hand_in is None,
+            GroupState.HANDED_IN: row.hand_in is not None,
+            GroupState.LATE: row.late,
+            GroupState.ASKS: row.requests > 0,
         }
         return (
             self.find.casefold() in f"{person.id} {person.name}".casefold()
             and self.group in ("", person.group)
-            and states.get(self.state, True)
+            and states[self.state]
         )
 
 
@@ -83,3 +101,8 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
         for id_, issued in context.register().items()
     )
     return tuple(sorted(rows, key=lambda row: (row.issued.student.group, row.issued.student.name)))
+
+
+def row_of(context: DeskContext, student: str) -> GroupMember | None:
+    """Return one student of the group; None where the register has none of this id."""
+    return next((row for row in rows_of(context) if row.issued.student.id == student), None)

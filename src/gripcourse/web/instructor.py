@@ -12,24 +12,22 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Route
 
-from gripcourse.errors import GripcourseError
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import kept_path, receipt_of
-from gripcourse.usecases.publish import current, publish, published_grades, published_to, withdraw
+from gripcourse.usecases.publish import current, published_grades, published_to
 from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
-from gripcourse.web.group import GroupMember, Wish, rows_of
-from gripcourse.web.pages import NOT_FOUND, notice, page, visitor_words
+from gripcourse.web import acts
+from gripcourse.web.group import GroupMember, GroupState, Wish, row_of, rows_of
+from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import SIGN_INS
+from gripcourse.web.refusals import NOT_FOUND, SIGN_IN, WebRefusal
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
 _COOKIE: Final = "gripcourse-desk"
 _PURPOSE: Final = b"gripcourse form 1"
 _BINARY: Final = "application/octet-stream"
-_SIGN_IN: Final = message(
-    "Sign in by a link from the command line of the server: gripcourse sign-in. Each is good once."
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,9 +58,9 @@ class Seat:
         """The path of the desk."""
         return f"{self.request.scope.get('root_path', '')}/desk/"
 
-    def say(self, said: Message, status: HTTPStatus) -> Response:
-        """Say one thing, with a way back."""
-        return notice(self.site, self.request, self.words, said, status, self.home)
+    def refuse(self, why: WebRefusal) -> Response:
+        """Say why something is not done, with a way back."""
+        return notice(self.site, self.request, self.words, why.said, why.status, self.home)
 
     def page(self, name: str, values: dict[str, object]) -> Response:
         """Show a page with what all pages of the desk have."""
@@ -77,8 +75,7 @@ def instructor_routes(site: Site) -> list[Route]:
     """Return the routes of the desk; all but signing in want a session."""
 
     def route(path: str, answer: Answer, method: str = "GET") -> Route:
-        endpoint = _seated(site, answer)
-        return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
+        return desk_route(site, path, answer, method)
 
     async def offered(request: Request) -> Response:
         words = visitor_words(site, request)
@@ -90,7 +87,7 @@ def instructor_routes(site: Site) -> list[Route]:
         session = await run_in_threadpool(sign_in, site.context, token, site.clock())
         if session is None:
             words = visitor_words(site, request)
-            return notice(site, request, words, _SIGN_IN, HTTPStatus.FORBIDDEN)
+            return notice(site, request, words, SIGN_IN.said, HTTPStatus.FORBIDDEN)
         root = str(request.scope.get("root_path", ""))
         response = RedirectResponse(f"{root}/desk/", HTTPStatus.SEE_OTHER)
         response.set_cookie(
@@ -118,13 +115,19 @@ def instructor_routes(site: Site) -> list[Route]:
     ]
 
 
+def desk_route(site: Site, path: str, answer: Answer, method: str = "GET") -> Route:
+    """Return a route of the desk: whoever asks is signed in, and every form of this session."""
+    endpoint = _seated(site, answer)
+    return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
+
+
 def _seated(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Response]]:
     async def endpoint(request: Request) -> Response:
         session = request.cookies.get(_COOKIE, "")
         name = await run_in_threadpool(site.context.desk.session_name, session, site.clock())
         words = visitor_words(site, request)
         if name is None:
-            return notice(site, request, words, _SIGN_IN, HTTPStatus.FORBIDDEN)
+            return notice(site, request, words, SIGN_IN.said, HTTPStatus.FORBIDDEN)
         form_key = hmac.new(session.encode(), _PURPOSE, hashlib.sha256).hexdigest()
         sent = Sent({}, None)
         if request.method == "POST":
@@ -141,7 +144,12 @@ def _seated(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
 def group(seat: Seat) -> Response:
     """Show everybody, or those who are looked for."""
     asked = seat.request.query_params
-    wish = Wish(asked.get("find", ""), asked.get("group", ""), asked.get("state", ""))
+    state = asked.get("state", "")
+    wish = Wish(
+        asked.get("find", ""),
+        asked.get("group", ""),
+        GroupState(state) if state in list(GroupState) else GroupState.ANY,
+    )
     everybody = rows_of(seat.site.context)
     values: dict[str, object] = {
         "rows": [row for row in everybody if wish.meets(row)],
@@ -159,7 +167,7 @@ def student(seat: Seat) -> Response:
     """Show what a student did, and what was found."""
     row = _row(seat)
     if row is None:
-        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return seat.refuse(NOT_FOUND)
     context, id_ = seat.site.context, row.issued.student.id
     book = Gradebook(context.desk.engine)
     published = published_to(context, id_)
@@ -178,11 +186,9 @@ def student(seat: Seat) -> Response:
 def student_file(seat: Seat) -> Response:
     """Send a file that a student handed in."""
     context, path = seat.site.context, seat.request.path_params
-    wanted = (str(path["student"]), int(path["number"]))
-    found = (one for one in context.desk.hand_ins(wanted[0]) if one.number == wanted[1])
-    kept = next(found, None)
+    kept = acts.kept_file(seat.site, str(path["student"]), int(path["number"]))
     if kept is None:
-        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return seat.refuse(NOT_FOUND)
     return FileResponse(kept_path(context, kept.digest), media_type=_BINARY, filename=kept.name)
 
 
@@ -191,7 +197,7 @@ def student_report(seat: Seat) -> Response:
     row = _row(seat)
     published = None if row is None else published_to(seat.site.context, row.issued.student.id)
     if published is None or published.pdf is None:
-        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return seat.refuse(NOT_FOUND)
     return FileResponse(published.pdf, media_type="application/pdf", filename=published.pdf.name)
 
 
@@ -199,25 +205,20 @@ def grades(seat: Seat) -> Response:
     """Send the table of grades that is published."""
     path = published_grades(seat.site.context)
     if path is None:
-        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return seat.refuse(NOT_FOUND)
     return FileResponse(path, media_type="text/csv", filename=path.name)
 
 
 def publishing(seat: Seat) -> Response:
     """Let students see what was graded."""
-    graded = seat.site.graded
-    if graded is None:
-        return seat.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
     why = seat.sent.texts.get("why", "")
-    return _done(
-        seat, lambda: publish(seat.site.context, graded, seat.name, why, seat.site.clock())
-    )
+    return _done(seat, acts.let_see(seat.site, seat.name, why))
 
 
 def withdrawing(seat: Seat) -> Response:
     """Let students see nothing any more."""
     why = seat.sent.texts.get("why", "")
-    return _done(seat, lambda: withdraw(seat.site.context, seat.name, why, seat.site.clock()))
+    return _done(seat, acts.take_back(seat.site, seat.name, why))
 
 
 def signing_out(seat: Seat) -> Response:
@@ -229,17 +230,11 @@ def signing_out(seat: Seat) -> Response:
     return response
 
 
-def _done(seat: Seat, act: Callable[[], object]) -> Response:
-    try:
-        act()
-    except GripcourseError as error:
-        problem = error.problems[0]
-        said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
-        return seat.say(said, HTTPStatus.CONFLICT)
+def _done(seat: Seat, made: object) -> Response:
+    if isinstance(made, WebRefusal):
+        return seat.refuse(made)
     return RedirectResponse(seat.home, HTTPStatus.SEE_OTHER)
 
 
 def _row(seat: Seat) -> GroupMember | None:
-    wanted = str(seat.request.path_params["student"])
-    rows = rows_of(seat.site.context)
-    return next((row for row in rows if row.issued.student.id == wanted), None)
+    return row_of(seat.site.context, str(seat.request.path_params["student"]))

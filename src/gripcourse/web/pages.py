@@ -1,5 +1,6 @@
 """Pages: a template of the course's look, filled in the reader's language."""
 
+from collections.abc import Callable
 from datetime import datetime
 from http import HTTPStatus
 from typing import Final
@@ -9,7 +10,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from gripcourse.documents.pdf import template_environment
-from gripcourse.text.words import LANGUAGES, Message, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.web.site import Site
 
 _TIME: Final = "d MMM y, HH:mm:ss z"
@@ -39,8 +40,9 @@ def page(
         "root": str(request.scope.get("root_path", "")),
         "course": course.title.of(words.language),
     }
-    # Templates call only what their environment offers.
-    environment.globals["when"] = lambda moment: when(moment, words)
+    # Templates call only what their environment offers. Other threads fill the same one: whoever
+    # comes first or last offers the same function.
+    environment.globals["when"] = _WHEN[words.language]
     template = environment.get_template(f"web/{name}.html.j2")
     return HTMLResponse(template.render(everywhere | values), status)
 
@@ -75,14 +77,21 @@ def notice(
 
 def visitor_words(site: Site, request: Request) -> Words:
     """Return the language of somebody unknown: the browser's first that we speak."""
+    return Words(asked_language(request) or site.context.course.language)
+
+
+def asked_language(request: Request) -> str | None:
+    """Return the first language of a request that we speak; None where it names none."""
     for wish in request.headers.get("accept-language", "").split(","):
         language = wish.strip()[:2].lower()
         if language in LANGUAGES:
-            return Words(language)
-    return Words(site.context.course.language)
+            return language
+    return None
 
 
-NOT_FOUND: Final = message("There is nothing at this address.")
-TOO_LARGE: Final = message("The file is too large; a workbook may have at most 20 MB.")
-TOO_OFTEN: Final = message("That was too often. Wait ten minutes and try again.")
-NO_FILE: Final = message("No file came with it. Choose your workbook first.")
+def _when_in(language: str) -> Callable[[datetime], str]:
+    words = Words(language)
+    return lambda moment: when(moment, words)
+
+
+_WHEN: Final = {language: _when_in(language) for language in LANGUAGES}

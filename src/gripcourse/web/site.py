@@ -4,10 +4,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from typing import Final
+
+from anyio import CapacityLimiter
 
 from gripcourse.jobs.standing import StandingWorkers
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.web.rates import Counter
+
+_MOST_WAITING: Final = 10  # of the forty threads that answer requests
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -22,6 +27,7 @@ class Site:
         graded: the folder that grading writes, which may be published; None for none.
         secure: whether browsers reach it by https alone.
         counter: of what is done how often.
+        waiting: how many may wait for a worker at once; who hands in never stands behind them.
     """
 
     context: DeskContext
@@ -31,6 +37,7 @@ class Site:
     graded: Path | None = None
     secure: bool = False
     counter: Counter = field(default_factory=Counter)
+    waiting: CapacityLimiter = field(default_factory=lambda: CapacityLimiter(_MOST_WAITING))
 
     @property
     def ledger(self) -> Path:

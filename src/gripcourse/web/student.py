@@ -1,12 +1,12 @@
 """A student's pages: all below the personal link, and nothing of anybody else."""
 
-import hashlib
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from http import HTTPStatus
 from pathlib import Path
 from typing import Final, TypeAlias
 
+from anyio import to_thread
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
@@ -16,39 +16,27 @@ from gripcourse.api.results import CheckResult
 from gripcourse.desk.links import Refused
 from gripcourse.desk.model import HandIn
 from gripcourse.documents.assignment_sheet import given_data
-from gripcourse.errors import UsageError
-from gripcourse.gradebook.checks import CheckLedger, left_of
-from gripcourse.jobs.lost import Lost
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
-from gripcourse.text.words import Message, Words, message
-from gripcourse.usecases.hand_in import hand_in, kept_path, receipt_of
+from gripcourse.text.words import Words
+from gripcourse.usecases.hand_in import kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
 from gripcourse.usecases.links import open_link
 from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
-from gripcourse.web.checking import CheckJob
-from gripcourse.web.pages import NO_FILE, NOT_FOUND, notice, page, visitor_words
-from gripcourse.web.rates import CHECKS, HAND_INS, REFUSED_LINKS, REQUESTS
+from gripcourse.web import acts
+from gripcourse.web.pages import notice, page, visitor_words
+from gripcourse.web.rates import REFUSED_LINKS
+from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, WebRefusal
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
-_REFUSED: Final = {
-    Refused.FORGED: (
-        HTTPStatus.NOT_FOUND,
-        message("This link is not valid. Copy it whole, or ask your instructor for a new one."),
-    ),
-    Refused.EXPIRED: (
-        HTTPStatus.GONE,
-        message("This link has expired. Ask your instructor for a new one."),
-    ),
-    Refused.REVOKED: (
-        HTTPStatus.GONE,
-        message("This link was replaced. Use the newest one that you were sent."),
-    ),
+_REFUSED_STATUS: Final = {
+    Refused.FORGED: HTTPStatus.NOT_FOUND,
+    Refused.EXPIRED: HTTPStatus.GONE,
+    Refused.REVOKED: HTTPStatus.GONE,
 }
-_LONGEST_SENTENCE: Final = 1000
 _FIGURES: Final = 7  # of a number that was understood
 _BINARY: Final = "application/octet-stream"
 
@@ -85,9 +73,9 @@ class Visit:
         root = str(self.request.scope.get("root_path", ""))
         return f"{root}/s/{self.request.path_params['token']}/"
 
-    def say(self, said: Message, status: HTTPStatus = HTTPStatus.OK) -> Response:
-        """Say one thing, with a way back."""
-        return notice(self.site, self.request, self.words, said, status, self.home)
+    def refuse(self, why: WebRefusal) -> Response:
+        """Say why something is not done, with a way back."""
+        return notice(self.site, self.request, self.words, why.said, why.status, self.home)
 
 
 Answer: TypeAlias = Callable[[Visit], Response]
@@ -119,10 +107,13 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
         issued = await run_in_threadpool(open_link, site.context, token, site.clock())
         if isinstance(issued, Refused):
             count(site, REFUSED_LINKS, address_of(request))
-            status, said = _REFUSED[issued]
-            return notice(site, request, visitor_words(site, request), said, status)
+            words, status = visitor_words(site, request), _REFUSED_STATUS[issued]
+            return notice(site, request, words, LINK_SAID[issued], status)
         sent = await read_form(request) if request.method == "POST" else Sent({}, None)
-        return await run_in_threadpool(answer, Visit(site, request, issued, sent))
+        visit = Visit(site, request, issued, sent)
+        # Checks wait for workers, which must not take the threads of those who hand in.
+        limiter = site.waiting if answer is check else None
+        return await to_thread.run_sync(answer, visit, limiter=limiter)
 
     return endpoint
 
@@ -146,7 +137,7 @@ def home(visit: Visit) -> Response:
         "sheet": _issued_file(visit, sheet_path) is not None,
         "workbook": _issued_file(visit, workbook_path) is not None,
         "compares": rule.tells is not Tells.READING,
-        "left": left_of(CheckLedger(visit.site.ledger, visit.student), rule.times),
+        "left": acts.checks_left(visit.site, visit.student),
         "times": rule.times,
         "hand_ins": context.desk.hand_ins(visit.student),
         "published": None if published is None else _results(published, titles),
@@ -186,28 +177,19 @@ def workbook(visit: Visit) -> Response:
 
 def check(visit: Visit) -> Response:
     """Say how a workbook is read, and by policy whether its numbers fit."""
-    site, words = visit.site, visit.words
-    if visit.sent.file is None:
-        return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
-    count(site, CHECKS, visit.student)
-    result = site.checkers.do(CheckJob(visit.sent.file, visit.student, site.ledger, words.language))
-    if isinstance(result, Lost):
-        said = message("This file could not be read within the limits of the server.")
-        return visit.say(said, HTTPStatus.UNPROCESSABLE_ENTITY)
-    file, rule = visit.sent.file, site.context.policy.check
-    digest, told = hashlib.sha256(file.data).hexdigest(), bool(result.sections)
-    site.context.desk.log_check(
-        visit.student, digest, told=told, left=result.left, now=site.clock()
-    )
+    words, file = visit.words, visit.sent.file
+    result = acts.check(visit.site, visit.student, file, words)
+    if isinstance(result, WebRefusal) or file is None:
+        return visit.refuse(result if isinstance(result, WebRefusal) else NO_FILE)
     values: dict[str, object] = {
         "home": visit.home,
         "file": file.name,
         "result": _understood(result, words),
         "counts": _counts(result),
         "left": result.left,
-        "times": rule.times,
+        "times": visit.site.context.policy.check.times,
     }
-    return page(site, visit.request, "checked", words, values)
+    return page(visit.site, visit.request, "checked", words, values)
 
 
 def _understood(result: CheckResult, words: Words) -> dict[str, object]:
@@ -238,15 +220,9 @@ def _counts(result: CheckResult) -> dict[str, int]:
 
 def handed_in(visit: Visit) -> Response:
     """Keep a file; the receipt is shown when it is safe."""
-    if visit.sent.file is None:
-        return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
-    count(visit.site, HAND_INS, visit.student)
-    try:
-        made = hand_in(visit.site.context, visit.issued, visit.sent.file, visit.site.clock())
-    except UsageError as refused:
-        problem = refused.problems[0]
-        said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
-        return visit.say(said, HTTPStatus.BAD_REQUEST)
+    made = acts.keep_file(visit.site, visit.issued, visit.sent.file)
+    if isinstance(made, WebRefusal):
+        return visit.refuse(made)
     number = made.hand_in.number
     return RedirectResponse(f"{visit.home}receipt/{number}", HTTPStatus.SEE_OTHER)
 
@@ -255,7 +231,7 @@ def receipt(visit: Visit) -> Response:
     """Show the receipt of a file."""
     kept = _kept(visit)
     if kept is None:
-        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return visit.refuse(NOT_FOUND)
     made = receipt_of(visit.site.context, visit.issued, kept)
     values: dict[str, object] = {
         "home": visit.home,
@@ -270,7 +246,7 @@ def own_file(visit: Visit) -> Response:
     """Send back a file as it was handed in."""
     kept = _kept(visit)
     if kept is None:
-        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return visit.refuse(NOT_FOUND)
     return FileResponse(
         kept_path(visit.site.context, kept.digest), media_type=_BINARY, filename=kept.name
     )
@@ -284,24 +260,16 @@ def report(visit: Visit) -> Response:
 
 def regrade_request(visit: Visit) -> Response:
     """Keep that the student asks for an item to be looked at again."""
-    context, texts = visit.site.context, visit.sent.texts
-    published = published_to(context, visit.student)
-    item, sentence = texts.get("item", ""), " ".join(texts.get("sentence", "").split())
-    items = () if published is None else [one.quantity for one in published.report.findings]
-    if item not in items:
-        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
-    if not sentence or len(sentence) > _LONGEST_SENTENCE:
-        said = message("Say in a sentence what should be looked at again.")
-        return visit.say(said, HTTPStatus.BAD_REQUEST)
-    count(visit.site, REQUESTS, visit.student)
-    context.desk.add_request(visit.student, item, sentence, visit.site.clock())
+    texts = visit.sent.texts
+    item, sentence = texts.get("item", ""), texts.get("sentence", "")
+    made = acts.ask_again(visit.site, visit.student, item, sentence)
+    if isinstance(made, WebRefusal):
+        return visit.refuse(made)
     return RedirectResponse(f"{visit.home}#requests", HTTPStatus.SEE_OTHER)
 
 
 def _kept(visit: Visit) -> HandIn | None:
-    number = int(visit.request.path_params["number"])
-    found = (one for one in visit.site.context.desk.hand_ins(visit.student))
-    return next((one for one in found if one.number == number), None)
+    return acts.kept_file(visit.site, visit.student, int(visit.request.path_params["number"]))
 
 
 def _issued_file(visit: Visit, place: Callable[[Path, str], Path]) -> Path | None:
@@ -313,5 +281,5 @@ def _issued_file(visit: Visit, place: Callable[[Path, str], Path]) -> Path | Non
 
 def _sent(visit: Visit, path: Path | None, kind: str) -> Response:
     if path is None:
-        return visit.say(NOT_FOUND, HTTPStatus.NOT_FOUND)
+        return visit.refuse(NOT_FOUND)
     return FileResponse(path, media_type=kind, filename=path.name)

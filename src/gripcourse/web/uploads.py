@@ -14,7 +14,7 @@ from gripcourse.web.guard import declares_too_much
 from gripcourse.web.rates import Allowance
 from gripcourse.web.site import Site
 
-_FIELDS: Final = 8
+_FIELDS: Final = 32  # a rubric has a field for each of its lines
 _LONGEST_FIELD: Final = 20_000
 _TOO_LARGE: Final = 413
 _TOO_OFTEN: Final = 429

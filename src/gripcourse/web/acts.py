@@ -1,0 +1,115 @@
+"""What pages and programs ask for alike: counted, done by one call of the library, and kept."""
+
+import hashlib
+from typing import Final
+
+from gripcourse.api.results import CheckResult
+from gripcourse.desk.model import HandIn, Publication, RegradeRequest
+from gripcourse.errors import GradebookError, GripcourseError, UsageError
+from gripcourse.gradebook.checks import CheckLedger, left_of
+from gripcourse.jobs.lost import Lost
+from gripcourse.machine.content import NamedBytes
+from gripcourse.text.shown import shown
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.hand_in import Receipt, hand_in
+from gripcourse.usecases.publish import publish, published_to, withdraw
+from gripcourse.variants.model import Issued
+from gripcourse.web.checking import CheckJob
+from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
+from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.site import Site
+from gripcourse.web.uploads import count
+
+LONGEST_SENTENCE: Final = 1000
+LONGEST_REASON: Final = 300
+
+
+def check(
+    site: Site, student: str, file: NamedBytes | None, words: Words
+) -> CheckResult | WebRefusal:
+    """Say how a workbook is read, and by policy whether its numbers fit; it is logged.
+
+    Raises:
+        HTTPException: it was too often.
+    """
+    if file is None:
+        return NO_FILE
+    count(site, CHECKS, student)
+    result = site.checkers.do(CheckJob(file, student, site.ledger, words.language))
+    if isinstance(result, Lost):
+        said = message("This file could not be read within the limits of the server.")
+        return WebRefusal(Code.BEYOND_LIMITS, said)
+    assert isinstance(result, CheckResult)  # noqa: S101 (what the workers return)
+    digest, told = hashlib.sha256(file.data).hexdigest(), bool(result.sections)
+    site.context.desk.log_check(student, digest, told=told, left=result.left, now=site.clock())
+    return result
+
+
+def checks_left(site: Site, student: str) -> int:
+    """Return how often more than the reading will be told."""
+    return left_of(CheckLedger(site.ledger, student), site.context.policy.check.times)
+
+
+def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | WebRefusal:
+    """Keep a file that a student hands in; the receipt is there when it is safe.
+
+    Raises:
+        HTTPException: it was too often.
+    """
+    if file is None:
+        return NO_FILE
+    count(site, HAND_INS, issued.student.id)
+    try:
+        return hand_in(site.context, issued, file, site.clock())
+    except UsageError as refused:
+        return refusal_of_problem(refused, Code.FILE_NOT_KEPT)
+
+
+def kept_file(site: Site, student: str, number: int) -> HandIn | None:
+    """Return a file that a student handed in."""
+    found = (one for one in site.context.desk.hand_ins(student) if one.number == number)
+    return next(found, None)
+
+
+def ask_again(site: Site, student: str, item: str, said: str) -> RegradeRequest | WebRefusal:
+    """Keep that a student asks for an item of the published results to be looked at again.
+
+    Raises:
+        HTTPException: it was too often.
+    """
+    published = published_to(site.context, student)
+    items = () if published is None else [one.quantity for one in published.report.findings]
+    if item not in items:
+        return NOT_FOUND
+    sentence = shown(" ".join(said.split()))
+    if not sentence or len(sentence) > LONGEST_SENTENCE:
+        said_back = message("Say in a sentence what should be looked at again.")
+        return WebRefusal(Code.NO_SENTENCE, said_back)
+    count(site, REQUESTS, student)
+    return site.context.desk.add_request(student, item, sentence, site.clock())
+
+
+def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:
+    """Let students see what was graded."""
+    if site.graded is None:
+        return NOT_FOUND
+    try:
+        return publish(site.context, site.graded, by, _reason(why), site.clock())
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return refusal_of_problem(error, Code.CONFLICT)
+
+
+def take_back(site: Site, by: str, why: str) -> Publication | WebRefusal:
+    """Let students see nothing any more."""
+    try:
+        return withdraw(site.context, by, _reason(why), site.clock())
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return refusal_of_problem(error, Code.CONFLICT)
+
+
+def _reason(why: str) -> str:
+    return shown(" ".join(why.split()))[:LONGEST_REASON]

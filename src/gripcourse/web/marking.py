@@ -1,0 +1,201 @@
+"""Marking at the desk: what waits for a person, one item after the other, by its rubric."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from http import HTTPStatus
+from typing import Final
+from urllib.parse import quote
+
+from starlette.responses import RedirectResponse, Response
+from starlette.routing import Route
+
+from gripcourse.course.quantity import Quantity
+from gripcourse.errors import UsageError
+from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.waiting import Waiting
+from gripcourse.machine.database.home import home_of
+from gripcourse.policy.rubric import Rubric
+from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import Words
+from gripcourse.usecases.hand_in import receipt_of
+from gripcourse.usecases.mark import enter_mark, what_waits
+from gripcourse.usecases.opening import grading_of
+from gripcourse.variants.model import Issued
+from gripcourse.web.instructor import Seat, desk_route
+from gripcourse.web.refusals import NOT_FOUND
+from gripcourse.web.site import Site
+
+_LINE: Final = "line:"
+_LONGEST_COMMENT: Final = 2000
+
+
+@dataclass(frozen=True, slots=True)
+class ItemToMark:
+    """An item that a person looks at.
+
+    Attributes:
+        issued: the student, and what was issued.
+        quantity: the item.
+        rubric: by which it is marked; None where the share of its points is said at once.
+        again: whether it was marked already, before its file or result changed.
+    """
+
+    issued: Issued
+    quantity: Quantity
+    rubric: Rubric | None
+    again: bool
+
+
+def marking_routes(site: Site) -> list[Route]:
+    """Return the routes of marking."""
+    one = "marking/{student}/{item}"
+    return [
+        desk_route(site, "marking", waiting_items),
+        desk_route(site, one, item_to_mark),
+        desk_route(site, one, mark, "POST"),
+    ]
+
+
+def waiting_items(seat: Seat) -> Response:
+    """Show everything that waits for a person."""
+    found = [_item(seat, one) for one in _waiting(seat)]
+    items = [
+        {
+            "address": _address(seat, one.issued.student.id, one.quantity.id),
+            "student": one.issued.student,
+            "title": one.quantity.title.of(seat.words.language),
+            "again": one.again,
+        }
+        for one in found
+        if one is not None
+    ]
+    return seat.page("marking", {"items": items})
+
+
+def item_to_mark(seat: Seat) -> Response:
+    """Show an item with its rubric."""
+    return _shown(seat, {}, ())
+
+
+def mark(seat: Seat) -> Response:
+    """Keep a mark, and go on with the next item."""
+    here = _place(seat)
+    following = _neighbour(_waiting(seat), here, 1)
+    texts = seat.sent.texts
+    lines = {
+        name.removeprefix(_LINE): _number(text)
+        for name, text in texts.items()
+        if name.startswith(_LINE)
+    }
+    context = seat.site.context
+    draft = Draft(
+        student=here[0],
+        quantity=here[1],
+        lines=lines,
+        credit=_number(texts["credit"]) if texts.get("credit") else None,
+        comment=texts.get("comment", "").strip()[:_LONGEST_COMMENT],
+    )
+    place, grading = home_of(context.course.root), grading_of(context.course, context.policy)
+    try:
+        enter_mark(draft, grading, place, seat.name, seat.site.clock())
+    except UsageError as refused:
+        words = seat.words
+        said = [f"{words.say(one.what)} {words.say(one.remedy)}" for one in refused.problems]
+        return _shown(seat, texts, said)
+    address = f"{seat.home}marking" if following is None else _address(seat, *following)
+    return RedirectResponse(address, HTTPStatus.SEE_OTHER)
+
+
+def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Response:
+    waits, here = _waiting(seat), _place(seat)
+    wanted = next((one for one in waits if (one.student, one.quantity) == here), None)
+    item = None if wanted is None else _item(seat, wanted)
+    if item is None:
+        return seat.refuse(NOT_FOUND)
+    context = seat.site.context
+    neighbours = {step: _neighbour(waits, here, step) for step in (-1, 1)}
+    values: dict[str, object] = {
+        "student": item.issued.student,
+        "variant": item.issued.variant.id,
+        "title": item.quantity.title.of(seat.words.language),
+        "again": item.again,
+        "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
+        "place": _address(seat, *here),
+        "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
+        "count": len(waits),
+        "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
+        "next": None if neighbours[1] is None else _address(seat, *neighbours[1]),
+        "hand_ins": [
+            receipt_of(context, item.issued, one) for one in context.desk.hand_ins(here[0])
+        ],
+        "requests": [one for one in context.desk.requests(here[0]) if one.item == here[1]],
+        "credit": typed.get("credit", ""),
+        "comment": typed.get("comment", ""),
+        "faults": faults,
+    }
+    return seat.page("mark", values)
+
+
+def _form(rubric: Rubric, typed: Mapping[str, str], words: Words) -> dict[str, object]:
+    """Return the rubric as the page shows it, with what was typed before."""
+    lines = [
+        {
+            "name": f"{_LINE}{line.id}",
+            "text": line.text.of(words.language),
+            "share": line.share,
+            "typed": typed.get(f"{_LINE}{line.id}", ""),
+            "levels": [
+                (level.credit, str(level.credit), level.text.of(words.language))
+                for level in line.levels
+            ],
+        }
+        for line in rubric.lines
+    ]
+    return {"title": rubric.title.of(words.language), "lines": lines}
+
+
+def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:
+    """Return what is to be marked; None where its student is in the register no longer."""
+    context = seat.site.context
+    issued = context.register().get(waits.student)
+    if issued is None:
+        return None
+    plan = plan_of(context.course, issued.variant.composition)
+    quantity = plan.quantities.get(waits.quantity)
+    if quantity is None:
+        return None
+    by_rubric = waits.outcome.traits.by_rubric
+    rubric = context.policy.rubrics[quantity.rubric] if by_rubric else None
+    return ItemToMark(issued, quantity, rubric, waits.again)
+
+
+def _waiting(seat: Seat) -> tuple[Waiting, ...]:
+    return what_waits(home_of(seat.site.context.course.root))
+
+
+def _place(seat: Seat) -> tuple[str, str]:
+    path = seat.request.path_params
+    return str(path["student"]), str(path["item"])
+
+
+def _neighbour(
+    waits: tuple[Waiting, ...], here: tuple[str, str], step: int
+) -> tuple[str, str] | None:
+    places = [(one.student, one.quantity) for one in waits]
+    if here not in places:
+        return None
+    wanted = places.index(here) + step
+    return places[wanted] if 0 <= wanted < len(places) else None
+
+
+def _address(seat: Seat, student: str, item: str) -> str:
+    return f"{seat.home}marking/{quote(student, safe='')}/{quote(item, safe='')}"
+
+
+def _number(text: str) -> float:
+    """Read a share; what is none is refused as such later on."""
+    try:
+        return float(text.strip().replace(",", "."))
+    except ValueError:
+        return math.nan

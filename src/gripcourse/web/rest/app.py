@@ -1,0 +1,160 @@
+"""The part of the application that programs ask; see `declare` for what there is."""
+
+from collections.abc import Awaitable, Callable, Mapping
+from itertools import groupby
+from typing import Any, Final
+
+from anyio import to_thread
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import FileResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from gripcourse.desk.links import Refused
+from gripcourse.errors import GradebookError
+from gripcourse.exports.plain import to_plain
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.links import open_link
+from gripcourse.web.guard import TooMuchError
+from gripcourse.web.pages import asked_language, visitor_words
+from gripcourse.web.rates import REFUSED_LINKS
+from gripcourse.web.refusals import (
+    LINK_SAID,
+    SIGN_IN,
+    Code,
+    WebRefusal,
+    refusal_of_incident,
+    refusal_of_request,
+    refusal_of_system,
+)
+from gripcourse.web.rest.bodies import read_body, usable
+from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, StudentCall, TokenRole
+from gripcourse.web.rest.desk import DESK_OPERATIONS
+from gripcourse.web.rest.openapi import description
+from gripcourse.web.rest.problems import NotUsable, problem
+from gripcourse.web.rest.student import STUDENT_OPERATIONS
+from gripcourse.web.site import Site
+from gripcourse.web.uploads import address_of, count
+
+REST: Final = "/api/v1"
+OPERATIONS: Final = (*STUDENT_OPERATIONS, *DESK_OPERATIONS)
+_NO_TOKEN: Final = WebRefusal(
+    Code.NO_TOKEN, message("Send the token that you were given: Authorization: Bearer …")
+)
+_CODES: Final = {
+    Refused.FORGED: Code.LINK_FORGED,
+    Refused.EXPIRED: Code.LINK_EXPIRED,
+    Refused.REVOKED: Code.LINK_REVOKED,
+}
+
+
+def rest_app(site: Site) -> Starlette:
+    """Make what stands below `/api/v1`."""
+
+    async def described(_: Request) -> Response:
+        return JSONResponse(description(OPERATIONS, REST))
+
+    async def refused(request: Request, fault: Exception) -> Response:
+        response = problem(refusal_of_request(fault), visitor_words(site, request))
+        response.headers.update(getattr(fault, "headers", None) or {})
+        return response
+
+    async def gone(_: Request, _fault: Exception) -> Response:
+        return Response(status_code=499)
+
+    async def system(request: Request, fault: Exception) -> Response:
+        return problem(refusal_of_system(fault), visitor_words(site, request))
+
+    async def ours(request: Request, fault: Exception) -> Response:
+        return problem(refusal_of_incident(fault), visitor_words(site, request))
+
+    routes = [Route("/openapi.json", described, methods=["GET"])]
+    for path, same in groupby(OPERATIONS, key=lambda one: one.path):
+        by_method = {one.method: one for one in same}
+        routes.append(Route(path, _endpoint(site, by_method), methods=list(by_method)))
+    handlers = {
+        HTTPException: refused,
+        TooMuchError: refused,
+        ClientDisconnect: gone,
+        OSError: system,
+        GradebookError: system,
+        Exception: ours,
+    }
+    return Starlette(routes=routes, exception_handlers=handlers)
+
+
+def _endpoint(
+    site: Site, by_method: Mapping[str, ApiOperation]
+) -> Callable[[Request], Awaitable[Response]]:
+    async def endpoint(request: Request) -> Response:
+        operation = by_method["GET" if request.method == "HEAD" else request.method]
+        call = await _call(site, operation, request)
+        if isinstance(call, WebRefusal | NotUsable):
+            return problem(call, visitor_words(site, request))
+        limiter = site.waiting if operation.waits else None
+        made = await to_thread.run_sync(operation.answer, call, limiter=limiter)
+        return _response(operation, made, call.words)
+
+    return endpoint
+
+
+async def _call(
+    site: Site, operation: ApiOperation, request: Request
+) -> StudentCall | DeskCall | WebRefusal | NotUsable:
+    """Find out who asks, and only then read what was sent."""
+    scheme, _, token = request.headers.get("authorization", "").partition(" ")
+    if scheme.lower() != "bearer" or not token.strip():
+        return _NO_TOKEN
+    if operation.role is TokenRole.STUDENT:
+        return await _student_call(site, operation, request, token.strip())
+    return await _desk_call(site, operation, request, token.strip())
+
+
+async def _student_call(
+    site: Site, operation: ApiOperation, request: Request, token: str
+) -> StudentCall | WebRefusal | NotUsable:
+    issued = await run_in_threadpool(open_link, site.context, token, site.clock())
+    if isinstance(issued, Refused):
+        count(site, REFUSED_LINKS, address_of(request))
+        return WebRefusal(_CODES[issued], LINK_SAID[issued])
+    language = asked_language(request) or issued.student.language or site.context.course.language
+    body = await read_body(operation, request)
+    if isinstance(body, WebRefusal | NotUsable):
+        return body
+    return StudentCall(site, request, Words(language), issued, body)
+
+
+async def _desk_call(
+    site: Site, operation: ApiOperation, request: Request, token: str
+) -> DeskCall | WebRefusal | NotUsable:
+    name = ""
+    if operation.role is TokenRole.INSTRUCTOR:
+        desk = site.context.desk
+        known = await run_in_threadpool(desk.session_name, token, site.clock())
+        if known is None:
+            return SIGN_IN
+        name = known
+    query: Any = None
+    if operation.searches is not None:
+        query = usable(operation.searches, dict(request.query_params))
+    body = await read_body(operation, request)
+    for sent in (query, body):
+        if isinstance(sent, WebRefusal | NotUsable):
+            return sent
+    return DeskCall(site, request, visitor_words(site, request), token, name, query, body)
+
+
+def _response(operation: ApiOperation, made: object, words: Words) -> Response:
+    if isinstance(made, WebRefusal):
+        return problem(made, words)
+    # What is described is what is sent: a declaration that lies is our mistake.
+    if not isinstance(made, operation.gives):
+        raise TypeError(operation.path)
+    if made is None:
+        return Response(status_code=operation.status)
+    if isinstance(made, SentFile):
+        return FileResponse(made.path, media_type=operation.media, filename=made.name)
+    headers = {"Content-Language": words.language}
+    return JSONResponse(to_plain(made), operation.status, headers)

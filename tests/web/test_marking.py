@@ -1,0 +1,94 @@
+"""Marking and regrading at the desk: the library's calls, with who and why."""
+
+import re
+from dataclasses import replace
+from html import unescape
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gripcourse.gradebook.journal import regrades
+from gripcourse.gradebook.store import Gradebook
+from web.conftest import form_key, sign_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from starlette.testclient import TestClient
+
+    from web.conftest import Server
+
+DRAWING = "general_view_drawing"
+PAGE = f"/desk/marking/s01/{DRAWING}"
+LINES = {"line:sizes": "1", "line:assembly": "0,5", "line:standards": "0"}
+
+
+@pytest.fixture
+def graded(server: "Server", filled: bytes, tmp_path: "Path") -> "Server":
+    """The first student's file is graded."""
+    files = {"file": ("work.xlsx", filled)}
+    assert server.client().post(f"{server.home('s01')}hand-in", files=files).status_code == 200
+    server.grade(tmp_path)
+    return server
+
+
+def book(server: "Server") -> Gradebook:
+    return Gradebook(server.context.desk.engine)
+
+
+def places(page: str) -> list[str]:
+    return re.findall(r'href="(/desk/marking/[^"]+)"', page)
+
+
+def test_an_item_is_marked_by_its_rubric_and_the_next_one_is_a_key_away(
+    graded: "Server", signed_in: "TestClient"
+) -> None:
+    key = form_key(signed_in)
+    waits = list(dict.fromkeys(places(signed_in.get("/desk/marking").text)))
+    assert PAGE in waits
+    page = signed_in.get(PAGE).text
+    assert page.count('name="line:') == 3
+    assert 'accesskey="p"' in page or 'accesskey="n"' in page
+    assert "<script" not in page
+    draft = {"form_key": key, "comment": "<b>well</b> drawn", **LINES}
+    for wrong, value in (("line:sizes", "1.5"), ("line:sizes", "much")):
+        refused = signed_in.post(PAGE, data={**draft, wrong: value}).text
+        assert 'role="alert"' in refused
+        assert "&lt;b&gt;well&lt;/b&gt; drawn" in refused
+        assert f'value="{value}"' in refused
+    signed_in.post(PAGE, data=draft)
+    mark = book(graded).entries({"s01"})[-1].mark
+    assert (mark.quantity, mark.marker, mark.comment) == (DRAWING, "Dr. Ноль", "<b>well</b> drawn")
+    assert mark.credit == pytest.approx(0.55)
+    assert PAGE not in places(signed_in.get("/desk/marking").text)
+    assert signed_in.get(PAGE).status_code == 404
+
+
+def test_nothing_waits_of_who_is_not_there(signed_in: "TestClient") -> None:
+    for path in ("nobody/general_view_drawing", "s01/grip_force", "s01/nothing"):
+        assert signed_in.get(f"/desk/marking/{path}").status_code == 404
+
+
+def test_a_regrade_counts_only_as_it_was_shown_and_with_a_reason(graded: "Server") -> None:
+    context = graded.context
+    stricter = replace(context.policy, carried_credit=0.5)
+    later = replace(graded, context=replace(context, policy=stricter))
+    client, before = sign_in(later), len(regrades(book(graded)))
+    key = form_key(client)
+    shown = unescape(client.post("/desk/regrading", data={"form_key": key}).text)
+    found = re.search(r'name="seen" value="([0-9a-f]{64})"', shown)
+    assert found is not None
+    assert "Иванова" in shown
+    apply, form = "/desk/regrading/apply", {"form_key": key, "seen": found[1]}
+    assert client.post(apply, data={**form, "why": " "}).status_code == 409
+    assert client.post(apply, data={**form, "seen": "0" * 64, "why": "so"}).status_code == 409
+    assert len(regrades(book(graded))) == before
+    form |= {"allow_lower": "yes", "why": "<i>the department</i> decided"}
+    done = client.post(apply, data=form)
+    assert "&lt;i&gt;the department&lt;/i&gt; decided" in done.text
+    kept = regrades(book(graded))[-1]
+    assert (kept.signed.person, kept.signed.why) == ("Dr. Ноль", "<i>the department</i> decided")
+    again = client.post("/desk/regrading", data={"form_key": key}).text
+    assert 'name="seen"' not in again
+    client.post("/desk/regrading/undo", data={"form_key": key, "why": "a mistake"})
+    assert regrades(book(graded))[-1].undoes == kept.number
