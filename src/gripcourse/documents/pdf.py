@@ -102,8 +102,7 @@ def render_html(
 ) -> str:
     """Fill the template of a document; see `render_pdf` for the arguments and the errors.
 
-    Args:
-        with_charts: draw them; else their places stay empty.
+    Without charts their places stay empty.
     """
     from jinja2 import TemplateError
 
@@ -131,7 +130,7 @@ def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # no
 
 @dataclass(frozen=True, slots=True)
 class Chart:
-    """A chart that is drawn, as an SVG text, when a page shows it: who tries a template need not."""
+    """A chart that is drawn, as an SVG text, when a page shows it; who tries one need not."""
 
     draw: Callable[[], str]
 
