@@ -78,7 +78,8 @@ def test_the_wheel_carries_the_whole_package_and_nothing_else(wheel: Path) -> No
 
 def test_a_course_can_be_made_checked_and_solved(program: Path, tmp_path: Path) -> None:
     run(program, "init", "mine", folder=tmp_path)
-    run(program, "validate", "--course", "mine", folder=tmp_path)
+    # One scheme: the whole is judged where the installed course is.
+    run(program, "validate", "--course", "mine", "--scheme", SCHEME, folder=tmp_path)
     solve = (program, "solve", "--scheme", SCHEME, "--json", "--course", "mine")
     solved = json.loads(run(*solve, folder=tmp_path))
     assert solved["values"]["grip_force"]["value"] > 0

@@ -96,14 +96,17 @@ def moved_alone(
 
 
 def steps_from(plan: Plan, one: Quantity) -> set[object]:
-    """Name an answer with its own formula, and with that of everything computed from it."""
+    """Name an answer with its own formula, and with that of everything computed from it.
 
-    def written(name: str) -> str | None:
+    What schemes share is declared in one file, and has one name.
+    """
+
+    def written(name: str) -> tuple[str, str | None]:
         formula = plan.reference_formula(name)
-        return None if formula is None else formula.text
+        return plan.quantities[name].file, None if formula is None else formula.text
 
     users = (name for name, inputs in plan.inputs.items() if one.id in inputs)
-    own = (plan.scheme.id, one.id, written(one.id))
+    own = (one.id, written(one.id))
     return {own, *((*own, name, written(name)) for name in users)}
 
 
@@ -122,10 +125,10 @@ def seen() -> set[object]:
 def test_one_answer_outside_its_band_loses_that_item_only(
     composition: "Composition", policy: Policy, seen: set[object]
 ) -> None:
-    """Every answer of every scheme, with each formula of the scheme that it goes into.
+    """Every answer that is declared, with each formula that it goes into.
 
-    An answer is tried again where another composition computes it, or what follows from it, by
-    another formula.
+    An answer is tried again where another composition or another scheme computes it, or what
+    follows from it, by another formula or declares it itself.
     """
     strict = replace(policy, printed_credit=None)  # else near a printed one it would earn all
     right = reference_answers(composition)

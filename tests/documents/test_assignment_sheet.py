@@ -270,6 +270,11 @@ def test_formulas_of_works_that_students_do_not_have_are_printed(course: Course)
     at_hand = {work.title.of("en") for work in course.works.values() if work.at_hand}
     example = course.schemes["prism_lever"].example
     assert example is not None
-    works = appendix_of(make_plan(course, "prism_lever", example.options), ENGLISH).works
+    appendix = appendix_of(make_plan(course, "prism_lever", example.options), ENGLISH)
+    works, printed = appendix.works, [work for third in appendix.thirds for work in third]
     assert works
     assert not at_hand.intersection(work.title for work in works)
+    assert [work.title for work in printed if work.title] == [work.title for work in works]
+    assert [one for work in printed for one in work.formulas] == [
+        one for work in works for one in work.formulas
+    ]

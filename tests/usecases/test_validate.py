@@ -1,4 +1,8 @@
-"""Validating a course: every problem of every file, and nothing twice."""
+"""Validating a course: every problem of every file, and nothing twice.
+
+That the reference course has none is shown from the command line, once: it takes ten seconds. Here
+the second course is broken, which is judged in two.
+"""
 
 import shutil
 from collections.abc import Callable
@@ -18,18 +22,16 @@ from gripcourse.machine.database.opening import open_engine
 from gripcourse.usecases.validate import all_problems, register_problems, scheme_problems
 from gripcourse.variants.model import Student, Variant
 
-REPOSITORY = Path(__file__).parents[2]
-SPACE = "variants/spaces/rack_parallelogram.toml"
+COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
+SPACE = "variants/spaces/v_belt.toml"
 
 
 @pytest.fixture
 def broken(tmp_path: Path) -> Callable[..., Path]:
-    """Copy the reference course and replace text in its files: (file, old, new) each."""
+    """Copy a course and replace text in its files: (file, old, new) each."""
 
     def make(*edits: tuple[str, str, str]) -> Path:
-        root = tmp_path / "course"
-        for folder in ("variants", "grader", "templates"):
-            shutil.copytree(REPOSITORY / folder, root / folder)
+        root = Path(shutil.copytree(COURSE, tmp_path / "course"))
         for file, old, new in edits:
             written = (root / file).read_text(encoding="utf-8")
             assert old in written, file
@@ -39,21 +41,17 @@ def broken(tmp_path: Path) -> Callable[..., Path]:
     return make
 
 
-def test_the_reference_course_is_valid() -> None:
-    assert all_problems(REPOSITORY) == []
-
-
 def test_declarations_catalogues_and_policy_are_judged_together(
     broken: Callable[..., Path],
 ) -> None:
     root = broken(
-        ("variants/sections/friction_grip.toml", "lifting_load/(2*friction)", "lifting_laod/2"),
-        ("variants/catalogues/pin.csv", "# source:", "# from:"),
+        ("variants/sections/open_belt.toml", "asin((large_diameter", "asin((larg_diameter"),
+        ("variants/catalogues/belt_count.csv", "# source:", "# from:"),
         ("grader/policy.toml", "total = 100", "total = 99"),
     )
     assert {(one.file, one.key) for one in all_problems(root)} == {
-        ("variants/sections/friction_grip.toml", "quantity.grip_force.formula"),
-        ("variants/catalogues/pin.csv", "source"),
+        ("variants/sections/open_belt.toml", "quantity.wrap_angle.formula"),
+        ("variants/catalogues/belt_count.csv", "source"),
         ("grader/policy.toml", "points.section"),
     }
 
@@ -72,7 +70,7 @@ def test_a_changed_register_is_named_with_its_student(course: Course, tmp_path: 
 
 
 def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path]) -> None:
-    space_fault = (SPACE, "[given.mass]", "[given.mas]")
+    space_fault = (SPACE, "[given.power]", "[given.powr]")
     found = all_problems(broken(space_fault))
     assert found
     assert {one.file for one in found} == {SPACE}
@@ -80,7 +78,7 @@ def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path])
 
 def test_spaces_are_not_judged_against_a_broken_course(broken: Callable[..., Path]) -> None:
     root = broken(
-        (SPACE, "[given.mass]", "[given.mas]"),
+        (SPACE, "[given.power]", "[given.powr]"),
         ("grader/policy.toml", "total = 100", "total = 99"),
     )
     assert [one.file for one in all_problems(root)] == ["grader/policy.toml"]
@@ -89,7 +87,6 @@ def test_spaces_are_not_judged_against_a_broken_course(broken: Callable[..., Pat
 def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[..., Path]) -> None:
     root = broken()
     tables = root / "variants" / "tables"
-    tables.mkdir(exist_ok=True)
     (tables / "spare.csv").write_text("variant,scheme\n001,rack\n", encoding="utf-8")
     found = all_problems(root)
     assert found

@@ -1,11 +1,13 @@
 """The appendix of an assignment: the series, tables and formulas that a student needs at hand."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.worked import entering_units, worked_line
-from gripcourse.formula.boxes import Box
+from gripcourse.formula.boxes import Box, Fraction, Root, boxes
+from gripcourse.formula.plain import text
 from gripcourse.solver.needed_tables import NeededTable, needed_tables, tables_by_taker
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
@@ -13,6 +15,8 @@ from gripcourse.text.words import Message, Words, message
 
 _FIGURES = 12  # sizes are printed as they are declared, never rounded
 _WIDE = 8  # columns, from which on a table takes the width of the page
+_LETTERS = 34  # of a line of a column
+_SPACE = 0.6  # lines round a heading, and below a formula
 _FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
 
 
@@ -72,6 +76,39 @@ class Appendix:
     def any(self) -> bool:
         """Whether there is anything to print."""
         return bool(self.series or self.tables or self.works)
+
+    @property
+    def thirds(self) -> tuple[tuple[QuotedWork, ...], ...]:
+        """The works in three columns, about equally high; a work that goes on has no title."""
+        heights = [[_lines_of(one) for one in work.formulas] for work in self.works]
+        titles = [_SPACE + math.ceil(len(work.title) / _LETTERS) for work in self.works]
+        whole = sum(titles) + sum(map(sum, heights))
+        columns: list[list[QuotedWork]] = [[], [], []]
+        above = 0.0
+        for work, own, heading in zip(self.works, heights, titles, strict=True):
+            above += heading
+            parts: list[list[AppendixFormula]] = [[], [], []]
+            for formula, height in zip(work.formulas, own, strict=True):
+                parts[min(int(3 * (above + height / 2) / whole), 2)].append(formula)
+                above += height
+            title = work.title
+            for column, part in zip(columns, parts, strict=True):
+                if part:
+                    column.append(QuotedWork(title, tuple(part)))
+                    title = ""
+        return tuple(tuple(column) for column in columns)
+
+
+def _lines_of(formula: AppendixFormula) -> float:
+    """Estimate how high a formula is with its title in a column, in lines."""
+    units = sum(len(symbol) + len(unit) + 4 for symbol, unit in formula.units)
+    written = math.ceil((len(text(formula.line)) + units) / _LETTERS)
+    kinds = {type(one) for one in boxes(formula.line)}
+    return (
+        math.ceil(len(formula.title) / _LETTERS)
+        + written * (1 + len(kinds & {Fraction, Root}))
+        + _SPACE
+    )
 
 
 def appendix_of(plan: Plan, words: Words) -> Appendix:

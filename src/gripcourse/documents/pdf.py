@@ -97,12 +97,18 @@ def render_pdf(document: Document, templates: Path, words: Words) -> bytes:
     return pdf_from_html(render_html(document, templates, words), document.styles, templates)
 
 
-def render_html(document: Document, templates: Path, words: Words) -> str:
-    """Fill the template of a document; see `render_pdf` for the arguments and the errors."""
+def render_html(
+    document: Document, templates: Path, words: Words, *, with_charts: bool = True
+) -> str:
+    """Fill the template of a document; see `render_pdf` for the arguments and the errors.
+
+    Without charts their places stay empty.
+    """
     from jinja2 import TemplateError
 
     try:
-        template = template_environment(templates, words.language).get_template(document.template)
+        environment = template_environment(templates, words.language, with_charts=with_charts)
+        template = environment.get_template(document.template)
         return template.render(document.values)
     except (TemplateError, ArithmeticError) as error:
         raise CourseError([template_problem(error, document.template, templates)]) from error
@@ -120,6 +126,17 @@ def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # no
     sheets = [_style_sheet(path, path.stat().st_mtime_ns) for path in _paths(templates, styles)]
     source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))
     return source.render(stylesheets=sheets, font_config=_fonts(), pdf_variant=_VARIANT)
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """A chart that is drawn, as an SVG text, when a page shows it; who tries one need not."""
+
+    draw: Callable[[], str]
+
+    def __str__(self) -> str:
+        """Return the address with which a page shows it."""
+        return picture(self.draw())
 
 
 def picture(svg: str) -> str:
@@ -203,9 +220,15 @@ def _seen(value: object) -> object:
     return shown(value) if type(value) is str else value
 
 
+def _without_charts(value: object) -> object:
+    return "" if isinstance(value, Chart) else _seen(value)
+
+
 # One environment for each folder and language of a run.
 @lru_cache(maxsize=4 * len(LANGUAGES))
-def template_environment(templates: Path, language: str) -> "Environment":
+def template_environment(
+    templates: Path, language: str, *, with_charts: bool = True
+) -> "Environment":
     """Return what every template of a folder gets whatever the document: see the list above."""
     from jinja2 import FileSystemLoader, StrictUndefined
 
@@ -216,7 +239,7 @@ def template_environment(templates: Path, language: str) -> "Environment":
         loader=FileSystemLoader(template_folders(templates)),
         autoescape=True,
         undefined=StrictUndefined,
-        finalize=_seen,
+        finalize=_seen if with_charts else _without_charts,
         trim_blocks=True,
         lstrip_blocks=True,
     )

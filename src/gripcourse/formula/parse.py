@@ -10,6 +10,7 @@ import difflib
 import math
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from itertools import pairwise
 from typing import Final
 
@@ -51,6 +52,8 @@ _COMPARISON: Final[Mapping[type[ast.cmpop], Operator]] = {
 }
 
 
+# Schemes share parts, so that whoever reads a course meets each formula three times.
+@lru_cache(maxsize=4096)
 def parse(text: str) -> Node:
     """Read a formula; line breaks count as spaces.
 

@@ -1,6 +1,7 @@
 """Checking declared proofs: names, dimensions, options, and whether any composition has them."""
 
 from collections.abc import Iterator, Mapping
+from typing import TypeAlias
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course, Scheme
@@ -27,6 +28,9 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import PLAIN, Dimension, dimension
 from gripcourse.text.words import message
 
+Composed: TypeAlias = dict[tuple[str, tuple[tuple[str, str], ...]], dict[str, Quantity]]
+"""What schemes have with choices of options: many proofs ask for the same."""
+
 
 def load_declared_proofs(course: Course) -> DeclaredProofs:
     """Read the proofs that a course declares; a course without the file declares none.
@@ -44,7 +48,10 @@ def load_declared_proofs(course: Course) -> DeclaredProofs:
 def check_declared(course: Course, declared: DeclaredProofs) -> list[Problem]:
     """Return what is wrong with the proofs that a course declares."""
     columns = column_dimensions(course)
-    found = [one for proof in declared.proofs for one in _proof_faults(course, proof, columns)]
+    composed: Composed = {}
+    found = [
+        one for proof in declared.proofs for one in _proof_faults(course, proof, columns, composed)
+    ]
     known = {name for one in course.parts.values() for name in one.quantities}
     known |= {name for one in course.schemes.values() for name in one.quantities}
     for one in declared.unshown:
@@ -66,7 +73,10 @@ def schemes_of(course: Course, proof: DeclaredProof) -> tuple[Scheme, ...]:
 
 
 def _proof_faults(
-    course: Course, proof: DeclaredProof, columns: Mapping[str, ColumnDimensions]
+    course: Course,
+    proof: DeclaredProof,
+    columns: Mapping[str, ColumnDimensions],
+    composed: Composed,
 ) -> Iterator[Problem]:
     scope, wanted = proof.scope, names_used(proof)
     fitting = [
@@ -88,7 +98,7 @@ def _proof_faults(
     nearest: dict[str, Quantity] = {}
     is_tried = False
     for scheme in fitting:
-        quantities = _with_names(course, scheme, scope.options, wanted)
+        quantities = _with_names(course, scheme, scope.options, wanted, composed)
         if wanted <= quantities.keys():
             is_tried = True
             yield from _dimension_faults(proof, scheme, quantities, columns)
@@ -101,17 +111,19 @@ def _proof_faults(
 
 
 def _with_names(
-    course: Course, scheme: Scheme, options: Mapping[str, str], wanted: frozenset[str]
+    course: Course,
+    scheme: Scheme,
+    options: Mapping[str, str],
+    wanted: frozenset[str],
+    composed: Composed,
 ) -> dict[str, Quantity]:
     """Return the composition with these options that holds all names, else as many as possible."""
     best: dict[str, Quantity] = {}
-    seen = set()
-    for one in pair_option_sets(scheme):
-        chosen = {**one, **options}
-        if (key := tuple(chosen.values())) in seen:
-            continue
-        seen.add(key)
-        found = {**course.constants, **compose(course, scheme, chosen)}
+    for chosen in {tuple({**one, **options}.items()): None for one in pair_option_sets(scheme)}:
+        key = (scheme.id, chosen)
+        if key not in composed:
+            composed[key] = {**course.constants, **compose(course, scheme, dict(chosen))}
+        found = composed[key]
         if wanted <= found.keys():
             return found
         if len(wanted & found.keys()) >= len(wanted & best.keys()):

@@ -30,7 +30,7 @@ def draw_atlas(course: Course, identifier: str, out: Path, words: Words) -> list
     written = []
     for plate in drawn:
         written.append(out / f"figure_{plate.number}.svg")
-        write_text(written[-1], plate.svg)
+        write_text(written[-1], plate.svg())
     written.append(out / f"{identifier}.pdf")
     write_bytes(written[-1], atlas_pdf(atlas, drawn, course, words))
     return written

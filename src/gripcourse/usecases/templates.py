@@ -121,7 +121,8 @@ def filling_problems(
 
 def _failures(document: Document, templates: Path, words: Words) -> list[Problem]:
     try:
-        render_html(document, templates, words)
+        # Charts fill no template: matplotlib, two seconds, would be paid for eight of them.
+        render_html(document, templates, words, with_charts=False)
     except GripcourseError as error:
         return list(error.problems)
     except Exception as error:  # noqa: BLE001 (whatever an expression of a template comes to)

@@ -93,5 +93,6 @@ def test_the_atlas_is_the_same_every_time(atlas: Atlas, the_course: Course) -> N
     words = Words("en")
     drawn = plates(atlas, the_course, words)
     assert [one.number for one in drawn] == [2, 3, 4, 5]
-    assert drawn == plates(atlas, the_course, words)
+    again = plates(atlas, the_course, words)
+    assert [one.svg() for one in drawn] == [one.svg() for one in again]
     assert atlas_pdf(atlas, drawn, the_course, words).startswith(b"%PDF")

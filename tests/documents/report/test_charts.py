@@ -2,9 +2,18 @@
 
 import re
 
+import numpy as np
 import pytest
 
-from gripcourse.documents.report.charts import Bar, ChartBox, box_plot, facility_plot, score_plot
+from gripcourse.documents.report.charts import (
+    Bar,
+    ChartBox,
+    ChartLine,
+    box_plot,
+    facility_plot,
+    line_plot,
+    score_plot,
+)
 from gripcourse.text.words import Words
 
 ENGLISH = Words("en")
@@ -38,7 +47,12 @@ def test_students_are_whole() -> None:
 
 
 def test_a_title_is_text_and_never_a_formula() -> None:
-    assert "цена, $x$ и $y$" in texts(facility_plot([Bar("цена, $x$ и $y$", 0.5, 0.4)], ENGLISH))
+    title = "цена, $x^$ и $y$"
+    assert title in texts(facility_plot([Bar(title, 0.5, 0.4)], ENGLISH))
+    along = np.array([0.0, 1.0])
+    written = texts(line_plot(along, [ChartLine("1", title, along)], title, title, ENGLISH))
+    assert written.count(title) == 2
+    assert f"1 — {title}" in written
 
 
 def test_a_long_title_is_cut() -> None:

@@ -144,7 +144,8 @@ def test_the_other_jaw_is_drawn_too(drawn: tuple[Drawn, ...]) -> None:
 def test_every_symbol_is_one_of_the_declarations(one_of_each: tuple[Drawn, ...]) -> None:
     for one in one_of_each:
         for language in LANGUAGES:
-            layout = lay_out(one.plan, one.given, language)
+            own = language == LANGUAGE
+            layout = one.layout if own else lay_out(one.plan, one.given, language)
             assert layout is not None
             declared = {quantity.symbol.of(language) for quantity in one.plan.quantities.values()}
             written = {letter.symbol for letter in layout.written if letter.is_quantity}

@@ -1,14 +1,15 @@
 """The atlas of a source: its figures and its table of cases, from the course's own formulas."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.atlas import Atlas, AtlasFigure, AtlasRow, AtlasSize
 from gripcourse.course.model import Course
-from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.pdf import Chart, Document, render_pdf
 from gripcourse.documents.report.charts import ChartLine, line_plot
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
@@ -28,11 +29,11 @@ _POINTS = 61
 
 @dataclass(frozen=True, slots=True)
 class Plate:
-    """A figure ready to print: number, title, and the plot as SVG text."""
+    """A figure ready to print: number, title, and what draws its plot as SVG text, once."""
 
     number: int
     title: str
-    svg: str
+    svg: Callable[[], str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +47,7 @@ class AtlasCase:
 
 
 def plates(atlas: Atlas, course: Course, words: Words) -> tuple[Plate, ...]:
-    """Draw every figure of an atlas."""
+    """Compute every figure of an atlas; it is drawn where it is shown."""
     scheme = course.schemes[atlas.scheme]
     plan = make_plan(course, atlas.scheme, default_options(scheme))
     given = scheme.example.given if scheme.example is not None else {}
@@ -111,12 +112,14 @@ def atlas_values(
         "course": course.title.of(words.language),
         "title": atlas.title.of(words.language),
         "work": course.works[atlas.work].title.of(words.language),
-        "plates": [(one.number, one.title, picture(one.svg)) for one in drawn],
+        "plates": [(one.number, one.title, Chart(one.svg)) for one in drawn],
         "cases": list(_cases(atlas, plan, words)),
     }
 
 
-def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Words) -> str:
+def _plot(
+    figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Words
+) -> Callable[[], str]:
     along, curves = curve_values(figure, plan, known)
     lines = [
         ChartLine(str(one.number), _label(one.quantity, one.at, plan, words), curves[one.number])
@@ -126,7 +129,7 @@ def _plot(figure: AtlasFigure, plan: Plan, known: Mapping[str, float], words: Wo
     label = f"{against.title.of(words.language)}, {unit_text(against.unit, words.language)}"
     units = dict.fromkeys(plan.quantities[one.quantity].unit for one in figure.curves)
     ordinate = "; ".join(unit_text(unit, words.language) for unit in units)
-    return line_plot(along, lines, label, ordinate, words)
+    return cache(partial(line_plot, along, lines, label, ordinate, words))
 
 
 def _label(quantity: str, at: Mapping[str, float], plan: Plan, words: Words) -> str:

@@ -6,13 +6,14 @@ It is kept with the table: it names the file by its digest, and every number of 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
+from functools import partial
 from itertools import groupby
 
 import numpy as np
 
 from gripcourse.course.compose import declared_in
 from gripcourse.course.model import Course
-from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.pdf import Chart, Document, render_pdf
 from gripcourse.documents.report.certificate_checks import check_lines, tested_for_bodies
 from gripcourse.documents.report.charts import share_plot
 from gripcourse.documents.report.columns import aligned, aligned_cells
@@ -83,8 +84,8 @@ def certificate_values(
         "passed": audit.passed,
         "checks": [(words.say(one.what), one.limit, one.found, one.kept)
                    for one in check_lines(audit, tested_for_bodies(audit, course), words)],
-        "plot": picture(share_plot(audit.apart.whole.histogram.tolist(),
-                                   audit.rules.shared_points, words)),
+        "plot": Chart(partial(share_plot, audit.apart.whole.histogram.tolist(),
+                              audit.rules.shared_points, words)),
         "sections": aligned_cells([
             _section(section.title.of(words.language), shares, audit.apart.pairs, words)
             for section, shares in zip(course.sections, audit.apart.sections, strict=True)

@@ -22,6 +22,7 @@ _STYLE: Final[dict[Any, Any]] = {
     "svg.hashsalt": "gripcourse",
     "font.family": ["PT Sans", "DejaVu Sans"],
     "font.size": 8,
+    "text.parse_math": False,  # a course's titles are text, whatever signs they have
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.linewidth": 0.6,
@@ -116,7 +117,7 @@ def facility_plot(bars: Sequence[Bar], words: Words) -> str:
         edge: dict[str, Any] = {"height": 0.66, "edgecolor": _EDGE, "linewidth": 0.5}
         axes.barh(places, whole, color="white", label=words.say(message("carried forward")), **edge)
         axes.barh(places, dark, color=_FILL, label=words.say(message("by the reference")), **edge)
-        axes.set_yticks(places, list(map(_counted, bars)), parse_math=False)
+        axes.set_yticks(places, list(map(_counted, bars)))
         axes.tick_params(axis="y", length=0)
         axes.set_ylim(len(bars) - 0.4, -0.6)
         axes.set_xlim(0, 100.5)  # the edge of a full bar shows
@@ -150,7 +151,7 @@ def box_plot(boxes: Sequence[ChartBox], words: Words) -> str:
             meanprops={"marker": "D", "markersize": 3.5, "mfc": "white", "mec": _EDGE},
         )
         names = [_short(box.label) for box in boxes]
-        axes.set_yticks(range(1, len(boxes) + 1), names, parse_math=False)
+        axes.set_yticks(range(1, len(boxes) + 1), names)
         axes.tick_params(axis="y", length=0)
         axes.invert_yaxis()
         axes.set_xlim(-1, 101)

@@ -3,11 +3,12 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
+from functools import partial
 from pathlib import PurePath
 
 from gripcourse.course.compose import declared_in
 from gripcourse.course.model import Course, Section
-from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.pdf import Chart, Document, render_pdf
 from gripcourse.documents.report.charts import ChartBox, box_plot, facility_plot, score_plot
 from gripcourse.documents.report.columns import aligned_rows
 from gripcourse.documents.report.fairness import extent_text, fairness_rows
@@ -96,9 +97,9 @@ def cohort_values(
         "sections": aligned_rows(rows, "mean", "median", "deviation", "extent"),
         "scales": [one.title.of(words.language) for one in policy.scales],
         "students": aligned_rows(students, "sections", "score", "open_points"),
-        "score_plot": picture(score_plot(scores, words)) if scores else "",
+        "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
         "section_plot": _section_plot(reports, sections, words),
-        "facility_plot": picture(facility_plot(bars, words)) if bars else "",
+        "facility_plot": Chart(partial(facility_plot, bars, words)) if bars else "",
         "slips": aligned_rows(slip_rows(reports, declared, words), "share"),
         "kinds": aligned_rows(kind_rows(reports, policy.slips, words), "share"),
         "fairness": aligned_rows(
@@ -151,13 +152,15 @@ def _section(
     )
 
 
-def _section_plot(reports: Sequence[Report], sections: Sequence[Section], words: Words) -> str:
+def _section_plot(
+    reports: Sequence[Report], sections: Sequence[Section], words: Words
+) -> Chart | str:
     boxes = [
         ChartBox(section.title.of(words.language), found)
         for section in sections
         if (found := section_shares(reports, section.id))
     ]
-    return picture(box_plot(boxes, words)) if boxes else ""
+    return Chart(partial(box_plot, boxes, words)) if boxes else ""
 
 
 def _student(report: Report, sections: Sequence[str], policy: Policy, words: Words) -> StudentRow:
