@@ -11,17 +11,18 @@ from itertools import groupby
 from typing import Any, TypeAlias, TypeVar
 
 from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
-from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
 from gripcourse.machine.database.opening import (
+    another_was_faster,
     open_engine,
     refusals_named,
     without_password,
     writing,
 )
+from gripcourse.machine.database.storable import in_code_order
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
@@ -96,7 +97,7 @@ class Gradebook:
             .outerjoin(
                 schema.results, and_(one.student == result.student, one.number == result.attempt)
             )
-            .order_by(one.student, one.number, result.place)
+            .order_by(*in_code_order(self.engine, one.student, one.number, result.place))
         )
         with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.attempts, students)
@@ -118,7 +119,7 @@ class Gradebook:
                     one.number == line.mark,
                 ),
             )
-            .order_by(one.student, one.quantity, one.number)
+            .order_by(*in_code_order(self.engine, one.student, one.quantity, one.number, line.line))
         )
         with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.marks, students)
@@ -173,7 +174,7 @@ class Gradebook:
                 with refusals_named(self.place), writing(self.engine) as connection:
                     _insert(connection, rows_of(found))
             except GradebookError as fault:
-                if not isinstance(fault.__cause__, IntegrityError):
+                if not another_was_faster(fault):
                     raise
                 continue
             return found

@@ -15,7 +15,7 @@ from starlette.responses import FileResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
-from gripcourse.errors import system_problem
+from gripcourse.errors import GradebookError, system_problem
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 from gripcourse.web.guard import Guard, TooMuchError
@@ -33,6 +33,9 @@ _SAID: Final = {
     HTTPStatus.TOO_MANY_REQUESTS: TOO_OFTEN,
 }
 _NO_REQUEST: Final = message("The browser sent something that cannot be used here.")
+_AWAY: Final = message(
+    "The course's records cannot be reached now. Try again in a minute; nothing is kept twice."
+)
 _GONE: Final = 499  # nobody hears it: who asked has closed the connection
 
 
@@ -66,6 +69,12 @@ def make_app(site: Site) -> ASGIApp:
         words = visitor_words(site, request)
         return notice(site, request, words, said, HTTPStatus.SERVICE_UNAVAILABLE)
 
+    async def away(request: Request, fault: Exception) -> Response:
+        # What it says names the server, which is nobody's business here.
+        _log.error("%s", fault)
+        words = visitor_words(site, request)
+        return notice(site, request, words, _AWAY, HTTPStatus.SERVICE_UNAVAILABLE)
+
     async def ours(request: Request, fault: Exception) -> Response:
         incident = secrets.token_hex(4)
         trace = "".join(traceback.format_exception(fault))
@@ -93,6 +102,7 @@ def make_app(site: Site) -> ASGIApp:
         TooMuchError: refused,
         ClientDisconnect: gone,
         OSError: system,
+        GradebookError: away,
         Exception: ours,
     }
     return Guard(
