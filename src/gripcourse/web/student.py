@@ -189,7 +189,8 @@ def check(visit: Visit) -> Response:
     site, words = visit.site, visit.words
     if visit.sent.file is None:
         return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
-    count(site, CHECKS, visit.student)
+    known = site.context.desk.checks(visit.student)
+    count(site, CHECKS, visit.student, (one.at for one in known))
     result = site.checkers.do(CheckJob(visit.sent.file, visit.student, site.ledger, words.language))
     if isinstance(result, Lost):
         said = message("This file could not be read within the limits of the server.")
@@ -240,7 +241,8 @@ def handed_in(visit: Visit) -> Response:
     """Keep a file; the receipt is shown when it is safe."""
     if visit.sent.file is None:
         return visit.say(NO_FILE, HTTPStatus.BAD_REQUEST)
-    count(visit.site, HAND_INS, visit.student)
+    known = visit.site.context.desk.hand_ins(visit.student)
+    count(visit.site, HAND_INS, visit.student, (one.at for one in known))
     try:
         made = hand_in(visit.site.context, visit.issued, visit.sent.file, visit.site.clock())
     except UsageError as refused:
