@@ -29,7 +29,14 @@ from gripcourse.machine.database.storable import storable
 from gripcourse.machine.files import make_private, make_private_folder, making, replacing
 from gripcourse.text.words import message
 
-__all__ = ["another_was_faster", "open_engine", "refusals_named", "without_password", "writing"]
+__all__ = [
+    "another_was_faster",
+    "engine_of",
+    "open_engine",
+    "refusals_named",
+    "without_password",
+    "writing",
+]
 
 _SECONDS_TO_WAIT: Final = 60  # for another program that writes to the same database
 _SECONDS_TO_CONNECT: Final = 10
@@ -58,6 +65,15 @@ def open_engine(place: str) -> Engine:
     with refusals_named(without_password(url)):
         _bring_up(engine, file)
     return engine
+
+
+def engine_of(place: str) -> Engine:
+    """Return the engine of a place as it is: nothing is made, nothing brought up.
+
+    Raises:
+        GradebookError: the place is none, or its driver is missing.
+    """
+    return _connected(_url(place))
 
 
 @contextmanager
