@@ -65,6 +65,9 @@ def term(place: str, graded: Sequence[Graded], classroom: "Classroom", out: Path
     write_results(kept, context, out, date(2026, 12, 9), 0, lambda _: None, lay_out=fake.page)
     told = [repr(one) for student in ("s01", "s02") for one in history(place, student)]
     files = [(out / name).read_bytes() for name in (GRADES_CSV, GRADES_JSON, FILES_CSV)]
+    assert files[1].decode() == json_text(
+        [one.report for one in kept], Words(context.course.language)
+    )
     return [*files, "\n".join(told).encode()]
 
 
