@@ -30,6 +30,9 @@ class Folded:
         found: tuple[Finding, ...] = pickle.loads(zlib.decompress(self.packed))  # noqa: S301 (`folded` wrote it)
         return iter(found)
 
+    def __getitem__(self, place: int) -> Finding:
+        return tuple(self)[place]
+
     def __contains__(self, wanted: object) -> bool:
         return wanted in tuple(self)
 
