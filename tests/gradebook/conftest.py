@@ -3,7 +3,6 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
-from pathlib import Path
 
 import pytest
 
@@ -12,6 +11,7 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.text.words import message
+from support.databases import either_place, postgresql_server
 
 MORNING = datetime(2026, 12, 2, 9, tzinfo=UTC)
 FINGERPRINTS = Fingerprints("c" * 64, "d" * 64)
@@ -114,6 +114,6 @@ def morning() -> datetime:
 
 
 @pytest.fixture
-def book(tmp_path: Path) -> Gradebook:
-    """An empty gradebook."""
-    return open_gradebook(str(tmp_path / "gradebook.sqlite"))
+def book(place: str) -> Gradebook:
+    """An empty gradebook, in either kind of database."""
+    return open_gradebook(place)

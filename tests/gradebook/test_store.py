@@ -165,7 +165,7 @@ class TestManyGraders:
         def get_in_between(
             _connection: object, _cursor: object, statement: str, *_: object
         ) -> None:
-            if rivals and statement.startswith("BEGIN"):
+            if rivals and statement.startswith(("BEGIN", "SET LOCAL")):
                 other.add_marks([rivals.pop()])
 
         book.add_marks([mark(credit=0.75)])

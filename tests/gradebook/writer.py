@@ -22,7 +22,7 @@ def write(place: str, marker: str, times: int) -> None:
                     variant="001",
                     scheme="rack",
                     file=f"{marker}-{number}.xlsx",
-                    digest=f"{marker}{number:0>60}",
+                    digest=f"{marker}{number:0>50}",
                     graded_at=now,
                     fingerprints=Fingerprints("c" * 64, "d" * 64),
                     judged=True,

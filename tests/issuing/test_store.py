@@ -4,6 +4,7 @@ import stat
 import subprocess
 import sys
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
@@ -17,7 +18,7 @@ from gripcourse.issuing.register import Register
 from gripcourse.issuing.register_file import old_register_path, write_register_file
 from gripcourse.issuing.signature import key_path, make_key, sign
 from gripcourse.issuing.store import extend_register, read_register
-from gripcourse.machine.database.home import address_path, gradebook_path
+from gripcourse.machine.database.home import address_path, gradebook_path, home_of
 from gripcourse.machine.database.opening import open_engine
 from gripcourse.variants.model import Issued, Student, Variant
 
@@ -32,10 +33,18 @@ ANNA, BORIS = (Student(id_, name, "РТК-42", "", "ru", "") for id_, name in
 
 
 @pytest.fixture
-def root(tmp_path: Path) -> Path:
-    """A course's folder with its key."""
+def own(tmp_path: Path) -> Path:
+    """A course's folder with its key, and its database in a file."""
     make_key(key_path(tmp_path), KEY)
     return tmp_path
+
+
+@pytest.fixture
+def root(own: Path, place: str) -> Path:
+    """The same, with either kind of database."""
+    if "://" in place:
+        address_path(own).write_text(place, encoding="utf-8")
+    return own
 
 
 def issue(root: Path, *students: Student) -> Register:
@@ -45,8 +54,17 @@ def issue(root: Path, *students: Student) -> Register:
     return extend_register(root, "small", change).register
 
 
+def issue_often(root: Path, group: str, times: int) -> None:
+    many = [Variant(f"{one:03}", "press", {}, {"mass": float(one)}) for one in range(1, 99)]
+    for number in range(times):
+        students = [replace(ANNA, id=f"{group}{number}{one}") for one in "ab"]
+        extend_register(
+            root, "small", lambda register, new=students: extend(register, new, many, TERMS)
+        )
+
+
 def spoil(root: Path, statement: str) -> None:
-    with open_engine(str(gradebook_path(root))).begin() as connection:
+    with open_engine(home_of(root)).begin() as connection:
         connection.execute(text(statement))
 
 
@@ -56,14 +74,14 @@ class TestKeeping:
         assert read_register(root, "small") == issued
         assert [one.variant.id for one in issued.entries] == ["001", "002"]
 
-    def test_before_the_first_issue_it_is_empty_and_nothing_is_made(self, root: Path) -> None:
-        assert read_register(root, "small") == Register("small", ())
-        assert {one.name for one in key_path(root).parent.iterdir()} == {"key"}
+    def test_before_the_first_issue_it_is_empty_and_nothing_is_made(self, own: Path) -> None:
+        assert read_register(own, "small") == Register("small", ())
+        assert {one.name for one in key_path(own).parent.iterdir()} == {"key"}
 
     @pytest.mark.skipif(sys.platform == "win32", reason="the mode bits are of POSIX systems")
-    def test_only_the_owner_can_read_it(self, root: Path) -> None:
-        issue(root, ANNA)
-        assert stat.S_IMODE(gradebook_path(root).stat().st_mode) == 0o600
+    def test_only_the_owner_can_read_it(self, own: Path) -> None:
+        issue(own, ANNA)
+        assert stat.S_IMODE(gradebook_path(own).stat().st_mode) == 0o600
 
     def test_a_later_issue_keeps_the_order_and_the_numbers(self, root: Path) -> None:
         first = issue(root, BORIS)
@@ -77,9 +95,9 @@ class TestKeeping:
         issue(root, replace(ANNA, name="Петрова Анна"), BORIS)
         issue(root, replace(ANNA, name="Петрова Анна"), BORIS)
         assert read_register(root, "small").by_student()["anna"].student.name == "Петрова Анна"
-        with open_engine(str(gradebook_path(root))).connect() as connection:
-            names = connection.execute(text("SELECT name FROM register_person ORDER BY 1"))
-            assert names.scalars().all() == ["Борисов Н.", "Иванова Анна", "Петрова Анна"]
+        with open_engine(home_of(root)).connect() as connection:
+            names = connection.execute(text("SELECT name FROM register_person"))
+            assert sorted(names.scalars()) == ["Борисов Н.", "Иванова Анна", "Петрова Анна"]
 
     def test_what_is_refused_leaves_nothing(self, root: Path) -> None:
         with pytest.raises(TableError):
@@ -90,10 +108,23 @@ class TestKeeping:
             issue(root, ANNA, replace(BORIS, variant="001"))
         assert read_register(root, "small") == before
 
-    def test_programs_that_issue_at_once_lose_nothing_and_give_no_variant_twice(
+    def test_connections_that_issue_at_once_lose_nothing_and_give_no_variant_twice(
         self, root: Path
     ) -> None:
+        groups, times = "abcd", 3
+        open_engine(home_of(root))
+        with ThreadPoolExecutor(len(groups)) as pool:
+            for _ in pool.map(issue_often, [root] * len(groups), groups, [times] * len(groups)):
+                pass
+        entries = read_register(root, "small").entries
+        assert len(entries) == len(groups) * times * 2
+        assert max(Counter(one.variant.id for one in entries).values()) == 1
+
+    def test_programs_that_issue_at_once_lose_nothing_and_give_no_variant_twice(
+        self, own: Path
+    ) -> None:
         """They make the database together, too."""
+        root = own
         script, groups, times = Path(__file__).with_name("issuer.py"), "abcdef", 3
         running = [
             subprocess.Popen([sys.executable, str(script), str(root), group, str(times)])  # noqa: S603 (ours)
@@ -135,17 +166,17 @@ class TestVerifying:
         with pytest.raises(RegisterError, match="key of the signatures is missing"):
             read_register(root, "small")
 
-    def test_the_register_of_another_course_is_refused(self, root: Path) -> None:
-        issue(root, ANNA)
+    def test_the_register_of_another_course_is_refused(self, own: Path) -> None:
+        issue(own, ANNA)
         with pytest.raises(RegisterError, match="of the course 'small', not of 'large'"):
-            read_register(root, "large")
+            read_register(own, "large")
 
-    def test_a_course_with_a_file_is_not_issued_anew_in_a_database(self, root: Path) -> None:
-        issue(root, ANNA)
-        url = f"sqlite:///{root / 'department.sqlite'}"
-        address_path(root).write_text(url, encoding="utf-8")
+    def test_a_course_with_a_file_is_not_issued_anew_in_a_database(self, own: Path) -> None:
+        issue(own, ANNA)
+        url = f"sqlite:///{own / 'department.sqlite'}"
+        address_path(own).write_text(url, encoding="utf-8")
         with pytest.raises(RegisterError, match="has a file of its own"):
-            issue(root, ANNA)
+            issue(own, ANNA)
 
 
 class TestTakingOver:
@@ -176,14 +207,14 @@ class TestTakingOver:
         self.old(root, ANNA, BORIS)
         assert read_register(root, "small") == old
 
-    def test_one_that_was_changed_is_not_taken_over(self, root: Path) -> None:
-        self.old(root, ANNA, BORIS)
-        path = old_register_path(root)
+    def test_one_that_was_changed_is_not_taken_over(self, own: Path) -> None:
+        self.old(own, ANNA, BORIS)
+        path = old_register_path(own)
         path.write_text(path.read_text(encoding="utf-8").replace("20.0", "2.0"), encoding="utf-8")
         with pytest.raises(RegisterError, match="student boris"):
-            read_register(root, "small")
+            read_register(own, "small")
         assert path.exists()
-        assert not gradebook_path(root).exists()
+        assert not gradebook_path(own).exists()
 
     def test_one_that_says_otherwise_than_the_database_is_refused(self, root: Path) -> None:
         issue(root, BORIS)

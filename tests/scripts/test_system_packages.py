@@ -82,12 +82,12 @@ def test_anybody_else_is_told_the_exact_line(machine: Machine) -> None:
 def test_tests_need_more_than_a_run(machine: Machine) -> None:
     result = debian(machine, RUN, SOMEBODY).run("test")
     assert result.returncode == 1
-    needed = "libreoffice-calc-nogui libreoffice-draw-nogui librecad poppler-utils"
+    needed = "libreoffice-calc-nogui libreoffice-draw-nogui librecad poppler-utils postgresql"
     assert needed in result.stderr
 
 
 def test_the_libreoffice_of_a_desktop_is_not_replaced(machine: Machine) -> None:
-    others = ("chromium", "chromium-driver", "librecad", "poppler-utils")
+    others = ("chromium", "chromium-driver", "librecad", "poppler-utils", "postgresql-15")
     installed = (*RUN, "libreoffice-calc", "libreoffice-draw", *others)
     assert debian(machine, installed, SOMEBODY).run("test").returncode == 0
 

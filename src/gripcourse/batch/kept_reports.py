@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
 from gripcourse.machine.content import Readable, content_of, shown_name
 from gripcourse.machine.kept import read_value, write_value
@@ -25,8 +26,8 @@ class KeptReports:
 
     def of(self, files: Sequence[Readable]) -> dict[int, Report]:
         """Return what is known of files, by their places: the same bytes under the same name."""
-        found = {number: self._find(file) for number, file in enumerate(files)}
-        return {number: report for number, report in found.items() if report is not None}
+        found = ((number, self._find(file)) for number, file in enumerate(files))
+        return {number: folded(report) for number, report in found if report is not None}
 
     def keep(self, file: Readable, report: Report) -> None:
         """Keep the report of a file under the digest of the bytes that it was made from.

@@ -132,7 +132,7 @@ def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) 
     return replace(
         best,
         remarks=(both, *report.remarks),
-        flags=(*own_flags, *not_judged_flags(best.findings)),
+        flags=(*own_flags, *not_judged_flags(tuple(best.findings))),
         givens=report.givens,
         made_for=made_for.version,
         either_version=True,

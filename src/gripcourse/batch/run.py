@@ -12,6 +12,7 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.batch.second_look import made_by_office, needs_second_look
+from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.workers import Lost, in_order, run_each
@@ -118,7 +119,7 @@ def _keeping(
     for number, report in jobs:
         if kept is not None and isinstance(report, Report) and not needs_second_look(report):
             kept.keep(files[number], report)
-        yield number, report
+        yield number, folded(report) if isinstance(report, Report) else report
 
 
 def _looked_at_again(

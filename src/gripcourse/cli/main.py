@@ -15,6 +15,7 @@ from typing import Annotated
 
 import typer
 
+from gripcourse.cli import backup as cli_backup
 from gripcourse.cli import course as cli_course
 from gripcourse.cli import desk as cli_desk
 from gripcourse.cli import draw as cli_draw
@@ -79,6 +80,7 @@ for part in (
     cli_course,
     simulation,
     cli_desk,
+    cli_backup,
 ):
     app.add_typer(part.app)
 app.add_typer(cli_variants.app, name="variants")

@@ -7,17 +7,18 @@ from datetime import UTC, datetime
 from typing import Any, Final, TypeVar
 
 from sqlalchemy import Engine, Table, func, insert, select
-from sqlalchemy.exc import IntegrityError
 
 from gripcourse.desk import schema
 from gripcourse.desk.model import HandIn, LoggedCheck, Publication, RegradeRequest
 from gripcourse.errors import GradebookError
 from gripcourse.machine.database.opening import (
+    another_was_faster,
     open_engine,
     refusals_named,
     without_password,
     writing,
 )
+from gripcourse.machine.database.storable import in_code_order
 
 _TRIES: Final = 50  # each refusal means that another server got through
 _Made = TypeVar("_Made")
@@ -37,11 +38,9 @@ class Desk:
 
     def add_hand_in(self, student: str, digest: str, size: int, name: str, now: datetime) -> HandIn:
         """Keep that a file was handed in; the same bytes again right after are not kept twice."""
-        known = self.hand_ins(student)
-        if known and known[-1].digest == digest:
-            return known[-1]
         row = {"digest": digest, "size": size, "name": name, "at": _utc(now)}
-        return HandIn(**_plain(self._append(schema.hand_ins, {"student": student}, row)))
+        kept = self._append(schema.hand_ins, {"student": student}, row, once="digest")
+        return HandIn(**_plain(kept))
 
     def hand_ins(self, student: str | None = None) -> tuple[HandIn, ...]:
         """Return what was handed in, by one student or by all, oldest first for each."""
@@ -137,26 +136,32 @@ class Desk:
         question = select(table).where(table.c.course == self.course)
         if student is not None:
             question = question.where(table.c.student == student)
-        question = question.order_by(*table.primary_key.columns)
+        question = question.order_by(*in_code_order(self.engine, *table.primary_key.columns))
         with refusals_named(self.place), self.engine.connect() as connection:
             found = connection.execute(question).mappings()
             return tuple(make(**_plain(dict(row))) for row in found)
 
     def _append(
-        self, table: Table, of: Mapping[str, str], row: Mapping[str, Any]
+        self, table: Table, of: Mapping[str, str], row: Mapping[str, Any], once: str = ""
     ) -> Mapping[str, Any]:
-        """Add a row with the next number; somebody faster only makes it the one after."""
+        """Add a row with the next number; somebody faster only makes it the one after.
+
+        Where the last row has the same in the column `once`, that row is returned, and none added.
+        """
         fixed = {"course": self.course, **of}
         same = [table.c[name] == value for name, value in fixed.items()]
-        last = select(func.coalesce(func.max(table.c.number), 0)).where(*same)
+        last = select(table).where(*same).order_by(table.c.number.desc()).limit(1)
         for left in reversed(range(_TRIES)):
             try:
                 with refusals_named(self.place), writing(self.engine) as connection:
-                    number = int(connection.execute(last).scalar_one()) + 1
+                    before = connection.execute(last).mappings().first()
+                    if before is not None and once and before[once] == row[once]:
+                        return dict(before)
+                    number = 1 if before is None else before["number"] + 1
                     made = {**fixed, "number": number, **row}
                     connection.execute(insert(table), made)
             except GradebookError as fault:
-                if left and isinstance(fault.__cause__, IntegrityError):
+                if left and another_was_faster(fault):
                     continue
                 raise
             return made
@@ -168,7 +173,7 @@ class Desk:
             with refusals_named(self.place), writing(self.engine) as connection:
                 connection.execute(insert(table), row)
         except GradebookError as fault:
-            if isinstance(fault.__cause__, IntegrityError):
+            if another_was_faster(fault):
                 return False
             raise
         return True

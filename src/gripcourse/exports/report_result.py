@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any, ClassVar
 
@@ -220,13 +220,23 @@ def grades_result(
         others: files that were found and not looked at.
     """
     made = tuple(report_result(report, words) for report in reports)
+    return replace(around_reports(reports, words, incidents, others), reports=made)
+
+
+def around_reports(
+    reports: Sequence[Report],
+    words: Words,
+    incidents: Sequence[str] = (),
+    others: Sequence[FileAccount] = (),
+) -> GradesResult:
+    """Return what a batch came to but for the reports themselves; see `grades_result`."""
     accounts = (*map(graded_account, reports), *others)
     flagged = any(one.needs_person for one in accounts)
     files = tuple(
         FileResult(one.file, one.fate, one.student, one.why, reason_of(one, words))
         for one in accounts
     )
-    return GradesResult(made, flagged, tuple(incidents), files)
+    return GradesResult((), flagged, tuple(incidents), files)
 
 
 def report_result(report: Report, words: Words) -> ReportResult:

@@ -18,6 +18,7 @@ from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import StudentWork
 from gripcourse.grading.model import PointSums
 from gripcourse.machine.database.opening import refusals_named
+from gripcourse.machine.database.storable import in_code_order
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +145,8 @@ def publications(book: Gradebook) -> tuple[Published, ...]:
         GradebookError: the database failed.
     """
     one = schema.publications.c
-    question = select(schema.publications).order_by(one.number, one.student, one.attempt)
+    columns = in_code_order(book.engine, one.number, one.student, one.attempt)
+    question = select(schema.publications).order_by(*columns)
     with refusals_named(book.place), book.engine.connect() as connection:
         found = list(connection.execute(question).mappings())
     return tuple(
@@ -210,7 +212,7 @@ def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:
         GradebookError: the database failed.
     """
     one = schema.waivers.c
-    question = select(schema.waivers).order_by(one.student, one.number)
+    question = select(schema.waivers).order_by(*in_code_order(book.engine, one.student, one.number))
     with refusals_named(book.place), book.engine.connect() as connection:
         found = list(connection.execute(question).mappings())
     made = [

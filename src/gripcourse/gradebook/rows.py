@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
+from sys import intern
 from typing import TypeAlias
 
 from sqlalchemy import RowMapping
@@ -90,7 +91,13 @@ def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
         fingerprints=Fingerprints(first["course"], first["policy"], first["engine"] or ""),
         judged=first["judged"],
         results=tuple(
-            Result(row["quantity"], outcome_named(row["outcome"]), row["points"], row["max_points"])
+            Result(
+                # One text for all attempts, of which a cohort has thousands.
+                intern(row["quantity"]),
+                outcome_named(row["outcome"]),
+                row["points"],
+                row["max_points"],
+            )
             for row in rows
             if row["quantity"] is not None
         ),

@@ -5,31 +5,33 @@ faster, the primary key refuses the whole transaction, and it is tried again wit
 nothing is lost, and nothing is half-written.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import groupby, islice
 from typing import Any, TypeAlias, TypeVar
 
 from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
-from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
 from gripcourse.machine.database.opening import (
+    another_was_faster,
     open_engine,
     refusals_named,
     without_password,
     writing,
 )
+from gripcourse.machine.database.storable import in_code_order
 from gripcourse.text.words import message
 
 # Each refusal means that somebody else got through, so a few tries per rival are enough.
 _TRIES = 50
-_ASKED_AT_ONCE = 500  # students in one question; databases bound how many
+_ASKED_AT_ONCE = 50  # students in one question; databases bound how many
+_AT_ONCE = 500  # rows
 
 _Kept = TypeVar("_Kept")
-Writing: TypeAlias = list[tuple[Table, list[rows.Row]]]
+Writing: TypeAlias = list[tuple[Table, Iterable[rows.Row]]]
 """Rows to add, by table, in the order in which they must be there."""
 
 
@@ -96,14 +98,14 @@ class Gradebook:
             .outerjoin(
                 schema.results, and_(one.student == result.student, one.number == result.attempt)
             )
-            .order_by(one.student, one.number, result.place)
+            .order_by(*in_code_order(self.engine, one.student, one.number, result.place))
         )
         with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.attempts, students)
-        return tuple(
-            rows.attempt_of_rows(list(group))
-            for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
-        )
+            return tuple(
+                rows.attempt_of_rows(list(group))
+                for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
+            )
 
     def entries(self, students: Collection[str] | None = None) -> tuple[GradebookEntry, ...]:
         """Return the marks of these students (all where None), oldest first for each item."""
@@ -118,16 +120,16 @@ class Gradebook:
                     one.number == line.mark,
                 ),
             )
-            .order_by(one.student, one.quantity, one.number)
+            .order_by(*in_code_order(self.engine, one.student, one.quantity, one.number, line.line))
         )
         with refusals_named(self.place), self.engine.connect() as connection:
             found = _answers(connection, question, schema.marks, students)
-        marks = [
-            rows.mark_of_rows(list(group))
-            for _, group in groupby(
-                found, key=lambda row: (row["student"], row["quantity"], row["number"])
-            )
-        ]
+            marks = [
+                rows.mark_of_rows(list(group))
+                for _, group in groupby(
+                    found, key=lambda row: (row["student"], row["quantity"], row["number"])
+                )
+            ]
         marked = {mark.student for mark in marks}
         kept = {(one.student, one.number): one for one in self.attempts(marked)}
         return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
@@ -173,7 +175,7 @@ class Gradebook:
                 with refusals_named(self.place), writing(self.engine) as connection:
                     _insert(connection, rows_of(found))
             except GradebookError as fault:
-                if not isinstance(fault.__cause__, IntegrityError):
+                if not another_was_faster(fault):
                     raise
                 continue
             return found
@@ -196,32 +198,35 @@ def open_gradebook(place: str) -> Gradebook:
 
 def _insert(connection: Connection, wanted: Writing) -> None:
     for table, values in wanted:
-        if values:
-            connection.execute(insert(table), values)
+        left = iter(values)
+        while portion := list(islice(left, _AT_ONCE)):
+            connection.execute(insert(table), portion)
 
 
 def _answers(
     connection: Connection, question: Select[Any], table: Table, students: Collection[str] | None
-) -> list[RowMapping]:
-    """Ask in portions of students, in the order of their ids; all at once where None."""
+) -> Iterator[RowMapping]:
+    """Ask in portions of students, in the order of their ids; all at once where None.
+
+    Rows come as they are asked for: those of a whole cohort take more room than what they say.
+    """
     if students is None:
-        return list(connection.execute(question).mappings())
+        streamed = connection.execution_options(yield_per=_AT_ONCE)
+        yield from streamed.execute(question).mappings()
+        return
     names = sorted(students)
     portions = [
         names[start : start + _ASKED_AT_ONCE] for start in range(0, len(names), _ASKED_AT_ONCE)
     ]
-    return [
-        row
-        for portion in portions
-        for row in connection.execute(question.where(table.c.student.in_(portion))).mappings()
-    ]
+    for portion in portions:
+        yield from connection.execute(question.where(table.c.student.in_(portion))).mappings()
 
 
 def attempt_rows(attempts: Sequence[Attempt]) -> Writing:
     """Return the rows of attempts with their results."""
     return [
-        (schema.attempts, [rows.attempt_row(one) for one in attempts]),
-        (schema.results, [row for one in attempts for row in rows.result_rows(one)]),
+        (schema.attempts, (rows.attempt_row(one) for one in attempts)),
+        (schema.results, (row for one in attempts for row in rows.result_rows(one))),
     ]
 
 

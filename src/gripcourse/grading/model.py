@@ -1,6 +1,6 @@
 """The result of grading: findings, flags and a report. Plain values, rendered elsewhere."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
@@ -214,7 +214,7 @@ class Report:
     max_score: float
     open_points: float
     flags: tuple[Flag, ...]
-    findings: tuple[Finding, ...]
+    findings: Collection[Finding]
     remarks: tuple[Message, ...]
     judged: bool
     digest: str = ""

@@ -53,8 +53,8 @@ def read_rows(connection: Connection, course_id: str, place: str) -> Register:
 def other_courses(connection: Connection, course_id: str) -> tuple[str, ...]:
     """Return the ids of other courses that something was issued in."""
     course = schema.issued.c.course
-    question = select(course).where(course != course_id).distinct().order_by(course)
-    return tuple(connection.execute(question).scalars())
+    question = select(course).where(course != course_id).distinct()
+    return tuple(sorted(connection.execute(question).scalars()))
 
 
 def add_rows(connection: Connection, before: Register, after: Register) -> None:

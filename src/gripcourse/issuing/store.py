@@ -10,7 +10,6 @@ from contextlib import suppress
 from pathlib import Path
 
 from sqlalchemy import Connection, Engine
-from sqlalchemy.exc import IntegrityError
 
 from gripcourse.errors import GradebookError, Problem, RegisterError
 from gripcourse.issuing.allotment import Extended
@@ -20,6 +19,7 @@ from gripcourse.issuing.rows import add_rows, other_courses, read_rows
 from gripcourse.issuing.signature import key_path, read_keys
 from gripcourse.machine.database.home import exists, gradebook_path, home_of
 from gripcourse.machine.database.opening import (
+    another_was_faster,
     open_engine,
     refusals_named,
     without_password,
@@ -51,7 +51,7 @@ def read_register(root: Path, course_id: str) -> Register:
     if not exists(place):
         return Register(course_id, ())
     engine = open_engine(place)
-    with refusals_named(place), engine.connect() as connection:
+    with refusals_named(without_password(engine.url)), engine.connect() as connection:
         return _read(connection, engine, root, course_id)
 
 
@@ -77,7 +77,7 @@ def extend_register(root: Path, course_id: str, change: Callable[[Register], Ext
         try:
             return _extend(engine, root, course_id, change)
         except GradebookError as fault:
-            if not isinstance(fault.__cause__, IntegrityError):
+            if not another_was_faster(fault):
                 raise
     raise RegisterError(
         [

@@ -11,11 +11,22 @@ from gripcourse.batch.run import Graded, grade_files, incident_number
 from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
 from gripcourse.exports.grades import Called, grades_csv
-from gripcourse.exports.report_result import GradesResult, grades_result
+from gripcourse.exports.report_result import (
+    GradesResult,
+    around_reports,
+    grades_result,
+    report_result,
+)
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
-from gripcourse.machine.files import discard_unfinished, write_bytes, write_text
+from gripcourse.machine.files import (
+    discard_unfinished,
+    make_private,
+    replacing,
+    write_bytes,
+    write_text,
+)
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.student_reports import (
@@ -35,6 +46,7 @@ FILES_CSV = "files.csv"
 COHORT_PDF = "cohort.pdf"
 INCIDENTS = "incidents.log"
 REPORTS = "reports"
+_NO_REPORTS = '"reports": []'
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +177,7 @@ def write_grades(  # noqa: PLR0913 (the last ones are what everybody leaves as t
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    write_text(out / GRADES_JSON, json_text(reports, words, passed_over), private=True)
+    _write_json(out / GRADES_JSON, reports, words, passed_over)
     made_from = told_of(*reports) if printed else ""
     if printed and printed.stands(out / COHORT_PDF, made_from):
         return None
@@ -189,11 +201,31 @@ def _discard_unfinished(out: Path) -> None:
         discard_unfinished(out / name)
 
 
+def _write_json(
+    path: Path, reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
+) -> None:
+    """Write what `json_text` returns, one report after the other: all at once are large."""
+    others = tuple(map(passed_over_account, passed_over))
+    around = _json(around_reports(reports, words, (), others).to_dict())
+    before, after = around.split(_NO_REPORTS, 1)
+    with replacing(path) as temporary:
+        make_private(temporary)
+        with temporary.open("w", encoding="utf-8", newline="") as file:
+            file.write(before + _NO_REPORTS.removesuffix("]"))
+            for number, report in enumerate(reports):
+                text = _json(report_result(report, words).to_dict()).replace("\n", "\n  ")
+                file.write(f",\n  {text}" if number else f"\n  {text}")
+            file.write(("\n ]" if reports else "]") + after)
+
+
 def json_text(
     reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver] = ()
 ) -> str:
     """Return the reports as JSON; see `exports.report_result.GradesResult`."""
-    plain = batch_result(reports, words, passed_over).to_dict()
+    return _json(batch_result(reports, words, passed_over).to_dict())
+
+
+def _json(plain: Mapping[str, object]) -> str:
     return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
 
 

@@ -16,6 +16,7 @@ from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, late
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Rules, timings_of
 from gripcourse.gradebook.works import works_of
+from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import LateRule
@@ -177,4 +178,4 @@ def _entered(
     attempt = stands.get((report.student, report.digest))
     if attempt is not None and report.judged:
         report = as_it_stands(report, attempt)
-    return with_marks(report, entries)
+    return folded(with_marks(report, entries))

@@ -34,7 +34,8 @@ def check(
     """
     if file is None:
         return NO_FILE
-    count(site, CHECKS, student)
+    known = site.context.desk.checks(student)
+    count(site, CHECKS, student, (one.at for one in known))
     result = site.checkers.do(CheckJob(file, student, site.ledger, words.language))
     if isinstance(result, Lost):
         said = message("This file could not be read within the limits of the server.")
@@ -58,7 +59,8 @@ def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | 
     """
     if file is None:
         return NO_FILE
-    count(site, HAND_INS, issued.student.id)
+    known = site.context.desk.hand_ins(issued.student.id)
+    count(site, HAND_INS, issued.student.id, (one.at for one in known))
     try:
         return hand_in(site.context, issued, file, site.clock())
     except UsageError as refused:

@@ -116,6 +116,13 @@ SIGN_IN: Final = WebRefusal(
     ),
 )
 
+_AWAY: Final = WebRefusal(
+    Code.TROUBLE,
+    message(
+        "The course's records cannot be reached now. Try again in a minute; nothing is kept twice."
+    ),
+)
+
 _BY_STATUS: Final[Mapping[int, WebRefusal]] = {
     one.status: one for one in (NOT_FOUND, NOT_ALLOWED, TOO_LARGE, TOO_OFTEN)
 }
@@ -136,8 +143,11 @@ def refusal_of_problem(error: GripcourseError, code: Code) -> WebRefusal:
 
 def refusal_of_system(fault: Exception) -> WebRefusal:
     """Say, here and in the log, that the machine or the database could not."""
-    assert isinstance(fault, OSError | GripcourseError)  # noqa: S101 (what it is registered for)
-    problem = system_problem(fault) if isinstance(fault, OSError) else fault.problems[0]
+    if not isinstance(fault, OSError):
+        # What a database says names the server, which is nobody's business here.
+        _log.error("%s", fault)
+        return _AWAY
+    problem = system_problem(fault)
     _log.error("%s", problem.what)
     said = message("{what} Nothing was recorded. Try again later.", what=problem.what)
     return WebRefusal(Code.TROUBLE, said)

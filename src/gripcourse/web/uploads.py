@@ -1,8 +1,9 @@
 """Reading the form that a browser sends."""
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Final
 
 from starlette.datastructures import UploadFile
@@ -44,13 +45,21 @@ async def read_form(request: Request) -> Sent:
     return Sent(texts, sent[0] if sent else None)
 
 
-def count(site: Site, rate: Allowance, who: str) -> None:
+def count(site: Site, rate: Allowance, who: str, kept: Iterable[datetime] = ()) -> None:
     """Count one more.
+
+    Args:
+        site: the server.
+        rate: what is counted.
+        who: by whom.
+        kept: when it was done before, as the database knows of all servers together.
 
     Raises:
         HTTPException: it was too often.
     """
-    if not site.counter.allows(rate, who, time.monotonic()):
+    now = site.clock()
+    lately = sum(0 <= (now - moment).total_seconds() < rate.seconds for moment in kept)
+    if lately >= rate.times or not site.counter.allows(rate, who, time.monotonic()):
         raise HTTPException(_TOO_OFTEN, headers={"Retry-After": str(int(rate.seconds))})
 
 

@@ -29,12 +29,13 @@ def revision_of(connection: Connection) -> str | None:
     return None
 
 
-def bring_up(connection: Connection, found: str | None) -> None:
+def bring_up(connection: Connection, found: str | None, to: str = NEWEST) -> None:
     """Run the revisions that a database lacks, in the transaction of the connection.
 
     Args:
         connection: in a transaction that changes something.
         found: the revision that is there; None where there are no tables.
+        to: the revision that is wanted.
     """
     from alembic import command  # noqa: PLC0415 (150 ms, and rarely needed)
     from alembic.config import Config  # noqa: PLC0415 (as above)
@@ -44,4 +45,4 @@ def bring_up(connection: Connection, found: str | None) -> None:
     config.attributes["connection"] = connection
     if found is not None and not inspect(connection).has_table(VERSION_TABLE):
         command.stamp(config, found)
-    command.upgrade(config, NEWEST)
+    command.upgrade(config, to)

@@ -4,23 +4,44 @@ What is not there yet is made; what an earlier program made is brought up, with 
 Two programs may try either at once: one does it, the other finds it done.
 """
 
+import re
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
+from typing import Any, Final
 
-from sqlalchemy import Connection, Engine, create_engine
+from sqlalchemy import Connection, Engine, create_engine, event
 from sqlalchemy.engine import URL, make_url
-from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError, SQLAlchemyError
+from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError
 from sqlalchemy.pool import NullPool
 
-from gripcourse.errors import GradebookError, NextStep, Problem
+from gripcourse.errors import NextStep
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, bring_up, revision_of
+from gripcourse.machine.database.said import (
+    another_was_faster,
+    failure,
+    refusals_named,
+    unusable,
+    without_password,
+)
+from gripcourse.machine.database.storable import storable
 from gripcourse.machine.files import make_private, make_private_folder, making, replacing
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import message
 
-_SECONDS_TO_WAIT = 60.0  # for another program that writes to the same file
+__all__ = [
+    "another_was_faster",
+    "engine_of",
+    "open_engine",
+    "refusals_named",
+    "without_password",
+    "writing",
+]
+
+_SECONDS_TO_WAIT: Final = 60  # for another program that writes to the same database
+_SECONDS_TO_CONNECT: Final = 10
 _TRIES = 5
+_POSTGRESQL: Final = "postgresql"
 
 
 def open_engine(place: str) -> Engine:
@@ -46,48 +67,43 @@ def open_engine(place: str) -> Engine:
     return engine
 
 
-def without_password(url: URL) -> str:
-    """Write a URL for a person, without its password; a plain file as its path."""
-    if url.get_backend_name() == "sqlite" and url.database:
-        return url.database
-    return url.render_as_string(hide_password=True)
+def engine_of(place: str) -> Engine:
+    """Return the engine of a place as it is: nothing is made, nothing brought up.
+
+    Raises:
+        GradebookError: the place is none, or its driver is missing.
+    """
+    return _connected(_url(place))
 
 
 @contextmanager
 def writing(engine: Engine) -> Iterator[Connection]:
     """Open a transaction that changes something: kept whole, or not at all where it fails.
 
-    SQLite is asked for the right to write at once: a reader that wants to write later can be
-    refused without waiting.
+    One program writes at a time, and sees what all before it have written. SQLite is asked for that
+    at once: a reader that wants to write later can be refused without waiting. PostgreSQL lets all
+    write at once, and what is read before another commits is not looked at again: a lock of our
+    own is taken, which the end of the transaction gives back.
     """
     with engine.begin() as connection:
         if engine.dialect.name == "sqlite":
             connection.exec_driver_sql("BEGIN IMMEDIATE")
+        elif engine.dialect.name == _POSTGRESQL:
+            connection.exec_driver_sql(f"SET LOCAL lock_timeout = '{_SECONDS_TO_WAIT}s'")
+            connection.exec_driver_sql("SELECT pg_advisory_xact_lock(hashtext('gripcourse'))")
         yield connection
-
-
-@contextmanager
-def refusals_named(place: str) -> Iterator[None]:
-    """Turn what a database says into an error that names the place.
-
-    Raises:
-        GradebookError: the database failed.
-    """
-    try:
-        yield
-    except SQLAlchemyError as fault:
-        said = str(fault.orig) if isinstance(fault, DBAPIError) else str(fault)
-        raise _unusable(place, said) from fault
 
 
 def _url(place: str) -> URL:
     if "://" not in place:
         return URL.create("sqlite", database=place)
     try:
-        return make_url(place)
-    except ArgumentError as fault:
-        raise _failure(
-            place,
+        # Other programs write the first word so.
+        return make_url(re.sub(r"^postgres(?=://)", _POSTGRESQL, place))
+    except (ArgumentError, ValueError) as fault:
+        # Not shown: whatever it is, a password may be in it.
+        raise failure(
+            place.partition("://")[0] + "://…",
             message("This is no URL of a database."),
             message("Write the path of a file, or a URL like postgresql+psycopg://user@host/name."),
         ) from fault
@@ -101,16 +117,44 @@ def _connected(url: URL) -> Engine:
     if url.get_backend_name() == "sqlite":
         # Its driver gives up after five seconds otherwise, and would commit each table it makes.
         arguments = {"timeout": _SECONDS_TO_WAIT, "isolation_level": None}
-        return create_engine(url, poolclass=NullPool, connect_args=arguments)
+        return _cleaning(create_engine(url, poolclass=NullPool, connect_args=arguments))
     try:
-        return create_engine(url, poolclass=NullPool)
+        return _cleaning(create_engine(url, poolclass=NullPool, **_options(url)))
     except (NoSuchModuleError, ModuleNotFoundError) as fault:
-        raise _failure(
+        raise failure(
             without_password(url),
             message("The driver of this database is not installed: {fault}.", fault=str(fault)),
-            message("Install it, for example psycopg for PostgreSQL, or name another gradebook."),
+            message("Install gripcourse with its extra 'postgresql', or name another gradebook."),
             NextStep.NAME_GRADEBOOK,
         ) from fault
+
+
+def _options(url: URL) -> dict[str, Any]:
+    """Return how PostgreSQL is asked, whatever the server and the environment are set to."""
+    if url.get_backend_name() != _POSTGRESQL:
+        return {}
+    arguments: dict[str, object] = {"client_encoding": "utf8"}
+    if "connect_timeout" not in url.query:
+        arguments["connect_timeout"] = _SECONDS_TO_CONNECT
+    # A transaction that waited for another must see what that one wrote.
+    return {"connect_args": arguments, "isolation_level": "READ COMMITTED"}
+
+
+def _cleaning(engine: Engine) -> Engine:
+    """Let every text that is written be one that every database keeps."""
+
+    @event.listens_for(engine, "before_cursor_execute", retval=True)
+    def clean(
+        _connection: Connection,
+        _cursor: object,
+        statement: str,
+        parameters: Any,  # noqa: ANN401 (as the driver wants them)
+        _context: object,
+        _many: bool,  # noqa: FBT001 (as the library calls it)
+    ) -> tuple[str, Any]:
+        return statement, storable(parameters)
+
+    return engine
 
 
 def _make(file: Path) -> None:
@@ -120,13 +164,13 @@ def _make(file: Path) -> None:
             make_private(temporary)
             _bring_up(_connected(URL.create("sqlite", database=str(temporary))), None)
     except OSError as fault:
-        raise _unusable(str(file), fault.strerror or str(fault)) from fault
+        raise unusable(str(file), fault.strerror or str(fault)) from fault
 
 
 def _refuse_empty(file: Path) -> None:
     """Refuse a file that lost its content: an empty gradebook looks as if nobody had a mark."""
     if file.stat().st_size == 0:
-        raise _failure(
+        raise failure(
             str(file),
             message("The gradebook is empty: a file of 0 bytes, which this program never makes."),
             message("Restore it from a backup; if nothing was ever kept in it, remove the file."),
@@ -137,6 +181,7 @@ def _bring_up(engine: Engine, file: Path | None) -> None:
     """Run the revisions that are missing; `file` is copied first where it holds anything."""
     for attempt in range(1, _TRIES + 1):
         with engine.connect() as connection:
+            _refuse_encoding(connection)
             if _known(engine, revision_of(connection)) == NEWEST:
                 return
         try:
@@ -154,10 +199,23 @@ def _bring_up(engine: Engine, file: Path | None) -> None:
                 raise
 
 
+def _refuse_encoding(connection: Connection) -> None:
+    """Refuse a database that cannot hold the names of all students."""
+    if connection.dialect.name != _POSTGRESQL:
+        return
+    encoding = connection.exec_driver_sql("SHOW server_encoding").scalar_one()
+    if encoding != "UTF8":
+        raise failure(
+            without_password(connection.engine.url),
+            message("The database keeps its texts as {encoding}.", encoding=str(encoding)),
+            message("Make one that keeps UTF-8: createdb --encoding=UTF8 --template=template0."),
+        )
+
+
 def _known(engine: Engine, found: str | None) -> str | None:
     if found is None or found in REVISIONS:
         return found
-    raise _failure(
+    raise failure(
         without_password(engine.url),
         message(
             "The gradebook has the format {found}, this program knows {known}.",
@@ -181,23 +239,3 @@ def _keep_copy(file: Path) -> None:
             closing(sqlite3.connect(temporary)) as copy,
         ):
             old.backup(copy)
-
-
-def _unusable(place: str, said: str) -> GradebookError:
-    if "database is locked" in said:
-        return _failure(
-            place,
-            message("Another program writes to the gradebook and does not end."),
-            message("Nothing was written; end that program, or try again in a minute."),
-        )
-    return _failure(
-        place,
-        message("The gradebook cannot be used: {fault}.", fault=said.strip().rstrip(".")),
-        message("Check the place and your rights to it; restore a damaged file from a backup."),
-    )
-
-
-def _failure(
-    place: str, what: Message, remedy: Message, step: NextStep | None = None
-) -> GradebookError:
-    return GradebookError([Problem(place, "", what, remedy, step=step)])

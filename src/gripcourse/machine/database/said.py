@@ -1,0 +1,111 @@
+"""What a database says when something fails, as errors with place and remedy."""
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from sqlalchemy.engine import URL
+from sqlalchemy.exc import DBAPIError, IntegrityError, OperationalError, SQLAlchemyError
+
+from gripcourse.errors import GradebookError, NextStep, Problem
+from gripcourse.text.words import Message, message
+
+# The states of SQL that PostgreSQL names, for its sentences may be in any language.
+_TAKEN: Final = "23505"
+_LOCKED: Final = "55P03"
+_GONE: Final = ("08", "57P", "53300")  # lost connections, a server that ends or begins, too many
+_AGAIN: Final = message(
+    "Start the same again when it is back: each step is kept whole or not at all, and none is kept"
+    " twice."
+)
+_SECRETS: Final = ("password", "sslpassword", "passfile")
+
+
+def without_password(url: URL) -> str:
+    """Write a URL for a person, without its password; a plain file as its path."""
+    if url.get_backend_name() == "sqlite" and url.database:
+        return url.database
+    return url.difference_update_query(_SECRETS).render_as_string(hide_password=True)
+
+
+@contextmanager
+def refusals_named(place: str) -> Iterator[None]:
+    """Turn what a database says into an error that names the place.
+
+    Raises:
+        GradebookError: the database failed.
+    """
+    try:
+        yield
+    except SQLAlchemyError as fault:
+        raise _refusal(place, fault) from fault
+
+
+def another_was_faster(fault: GradebookError) -> bool:
+    """Tell whether rows were refused because others with their keys came first."""
+    cause = fault.__cause__
+    if not isinstance(cause, IntegrityError):
+        return False
+    if isinstance(cause.orig, sqlite3.Error):
+        taken = (sqlite3.SQLITE_CONSTRAINT_PRIMARYKEY, sqlite3.SQLITE_CONSTRAINT_UNIQUE)
+        return cause.orig.sqlite_errorcode in taken
+    return _state(cause) == _TAKEN
+
+
+def unusable(place: str, said: str) -> GradebookError:
+    """Return the error of a database that says why it cannot be used."""
+    return failure(
+        place,
+        message("The gradebook cannot be used: {fault}.", fault=" ".join(said.split()).rstrip(".")),
+        message("Check the place and your rights to it; restore a damaged file from a backup."),
+    )
+
+
+def failure(
+    place: str, what: Message, remedy: Message, step: NextStep | None = None
+) -> GradebookError:
+    """Return an error of one problem."""
+    return GradebookError([Problem(place, "", what, remedy, step=step)])
+
+
+def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
+    if not isinstance(fault, DBAPIError):
+        return unusable(place, str(fault))
+    said, state = str(fault.orig), _state(fault)
+    if state == _LOCKED or "database is locked" in said:
+        return failure(
+            place,
+            message("Another program writes to the gradebook and does not end."),
+            message("Nothing was written; end that program, or try again in a minute."),
+        )
+    if fault.connection_invalidated or state.startswith(_GONE):
+        return failure(
+            place,
+            message("The database has gone away: {fault}.", fault=_sentence(said)),
+            _AGAIN,
+        )
+    if (
+        not state
+        and isinstance(fault, OperationalError)
+        and not isinstance(fault.orig, sqlite3.Error)
+    ):
+        # Nobody was reached who would give a reason that a program can read.
+        return failure(
+            place,
+            message("The database cannot be reached: {fault}.", fault=_sentence(said)),
+            message(
+                "Check address, name and your rights to it. If it was only away: {again}",
+                again=_AGAIN,
+            ),
+        )
+    return unusable(place, said)
+
+
+def _sentence(said: str) -> str:
+    """Return the first line that a database says; the others guess at what may have happened."""
+    return next(iter(said.strip().splitlines()), "").rstrip(".")
+
+
+def _state(fault: DBAPIError) -> str:
+    return str(getattr(fault.orig, "sqlstate", None) or "")

@@ -1,0 +1,3 @@
+"""The register in databases of either kind."""
+
+from support.databases import either_place, postgresql_server
