@@ -136,8 +136,8 @@ def exported(results: Results, folder: Path) -> None:
     moodle_files(results, source / "moodle.csv", folder / "moodle.csv", folder / "feedback.zip")
     canvas_file(results, source / "canvas.csv", "", folder / "canvas.csv")
     gradescope_file(results, "", folder / "results.json", published=True)
-    table_files(results, folder / "tables")
-    table_files(results, folder / "tables.xlsx")
+    table_files(results, folder / "tables", str(folder / "none.sqlite"))
+    table_files(results, folder / "tables.xlsx", str(folder / "none.sqlite"))
     outbox_folders(results, folder / "outbox")
 
 
