@@ -33,6 +33,8 @@ from gripcourse.course.load import load_course
 from gripcourse.issuing.register_file import read_register_file
 from gripcourse.jobs.cluster import open_workers
 from gripcourse.jobs.limits import peak_memory
+from gripcourse.jobs.pools import Pool
+from gripcourse.jobs.workers import in_order, run_each
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.on_disk import register_of
@@ -41,6 +43,7 @@ from gripcourse.usecases.student_reports import Printing, student_pdf
 from gripcourse.usecases.virtual import Cohort, simulate
 
 WORKS = 400
+EMPTY_JOBS = 300
 MILLION = 1_000_000
 SIZES = (2, 8, 32)  # workers of a cluster, each with a core
 LOCAL = 2  # cores of the machine beside it
@@ -53,11 +56,13 @@ def main() -> None:
     parser.add_argument("works", nargs="?", type=int, default=WORKS)
     parser.add_argument("--seed", type=int, default=26063)
     parser.add_argument("--cohort", type=Path, help="Folder that `simulate` wrote.")
-    parser.add_argument("--measure", nargs=3, help=argparse.SUPPRESS)
+    parser.add_argument("--measure", nargs=4, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.measure:
-        folder, workers, address = arguments.measure
-        print(json.dumps(measured(Path(folder), int(workers), address or None, arguments.works)))
+        folder, workers, address, processes = arguments.measure
+        pids = [int(one) for one in processes.split(",") if one]
+        found = measured(Path(folder), int(workers), address or None, pids, arguments.works)
+        print(json.dumps(found))
         return
     with tempfile.TemporaryDirectory() as name:
         folder = arguments.cohort or Path(name) / "cohort"
@@ -74,21 +79,18 @@ def all_measured(folder: Path, scratch: Path, works: int) -> Iterator[dict[str, 
     yield called("one process", folder, 1, "", works)
     yield called("two processes", folder, 2, "", works)
     for workers in (1, 2):
-        with cluster(scratch, workers) as (address, processes):
-            before = [spent(one) for one in processes]
-            found = called(f"Dask, {workers} of 1 thread", folder, 1, address, works)
-            scheduler, *hands = (
-                after - earlier
-                for after, earlier in zip(map(spent, processes), before, strict=True)
-            )
-            yield {**found, "scheduler": scheduler, "hands": sum(hands)}
+        with cluster(scratch, workers) as (address, pids):
+            yield called(f"Dask, {workers} of 1 thread", folder, 1, address, works, pids)
 
 
-def called(title: str, folder: Path, workers: int, address: str, works: int) -> dict[str, Any]:
+def called(
+    title: str, folder: Path, workers: int, address: str, works: int, pids: Sequence[int] = ()
+) -> dict[str, Any]:
     """Measure in a fresh process, whose memory is its own."""
-    command = [sys.executable, __file__, str(works), "--measure", folder, str(workers), address]
+    told = [folder, str(workers), address, ",".join(map(str, pids))]
+    command = [sys.executable, __file__, str(works), "--measure", *told]
     done = subprocess.run(command, stdout=subprocess.PIPE, check=True)  # noqa: S603 (this file)
-    return {"title": title, "scheduler": 0.0, "hands": 0.0, **json.loads(done.stdout)}
+    return {"title": title, **json.loads(done.stdout)}
 
 
 def spent(process: psutil.Process) -> float:
@@ -98,21 +100,35 @@ def spent(process: psutil.Process) -> float:
     return sum(one.user + one.system for one in times) + ended.children_user + ended.children_system
 
 
-def measured(folder: Path, workers: int, address: str | None, works: int) -> dict[str, float]:
-    """Grade the first works of a folder; return seconds of each part, and bytes."""
+def measured(
+    folder: Path, workers: int, address: str | None, pids: Sequence[int], works: int
+) -> dict[str, float]:
+    """Grade the first works of a folder; return seconds of each part, and bytes.
+
+    Args:
+        folder: that `simulate` wrote.
+        workers: processes of this machine.
+        address: of a cluster, None for none.
+        pids: of its scheduler and its workers.
+        works: how many.
+    """
     course = load_course(course_root())
     register = read_register_file(register_of(folder), course.id).by_student()
     context = GradingContext(course, load_policy(course), register)
     files = sorted((folder / "submissions").glob("*.xlsx"))[:works]
+    processes = [psutil.Process(one) for one in pids]
     opened, own, children = perf_counter(), time.process_time(), of_children()
+    before = [spent(one) for one in processes]
     done: list[float] = []
     with open_workers(workers, address) as (hands, pool):
         connected = time.process_time()
         graded = grade_files(
             files, context, hands, lambda _: done.append(perf_counter()), pool=pool
         )
-    main = time.process_time()
-    peak = peak_memory()
+        main, peak = time.process_time(), peak_memory()
+        after = [spent(one) for one in processes]
+        empty = empty_jobs(hands, pool, processes[0]) if processes else 0.0
+    scheduler, *busy = [late - early for late, early in zip(after, before, strict=True)] or [0.0]
     start = time.process_time()
     compared(graded, context)
     likeness = time.process_time() - start
@@ -123,12 +139,30 @@ def measured(folder: Path, workers: int, address: str | None, works: int) -> dic
         "seconds": done[-1] - opened,
         "main": main - connected - likeness,
         "connect": connected - own,
-        "workers": of_children() - children,
+        "workers": of_children() - children + sum(busy),
+        "scheduler": scheduler,
+        "empty": empty,
         "likeness": likeness,
         "kept": kept,
         "peak": peak,
         "page": page_seconds(graded, context) if not address and workers == 1 else 0.0,
     }
+
+
+def empty_jobs(workers: int, pool: Pool, scheduler: psutil.Process) -> float:
+    """Return what main process and scheduler spend on a job that does nothing."""
+
+    def give(count: int) -> float:
+        start = time.process_time() + spent(scheduler)
+        in_order(run_each(nothing, range(count), None, workers=workers, seconds=9, pool=pool))
+        return time.process_time() + spent(scheduler) - start
+
+    give(1)
+    return give(EMPTY_JOBS) / EMPTY_JOBS
+
+
+def nothing(_: int, __: None) -> None:
+    """Do a job that takes no time."""
 
 
 def of_children() -> float:
@@ -150,7 +184,7 @@ def page_seconds(graded: Sequence[Any], context: GradingContext) -> float:
 
 
 @contextmanager
-def cluster(folder: Path, workers: int) -> Iterator[tuple[str, list[psutil.Process]]]:
+def cluster(folder: Path, workers: int) -> Iterator[tuple[str, list[int]]]:
     """Start a scheduler and workers of one thread on this machine."""
     place = folder / f"scheduler{workers}.json"
     started: list[subprocess.Popen[bytes]] = []
@@ -164,7 +198,7 @@ def cluster(folder: Path, workers: int) -> Iterator[tuple[str, list[psutil.Proce
                 subprocess.Popen(command, cwd=folder, stderr=subprocess.DEVNULL)  # noqa: S603 (Dask's own)
             )
         address = address_of(place, workers)
-        yield address, [psutil.Process(one.pid) for one in started]
+        yield address, [one.pid for one in started]
     finally:
         for one in reversed(started):
             one.send_signal(signal.SIGTERM)
@@ -185,10 +219,9 @@ def report(found: Sequence[Mapping[str, Any]], works: int) -> None:
     """Print what was measured and what follows from it."""
     print(f"{'':32}  by the clock   processor: main   scheduler   workers   memory of the main one")
     for one in found:
-        hands = one["workers"] + one["hands"]
         print(
             f"{one['title']:32}{one['seconds']:12.1f} s{one['connect'] + one['main']:15.1f} s"
-            f"{one['scheduler']:10.1f} s{hands:8.1f} s{one['peak'] / MEGABYTE:15.0f} MB"
+            f"{one['scheduler']:10.1f} s{one['workers']:8.1f} s{one['peak'] / MEGABYTE:15.0f} MB"
         )
     half, one, two, dask_one, dask_two = found
     print(f"two processes: {one['seconds'] / two['seconds']:.2f} times as fast as one")
@@ -197,8 +230,8 @@ def report(found: Sequence[Mapping[str, Any]], works: int) -> None:
     growth = (one["peak"] - half["peak"]) / (works - works // 2)
     print(f"memory of the main process: {growth / 1e3:.0f} kB more with each work")
     job = (one["workers"] - half["workers"]) / (works - works // 2)
-    serial = (dask_one["main"] + dask_one["scheduler"]) / works
-    extra = dask_one["connect"] + max(0.0, dask_one["hands"] - job * works)
+    serial = dask_one["empty"]
+    extra = dask_one["connect"] + max(0.0, dask_one["workers"] - job * works)
     kept = one["kept"] / works
     print(
         f"a job: {job * 1e3:.1f} ms of a worker; on a cluster {serial * 1e3:.1f} ms of main process"
@@ -218,10 +251,11 @@ def project(job: float, serial: float, extra: float, kept: float, page: float) -
     for workers in SIZES:
         rate, pages = max(job / workers, serial), max(page / workers, serial)
         hours = MILLION * (rate + kept) / 3600
+        printed = since(extra, (job + page) / LOCAL - rate - pages)
         print(
             f"{workers:3} workers against {LOCAL} cores: pays"
-            f" {since(extra, job / LOCAL - rate)}, with reports {since(extra, (job + page) / LOCAL - rate - pages)}; a million works"
-            f" {hours:.1f} h, their reports {MILLION * pages / 3600:.0f} h more"
+            f" {since(extra, job / LOCAL - rate)}, with reports {printed};"
+            f" a million works {hours:.1f} h, their reports {MILLION * pages / 3600:.0f} h more"
         )
     local = MILLION * (job / LOCAL + kept) / 3600
     print(f"{LOCAL} cores without a cluster: {local:.1f} h, {MILLION * page / LOCAL / 3600:.0f} h")
