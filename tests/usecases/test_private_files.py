@@ -179,7 +179,7 @@ def test_what_has_names_or_marks_is_for_its_owner_alone(
     monkeypatch.setattr("gripcourse.usecases.printing.handout_list", lambda *_: pdf)
     print_sheets([], issued.course, out, out / "print.pdf", NOW.date())
     files = [*files_below(out), *files_below(reports)]
-    assert len(files) == 20
+    assert len(files) == 24
     assert [one for one in files if one.stat().st_mode & EVERYBODY] == []
 
 
