@@ -229,7 +229,7 @@ def _gang(packed: bytes) -> Gang:
 
 
 def _connected(address: str) -> "Client":
-    from distributed import Client
+    from distributed import Client, Security
 
     if not address.startswith(("tcp://", "tls://")):
         what = message("'{address}' is no address of a Dask scheduler.", address=address)
@@ -239,6 +239,9 @@ def _connected(address: str) -> "Client":
         with warnings.catch_warnings():
             # Other versions are refused by us, with names.
             warnings.simplefilter("ignore")
+            if address.startswith("tls://"):
+                # Before a client is made, which would try to say good-bye for long.
+                _demand_certificates(Security().get_connection_args("client"))
             return Client(address, timeout=_TO_CONNECT, set_as_default=False)
     except (OSError, ValueError, TypeError, RuntimeError) as fault:
         what = message(
@@ -250,6 +253,11 @@ def _connected(address: str) -> "Client":
             "Start it, or name its address as it prints it; tls:// needs certificates."
         )
         raise UsageError([Problem("", "", what, remedy, parameter="cluster")]) from fault
+
+
+def _demand_certificates(connection: Mapping[str, Any]) -> None:
+    if connection.get("ssl_context") is None:
+        raise ValueError("distributed.comm.tls.client.cert, distributed.comm.tls.client.key")
 
 
 def _fit_workers(client: "Client", address: str) -> int:
