@@ -91,7 +91,7 @@ clean: ## remove everything that make made
 	@echo 'Installing Python packages into .venv: a minute or two, once'
 	@$(PYTHON) -m venv .venv
 	@$(PIP_INSTALL) pip
-	@$(PIP_INSTALL) --build-constraint constraints.txt --editable '.[web,lti]'
+	@$(PIP_INSTALL) --build-constraint constraints.txt --editable '.[web,cluster,lti]'
 	@touch $@
 
 .venv/dev.stamp: .venv/run.stamp

@@ -30,7 +30,7 @@ LEVELS = (
     # What was issued and what is judged meet only in the values of `variants.model`.
     ("issuing", "grading"),
     ("gradebook", "desk", "lti"),
-    ("likeness",),
+    ("likeness", "analytics"),
     ("batch",),
     ("simulation",),
     ("documents",),

@@ -23,6 +23,7 @@ SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
 # Names of formats, ids and values that are typed as they stand, whatever the language.
 TYPED = frozenset(
     (
+        *("dask", "tcp", "tls", "host", "port"),
         *("csv", "xlsx", "zip", "json", "dxf", "svg", "url", "en", "ru", "uk", "corrected", "as"),
         *(
             "printed",

@@ -8,9 +8,13 @@ import sys
 import time
 from pathlib import Path
 
+from gripcourse.batch.one_file import GradingContext, grade_file
+from gripcourse.grading.model import Report
 from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.warm import do_apart
 from gripcourse.jobs.workers import in_order, run_each
+from gripcourse.machine.content import Readable
+from gripcourse.usecases.student_reports import Printing, student_pdf
 
 
 class Luggage:
@@ -103,6 +107,30 @@ def grow(size: int, _: object) -> int:
 
 def vanish(_: object, __: object) -> None:
     os._exit(9)
+
+
+def obey(order: str, _: object) -> str:
+    """Do to a worker what hostile files do."""
+    if order == "hang":
+        time.sleep(60)
+    if order == "vanish":
+        os._exit(9)
+    if order == "grow":
+        assert len(b"1" * (1 << 40))
+    return deaf(order, None)
+
+
+def slowly(file: Readable, context: GradingContext) -> Report:
+    """Grade, so that what happens meanwhile happens in the middle."""
+    time.sleep(0.1)
+    return grade_file(file, context)
+
+
+def page(report: Report, printing: Printing) -> bytes:
+    """Lay out one real page, which takes longest; the others at once."""
+    if report.student == "s02":
+        return student_pdf(report, printing)
+    return f"%PDF-1.7 {printing.graded_on} {report!r}".encode()
 
 
 if __name__ == "__main__":

@@ -136,8 +136,8 @@ def exported(results: Results, folder: Path) -> None:
     moodle_files(results, source / "moodle.csv", folder / "moodle.csv", folder / "feedback.zip")
     canvas_file(results, source / "canvas.csv", "", folder / "canvas.csv")
     gradescope_file(results, "", folder / "results.json", published=True)
-    table_files(results, folder / "tables")
-    table_files(results, folder / "tables.xlsx")
+    table_files(results, folder / "tables", str(folder / "none.sqlite"))
+    table_files(results, folder / "tables.xlsx", str(folder / "none.sqlite"))
     outbox_folders(results, folder / "outbox")
 
 
@@ -179,7 +179,7 @@ def test_what_has_names_or_marks_is_for_its_owner_alone(
     monkeypatch.setattr("gripcourse.usecases.printing.handout_list", lambda *_: pdf)
     print_sheets([], issued.course, out, out / "print.pdf", NOW.date())
     files = [*files_below(out), *files_below(reports)]
-    assert len(files) == 20
+    assert len(files) == 24
     assert [one for one in files if one.stat().st_mode & EVERYBODY] == []
 
 

@@ -15,8 +15,10 @@ from gripcourse.batch.second_look import made_by_office, needs_second_look
 from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.unjudged import incident_report
+from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, in_order, run_each
-from gripcourse.machine.content import Readable, shown_name
+from gripcourse.machine.content import NamedBytes, Readable, in_memory, shown_name
+from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 from gripcourse.text.shown import shown
 
 _log = logging.getLogger(__name__)
@@ -60,6 +62,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     grade_one: GradeOne = grade_file,
     seconds: float = SECONDS_PER_FILE,
     kept: KeptReports | None = None,
+    pool: Pool = PROCESSES,
 ) -> tuple[Graded, ...]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -74,13 +77,14 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         seconds: that one file may take.
         kept: what is known of single files from an earlier run, where every new report is kept as
             it comes; None for neither.
+        pool: kind of workers.
     """
     known = {} if kept is None else kept.of(files)
     for number in known:
         on_done(files[number])
     left = [number for number in range(len(files)) if number not in known]
     new = _alone([files[number] for number in left], _Job(context, grade_one), workers, on_done,
-                 seconds, kept)  # fmt: skip
+                 seconds, kept, pool)  # fmt: skip
     reports = {**known, **dict(zip(left, new, strict=True))}
     graded = (
         replace(_graded(file, reports[number], context), taken_over=number in known)
@@ -89,13 +93,14 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     return compared(tuple(graded), context)
 
 
-def _alone(
+def _alone(  # noqa: PLR0913, PLR0917 (called once)
     files: Sequence[Readable],
     job: _Job,
     workers: int,
     on_done: Callable[[Readable], None],
     seconds: float,
     kept: KeptReports | None,
+    pool: Pool,
 ) -> Sequence[Report | Lost]:
     """Grade files, each for itself, and keep each report as soon as nothing is left to find out."""
 
@@ -103,9 +108,11 @@ def _alone(
         _log.info("graded %s", shown(shown_name(files[number])))
         on_done(files[number])
 
-    jobs = run_each(_grade, files, job, workers=workers, seconds=seconds)
+    jobs = run_each(
+        _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
+    )
     alone = in_order(_keeping(jobs, files, kept), done)
-    reports = _looked_at_again(files, alone, job.context, workers, seconds)
+    reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
     pairs = enumerate(reports)
     again = ((number, report) for number, report in pairs if report is not alone[number])
     in_order(_keeping(again, files, kept))
@@ -122,18 +129,35 @@ def _keeping(
         yield number, folded(report) if isinstance(report, Report) else report
 
 
+def _in_memory(file: Readable) -> NamedBytes:
+    return in_memory(file, LARGEST_FILE)
+
+
+def _pair_in_memory(pair: tuple[Readable, bytes]) -> tuple[Readable, bytes]:
+    return _in_memory(pair[0]), pair[1]
+
+
 def _looked_at_again(
     files: Sequence[Readable],
     reports: Sequence[Report | Lost],
     context: GradingContext,
     workers: int,
     seconds: float,
+    pool: Pool,
 ) -> Sequence[Report | Lost]:
     """Grade those files again of which LibreOffice could make more; none without workers."""
     office = context.office if workers else None
     made = made_by_office(files, reports, office, context.course.language)
     pairs = [(files[number], data) for number, data in made.items()]
-    jobs = run_each(_grade_again, pairs, context, workers=min(workers, len(pairs)), seconds=seconds)
+    jobs = run_each(
+        _grade_again,
+        pairs,
+        context,
+        workers=min(workers, len(pairs)),
+        seconds=seconds,
+        pool=pool,
+        send=_pair_in_memory,
+    )
     again = dict(zip(made, in_order(jobs), strict=True))
     return [again.get(number, report) for number, report in enumerate(reports)]
 

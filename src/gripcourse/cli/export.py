@@ -12,11 +12,13 @@ from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
     CourseOption,
+    GradebookOption,
     LanguageOption,
     OutOption,
     TableOption,
     course_folder,
     document_language,
+    gradebook_place,
     main_table,
     words_for,
 )
@@ -141,14 +143,17 @@ def table(
     *,
     out: Annotated[Path, typer.Option("--out", help="A .xlsx file, or a folder for CSV files.")],
     grades: GradesOption = _GRADES,
+    gradebook: GradebookOption = None,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
-    """Write results by student, by section and by quantity, for other programs."""
+    """Write results by student, section and quantity, and what they say about the assignment."""
     from gripcourse.usecases.exporting import open_results, table_files
 
     words_for(language)
-    for path in table_files(open_results(course_folder(course), grades), out):
+    root = course_folder(course)
+    place = gradebook_place(gradebook, root)
+    for path in table_files(open_results(root, grades), out, place):
         confirm(str(path))
 
 

@@ -38,6 +38,7 @@ from gripcourse.cli.options import (
     PROCESSORS,
     WRONG_USE,
     AfreshOption,
+    ClusterOption,
     CourseOption,
     DateOption,
     EitherVersionOption,
@@ -233,12 +234,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     afresh: AfreshOption = False,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
+    cluster: ClusterOption = None,
     gradebook: GradebookOption = None,
     course: CourseOption = None,
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.grading.path_pattern import path_pattern
+    from gripcourse.jobs.cluster import open_workers
     from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
@@ -267,9 +270,9 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     stated = None if on is None else day_of(on)
     earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
     say_limits(words)
-    with cli_text.progress() as step:
+    with open_workers(workers, cluster) as (hands, pool), cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
-        graded = command.grade(files, context, workers, lambda _: tick(), earlier)
+        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
         graded = keep(graded, context, place, datetime.now(UTC), times)
         tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
@@ -277,10 +280,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             context,
             out,
             day_of(on),
-            workers,
+            hands,
             lambda _: tick(),
             passed_over=found.passed_over,
             earlier=earlier,
+            pool=pool,
         )
     if json:
         result = command.batch_result(outcome.reports, words, found.passed_over)

@@ -59,6 +59,14 @@ WorkersOption = Annotated[
         "--workers", min=0, help="How many processes; 0: this one alone.", show_default="processors"
     ),
 ]
+ClusterOption = Annotated[
+    str | None,
+    typer.Option(
+        "--cluster",
+        metavar="address",
+        help="Dask scheduler whose workers grade instead: tcp://HOST:PORT or tls://HOST:PORT.",
+    ),
+]
 PROCESSORS = os.cpu_count() or 1
 AfreshOption = Annotated[
     bool,

@@ -9,16 +9,28 @@ import pickle
 import sys
 import weakref
 from collections.abc import Callable
-from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.shared_memory import SharedMemory
-from typing import Any, Final, TypeAlias
+from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.jobs.limits import Limits
 
 Initializer: TypeAlias = Callable[..., None]
-OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executor]
+
+
+class Executing(Protocol):
+    """What we need of an executor."""
+
+    def submit(self, call: Callable[..., Any], /, *arguments: Any) -> Future[Any]:  # noqa: ANN401 (of any job)
+        """Give a job to a worker."""
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:  # noqa: FBT001, FBT002 (as in `Executor`)
+        """Let the workers go."""
+
+
+OpenExecutor: TypeAlias = Callable[[int, Initializer, tuple[Any, ...]], Executing]
 """Opens an executor: number of workers, what each does first, the arguments of that."""
 
 _MOST_ON_WINDOWS = 61  # handles that it can wait for at a time
@@ -32,11 +44,13 @@ class Pool:
         open: opens an executor.
         apart: whether workers have a memory of their own, so that what jobs need must be sent.
         limits: of each worker; None where a worker cannot be bounded, as a thread.
+        shares_disk: whether workers see the files that this process sees.
     """
 
     open: OpenExecutor
     apart: bool
     limits: Limits | None
+    shares_disk: bool = True
 
 
 def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executor:

@@ -8,11 +8,11 @@ import pickle
 import threading
 import uuid
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, ThreadPoolExecutor
 from typing import Any
 
 from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.pools import PROCESSES, Pool
+from gripcourse.jobs.pools import PROCESSES, Executing, Pool
 from gripcourse.jobs.work import Task, do, install, perform
 from gripcourse.jobs.workers import run_each
 
@@ -41,7 +41,7 @@ class StandingWorkers:
         self.pool = pool
         self._name = uuid.uuid4().hex
         self._lock = threading.Lock()
-        self._opened: Executor | None = None
+        self._opened: Executing | None = None
         # A worker ends with the thread that started it, and threads that answer requests come and
         # go: one that stays starts them all.
         self._keeper = ThreadPoolExecutor(1, "keeper")
@@ -79,14 +79,14 @@ class StandingWorkers:
             opened.shutdown(cancel_futures=True)
         self._keeper.shutdown()
 
-    def _executor(self, pool: Pool) -> Executor:
+    def _executor(self, pool: Pool) -> Executing:
         with self._lock:
             if self._opened is None:
                 first = (self._name, pickle.dumps(self.task), pool.limits)
                 self._opened = pool.open(self.workers, install, first)
             return self._opened
 
-    def _discard(self, executor: Executor) -> None:
+    def _discard(self, executor: Executing) -> None:
         with self._lock:
             if self._opened is executor:
                 self._opened = None

@@ -7,27 +7,21 @@ asks again: a script of somebody who has not heard of that may read a table.
 
 import atexit
 import pickle
-import subprocess
-import sys
-import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
+from gripcourse.jobs.child import DIED, GROWN, NOT_ANSWERED, ask, end, start
 from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.lost import Lost
 from gripcourse.jobs.work import Task
 
+if TYPE_CHECKING:
+    import subprocess
+
 Item = TypeVar("Item")
 Shared = TypeVar("Shared")
 Result = TypeVar("Result")
-
-_GROWN: Final = 256 * 1024**2  # bytes that a worker has had at most, where it is kept
-_TO_START: Final = 60.0  # seconds, on a machine that is busy
-_BEGIN: Final = (
-    "import pickle, sys; sys.path[:] = pickle.load(sys.stdin.buffer);"
-    "from gripcourse.jobs.servant import serve; serve()"
-)
 
 # All workers are started by one thread that lives as long as this process: Linux ends a worker
 # with the thread that started it, and the threads of a server come and go.
@@ -61,60 +55,20 @@ def _done(packed: bytes, limits: Limits, seconds: float) -> Any | Lost:  # noqa:
     """Do a job; once more where the worker had died of something else before."""
     tries = 2 if limits in _WARM else 1
     for _ in range(tries):
-        worker = _WARM.get(limits) or _WARM.setdefault(limits, _started(limits))
+        worker = _WARM.get(limits) or _WARM.setdefault(limits, start(limits))
         try:
-            outcome, grown = _answered(worker, packed, seconds)
-        except (OSError, EOFError, pickle.UnpicklingError):
+            outcome, grown = ask(worker, packed, seconds)
+        except NOT_ANSWERED:
             _dismiss(limits)
         else:
-            if grown > _GROWN:
+            if grown > GROWN:
                 _dismiss(limits)
             return outcome
-    return Lost("The worker that did this died, or did not end in time.\n")
-
-
-def _started(limits: Limits) -> "subprocess.Popen[bytes]":
-    worker = subprocess.Popen(  # noqa: S603 (this very program)
-        [sys.executable, "-c", _BEGIN],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-    )
-    _send(worker, pickle.dumps(sys.path) + pickle.dumps(limits))
-    return worker
-
-
-def _answered(worker: "subprocess.Popen[bytes]", packed: bytes, seconds: float) -> tuple[Any, int]:
-    """Send a job and wait; the worker ends itself in time, and where it cannot, it is ended."""
-    end = threading.Timer(_TO_START + seconds, worker.kill)
-    end.daemon = True
-    end.start()
-    try:
-        _send(worker, packed)
-        if worker.stdout is None:  # pragma: no cover (for the types)
-            raise EOFError
-        outcome, grown = pickle.load(worker.stdout)  # noqa: S301 (our own program)
-    finally:
-        end.cancel()
-    return outcome, grown
-
-
-def _send(worker: "subprocess.Popen[bytes]", packed: bytes) -> None:
-    if worker.stdin is not None:
-        worker.stdin.write(packed)
-        worker.stdin.flush()
+    return Lost(DIED)
 
 
 def _dismiss(limits: Limits) -> None:
-    worker = _WARM.pop(limits)
-    worker.kill()
-    worker.wait()
-    for pipe in (worker.stdin, worker.stdout):
-        if pipe is not None:
-            try:
-                pipe.close()
-            except OSError:  # what it never read
-                continue
+    end(_WARM.pop(limits))
 
 
 @atexit.register

@@ -9,12 +9,13 @@ import pickle
 import uuid
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass
 from typing import Any, TypeAlias, TypeVar
 
+from gripcourse.jobs.child import DIED
 from gripcourse.jobs.lost import JobLostError, Lost
-from gripcourse.jobs.pools import PROCESSES, Pool
+from gripcourse.jobs.pools import PROCESSES, Executing, Pool
 from gripcourse.jobs.work import Task, do, install, known, perform
 
 __all__ = ["Lost", "all_done", "in_order", "run_each"]
@@ -33,19 +34,30 @@ _Done: TypeAlias = Iterator[tuple[int, Any]]
 
 @dataclass(frozen=True, slots=True)
 class _Crew:
-    """Workers that can be opened again and again for one task, which they know by its name."""
+    """Workers that can be opened again and again for one task, which they know by its name.
+
+    Attributes:
+        pool: kind of workers.
+        name, packed: the task.
+        send: returns what travels of an item.
+    """
 
     pool: Pool
     name: str
     packed: bytes
+    send: Callable[[Any], Any]
 
-    def open(self, workers: int) -> Executor:
+    def open(self, workers: int) -> Executing:
         """Open an executor whose workers know the task."""
         first = (self.name, self.packed, self.pool.limits)
         return self.pool.open(workers, install if self.pool.apart else _nothing, first)
 
 
-def run_each(
+def _as_it_is(item: Item) -> Item:
+    return item
+
+
+def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as they are)
     work: Callable[[Item, Shared], Result],
     items: Sequence[Item],
     shared: Shared,
@@ -53,6 +65,7 @@ def run_each(
     workers: int,
     seconds: float,
     pool: Pool | None = PROCESSES,
+    send: Callable[[Item], Item] = _as_it_is,
 ) -> Iterator[tuple[int, Result | Lost]]:
     """Do a job with every item, in parallel.
 
@@ -64,6 +77,8 @@ def run_each(
             may not start processes and trusts what it has.
         seconds: that one job may take, where workers are bounded.
         pool: kind of workers; None for none.
+        send: makes of an item what a worker can use that shares no disk with this process; where it
+            raises `OSError`, the job is done by a process of this machine at the end.
 
     Yields:
         The place of an item in `items` and what it came to, in the order in which jobs are done;
@@ -75,11 +90,16 @@ def run_each(
         return
     task = Task(work, shared, seconds, pool.limits)
     name = uuid.uuid4().hex
-    if pool.apart:
-        yield from _each(items, _Crew(pool, name, pickle.dumps(task)), workers)
+    if not pool.apart:
+        with known(name, task):
+            yield from _each(items, _Crew(pool, name, b"", _as_it_is), workers, [])
         return
-    with known(name, task):
-        yield from _each(items, _Crew(pool, name, b""), workers)
+    stay: list[int] = []
+    crew = _Crew(pool, name, pickle.dumps(task), _as_it_is if pool.shares_disk else send)
+    yield from _each(items, crew, workers, stay)
+    if stay:
+        here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
+        yield from ((stay[place], outcome) for place, outcome in here)
 
 
 def in_order(
@@ -110,12 +130,13 @@ def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, R
         yield number, outcome
 
 
-def _each(items: Sequence[Any], crew: _Crew, workers: int) -> _Done:
+def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _Done:
+    """Do all jobs but those whose items cannot travel: their numbers are added to `stay`."""
     waiting: _Waiting = deque(enumerate(items))
     while waiting:
         count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
-        suspects = yield from _until_worker_dies(waiting, crew, count, count * _AHEAD)
+        suspects = yield from _until_worker_dies(waiting, crew, count, count * _AHEAD, stay)
         if suspects and not _can_start(crew):
             lost = Lost("No worker could start; what it wrote to its error output says why.\n")
             left = sorted((*suspects, *(number for number, _ in waiting)))
@@ -123,12 +144,12 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int) -> _Done:
             return
         alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
         while alone:
-            for number in (yield from _until_worker_dies(alone, crew, 1, 1)):
-                yield number, Lost("The worker that did this died, or did not end in time.\n")
+            for number in (yield from _until_worker_dies(alone, crew, 1, 1, stay)):
+                yield number, Lost(DIED)
 
 
 def _until_worker_dies(
-    waiting: _Waiting, crew: _Crew, workers: int, ahead: int
+    waiting: _Waiting, crew: _Crew, workers: int, ahead: int, stay: list[int]
 ) -> Generator[tuple[int, Any], None, list[int]]:
     """Do jobs from the left of `waiting`, until none is left or a worker dies.
 
@@ -146,7 +167,12 @@ def _until_worker_dies(
             while waiting and not taken_along and len(running) < ahead:
                 number, item = waiting.popleft()
                 try:
-                    running[executor.submit(perform, crew.name, item)] = number
+                    sent = crew.send(item)
+                except OSError:
+                    stay.append(number)
+                    continue
+                try:
+                    running[executor.submit(perform, crew.name, sent)] = number
                 except BrokenExecutor:
                     taken_along.append(number)
             for future in wait(running, return_when=FIRST_COMPLETED).done:

@@ -1,5 +1,7 @@
 """A file to be read: one on the disk, one inside a zip, or bytes sent under a name."""
 
+import errno
+import os
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import TypeAlias
@@ -67,3 +69,19 @@ def content_of(source: Readable) -> bytes:
 
         return read_member(source.archive, source.place)
     return source.data if isinstance(source, NamedBytes) else source.read_bytes()
+
+
+def in_memory(source: Readable, most: int) -> NamedBytes:
+    """Return a file with its content, for who does not see this disk.
+
+    Args:
+        source: the file.
+        most: bytes; larger ones are not read.
+
+    Raises:
+        OSError: there is no such file, it may not be read, is damaged inside its zip, or too large.
+    """
+    name = shown_name(source)
+    if isinstance(source, Path) and source.stat().st_size > most:
+        raise OSError(errno.EFBIG, os.strerror(errno.EFBIG), name)
+    return NamedBytes(name, content_of(source))

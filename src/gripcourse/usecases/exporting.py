@@ -13,6 +13,7 @@ from pathlib import Path
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.exports.analysis_tables import analysis_tables, history_tables
 from gripcourse.exports.csv_text import text_cell
 from gripcourse.exports.platforms.canvas import FilledGradebook, fill_gradebook
 from gripcourse.exports.platforms.comment import comment_html, comment_lines
@@ -27,7 +28,10 @@ from gripcourse.exports.platforms.moodle_xml import moodle_xml
 from gripcourse.exports.platforms.works import GradedWork, works_of
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
+from gripcourse.gradebook.journal import regrades
+from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing.store import read_register
+from gripcourse.machine.database.home import exists
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Message, Words, message
@@ -136,14 +140,22 @@ def gradescope_file(results: Results, student: str, out: Path, *, published: boo
     write_text(out, text, private=True)
 
 
-def table_files(results: Results, out: Path) -> tuple[Path, ...]:
-    """Write the tables by student, section and quantity.
+def table_files(results: Results, out: Path, gradebook: str) -> tuple[Path, ...]:
+    """Write the tables by student, section and quantity, and those of the analysis.
 
     Args:
         results: of a grading.
         out: a `.xlsx` file with a sheet for each, else a folder with a CSV file for each.
+        gradebook: path or database URL; where there is none yet, its tables are left out.
+
+    Raises:
+        GradebookError: the gradebook is there and cannot be used.
+        OSError: nothing can be written there.
     """
-    tables = results_tables(results.grades, results.students)
+    tables = results_tables(results.grades, results.students) | analysis_tables(results.grades)
+    if exists(gradebook):
+        book = open_gradebook(gradebook)
+        tables |= history_tables(book.attempts(), regrades(book))
     if out.suffix.lower() == ".xlsx":
         write_bytes(out, workbook(tables), private=True)
         return (out,)

@@ -18,6 +18,7 @@ from gripcourse.exports.report_result import (
     report_result,
 )
 from gripcourse.grading.model import Flag, FlagCode, Report
+from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
@@ -78,10 +79,11 @@ def grade(
     workers: int,
     on_done: Callable[[Readable], None],
     earlier: Earlier | None = None,
+    pool: Pool = PROCESSES,
 ) -> tuple[Graded, ...]:
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
-    return grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
+    return grade_files(files, context, min(workers, len(files)), on_done, kept=kept, pool=pool)
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
@@ -95,6 +97,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     passed_over: Sequence[PassedOver] = (),
     lay_out: LayOut = student_pdf,
     earlier: Earlier | None = None,
+    pool: Pool = PROCESSES,
 ) -> GradingOutcome:
     """Write student reports, the cohort report, grades as CSV and JSON, and the incidents.
 
@@ -109,7 +112,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     printing = Printing(context.course, context.policy, graded_on, peers=peers)
     printed = None if earlier is None else earlier.printed
     outcomes = write_reports(
-        plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed
+        plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
     )
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
     written = {

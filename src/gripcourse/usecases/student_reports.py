@@ -2,15 +2,17 @@
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.documents.look import Look, look_of, with_look
 from gripcourse.documents.report.totals import peers_text
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
+from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import discard_all_unfinished, make_private_folder, write_bytes
@@ -32,6 +34,7 @@ class Printing:
         graded_on: the day that is printed.
         seconds: that one report may take.
         peers: shares of the points that the judged works of the batch earned.
+        look: of the course, for workers that share no disk with it; None for the course's folder.
     """
 
     course: Course
@@ -39,6 +42,7 @@ class Printing:
     graded_on: date
     seconds: float = SECONDS_PER_REPORT
     peers: tuple[float, ...] = ()
+    look: Look | None = None
 
 
 LayOut: TypeAlias = Callable[[Report, Printing], bytes]
@@ -85,6 +89,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
     lay_out: LayOut = student_pdf,
     *,
     printed: PrintedBefore | None = None,
+    pool: Pool = PROCESSES,
 ) -> list[Written]:
     """Write the report of every file whose student is known.
 
@@ -100,6 +105,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
         lay_out: lays out one report.
         printed: what earlier runs wrote, to leave those reports as they are that would come out the
             same; None to write all.
+        pool: kind of workers.
 
     Returns:
         For each report the file that was written or left as it was, what failed on our side, or
@@ -119,8 +125,9 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
     to_do = [number for number, path in enumerate(paths) if path and outcomes[number] is None]
     for number in sorted(set(range(len(reports))) - set(to_do)):
         on_done(Path(reports[number].file))
-    shared, items = (lay_out, printing), [reports[number] for number in to_do]
-    jobs = run_each(_lay_out, items, shared, workers=workers, seconds=printing.seconds)
+    travels = printing if pool.shares_disk else replace(printing, look=look_of(printing.course))
+    shared, items = (lay_out, travels), [reports[number] for number in to_do]
+    jobs = run_each(_lay_out, items, shared, workers=workers, seconds=printing.seconds, pool=pool)
     for place, pdf in jobs:
         number = to_do[place]
         outcomes[number] = _keep(pdf, paths[number])
@@ -138,6 +145,8 @@ def _made_from(report: Report, printing: Printing) -> str:
 
 def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:
     lay_out, printing = shared
+    if printing.look is not None:
+        printing = replace(printing, course=with_look(printing.course, printing.look))
     return lay_out(report, printing)
 
 

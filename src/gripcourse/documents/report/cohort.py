@@ -17,6 +17,11 @@ from gripcourse.documents.report.items import FEWEST, item_statistics
 from gripcourse.documents.report.marked import decision_rows, marked_tables
 from gripcourse.documents.report.mistakes import kind_rows, slip_rows
 from gripcourse.documents.report.quantities import COUNTED, AskedQuantity, hardest, quantity_groups
+from gripcourse.documents.report.soundness import (
+    difficulty_sentences,
+    reliability_rows,
+    time_sentence,
+)
 from gripcourse.documents.report.standing import grades_of
 from gripcourse.documents.report.totals import (
     quantity_totals,
@@ -105,6 +110,9 @@ def cohort_values(
         "fairness": aligned_rows(
             fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
         ),
+        "reliability": aligned_rows(reliability_rows(reports, course, words), "alphas"),
+        "equal": list(difficulty_sentences(reports, words)),
+        "times": time_sentence(reports, words),
         "fewest": FEWEST,
         "outcomes": [(outcome.traits.sign, words.say(outcome.traits.word)) for outcome in COUNTED],
         "groups": quantity_groups(asked, words),

@@ -1,0 +1,137 @@
+"""What a cohort's works say about the assignment, as tables; headings are ids."""
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from gripcourse.analytics.difficulty import difficulty_table
+from gripcourse.analytics.reliability import reliability_table
+from gripcourse.analytics.shares import item_table, score_table, share_table
+from gripcourse.exports.report_result import GradesResult, ReportResult
+from gripcourse.gradebook.journal import Regrade
+from gripcourse.gradebook.model import Attempt
+from gripcourse.grading.model import FlagCode
+
+# pandas takes 400 ms to import.
+# ruff: noqa: PLC0415
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+_Key: TypeAlias = tuple[str, str]
+
+
+def analysis_tables(grades: GradesResult) -> "dict[str, pd.DataFrame]":
+    """Return the tables `items`, `slips`, `reliability` and `difficulty` of a batch."""
+    import pandas as pd
+
+    shares = share_table(grades.reports)
+    return {
+        "items": item_table(shares),
+        "slips": pd.DataFrame(
+            _slips(grades.reports),
+            columns=["quantity", "slip", "students", "wrong", "share_of_wrong"],
+        ),
+        "reliability": reliability_table(shares),
+        "difficulty": difficulty_table(score_table(shares)),
+    }
+
+
+def history_tables(
+    attempts: Sequence[Attempt], regrades: Sequence[Regrade]
+) -> "dict[str, pd.DataFrame]":
+    """Return the tables `times` and `regrades` of a gradebook.
+
+    Args:
+        attempts: all that were kept, oldest first.
+        regrades: that were applied or take one back.
+    """
+    import pandas as pd
+
+    undone = {one.undoes for one in regrades if one.undoes is not None}
+    return {
+        "times": pd.DataFrame(
+            _times(attempts), columns=["student", "work", "of", "handed_in", "said", "graded_at"]
+        ),
+        "regrades": pd.DataFrame(
+            _regrades(attempts, undone),
+            columns=["regrade", "undone", "quantity", "works", "before", "after", "changed"],
+        ),
+    }
+
+
+def _slips(reports: Sequence[ReportResult]) -> list[tuple[Any, ...]]:
+    """Count each slip once a work, where it was made; an empty slip is a mistake unexplained."""
+    found = {
+        (place, *mistake)
+        for place, report in enumerate(reports)
+        if all(flag.code != FlagCode.ISSUED_TO_OTHER for flag in report.flags)
+        for mistake in _mistakes(report)
+    }
+    wrong = Counter(quantity for _, quantity in {(place, quantity) for place, quantity, _ in found})
+    counts = Counter((quantity, slip) for _, quantity, slip in found)
+    order = sorted(counts, key=lambda one: (-counts[one], one))
+    return [
+        (quantity, slip, counts[quantity, slip], wrong[quantity],
+         counts[quantity, slip] / wrong[quantity])
+        for quantity, slip in order
+    ]  # fmt: skip
+
+
+def _mistakes(report: ReportResult) -> Iterator[tuple[str, str]]:
+    for one in report.findings:
+        if one.outcome.traits.mistake:
+            yield one.quantity, one.slip
+        elif one.outcome.traits.follows and one.slip and one.roots:
+            yield one.roots[0], one.slip  # a step that was left out: its slip shows here
+
+
+def _times(attempts: Sequence[Attempt]) -> list[tuple[Any, ...]]:
+    """Return a row for each work, in the order in which a student's works came."""
+    works: dict[str, dict[str, Attempt]] = defaultdict(dict)
+    for one in attempts:
+        # Graded again it is the same work; what is known of its time may have been said later.
+        works[one.student][one.digest] = one
+    return [
+        (
+            student,
+            number,
+            len(all_),
+            "" if one.handed_in is None else one.handed_in.isoformat(),
+            one.handed_in_said,
+            one.graded_at.isoformat(),
+        )
+        for student, all_ in sorted(works.items())
+        for number, one in enumerate(all_.values(), start=1)
+    ]
+
+
+def _regrades(attempts: Sequence[Attempt], undone: set[int]) -> list[tuple[Any, ...]]:
+    """Return what each regrade did to each quantity: its mean share, before and after."""
+    stands: dict[_Key, Attempt] = {}
+    pairs: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)
+    for one in attempts:
+        key = one.student, one.digest
+        before = stands.get(key)
+        if one.regrade is not None and before is not None:
+            old, new = _shares(before), _shares(one)
+            for quantity in old.keys() & new.keys():
+                pairs[one.regrade, quantity].append((old[quantity], new[quantity]))
+        if one.regrade not in undone:
+            stands[key] = one
+    return [
+        (
+            number,
+            number in undone,
+            quantity,
+            len(found),
+            sum(old for old, _ in found) / len(found),
+            sum(new for _, new in found) / len(found),
+            sum(old != new for old, new in found),
+        )
+        for (number, quantity), found in sorted(pairs.items())
+    ]
+
+
+def _shares(attempt: Attempt) -> Mapping[str, float]:
+    return {one.quantity: one.points / one.max_points for one in attempt.results if one.max_points}

@@ -1,0 +1,3 @@
+"""Reports put together by hand."""
+
+from support.reports import perfect, rejected, values, variant, with_finding, wrong
