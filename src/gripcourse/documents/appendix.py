@@ -13,6 +13,7 @@ from gripcourse.text.words import Message, Words, message
 
 _FIGURES = 12  # sizes are printed as they are declared, never rounded
 _WIDE = 8  # columns, from which on a table takes the width of the page
+_BESIDE = 2  # formulas that find room beside a small table
 _FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
 
 
@@ -72,6 +73,13 @@ class Appendix:
     def any(self) -> bool:
         """Whether there is anything to print."""
         return bool(self.series or self.tables or self.works)
+
+    @property
+    def beside(self) -> int:
+        """The number of the small table that few formulas stand beside; 0 where they follow."""
+        small = [one.number for one in self.tables if not one.wide]
+        quoted = sum(len(one.formulas) for one in self.works)
+        return small[-1] if small and 0 < quoted <= _BESIDE else 0
 
 
 def appendix_of(plan: Plan, words: Words) -> Appendix:
