@@ -194,6 +194,27 @@ def test_a_scheme_fits_its_pages(policy: Policy, course: Course) -> None:
         assert len(pages_of(sheet)) <= LONGEST_PAGES, scheme
 
 
+def test_tasks_tell_only_of_what_the_scheme_has(course: Course) -> None:
+    """Each sentence belongs to something that the course declares, and only to that."""
+    declared: dict[str, set[str]] = {scheme: set() for scheme in course.schemes}
+    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+        declared[variant.scheme] |= make_plan(
+            course, variant.scheme, variant.options
+        ).quantities.keys()
+    every = set().union(*declared.values())
+    told = dict.fromkeys(course.schemes, "")
+    for section in course.sections:
+        for detail in section.details:
+            assert every & set(detail.quantities), detail.text.of("en")
+        for scheme, quantities in declared.items():
+            told[scheme] += section.task_of(quantities, "ru").lower()
+    assert [one for one in told if "губ" in told[one]] == [
+        one for one in told if one not in {"vacuum_cups", "electromagnet"}
+    ]
+    assert [one for one in told if "эжектор" in told[one]] == ["vacuum_cups"]
+    assert [one for one in told if "электромагнит" in told[one]] == ["electromagnet"]
+
+
 LONGEST = {
     "grip_model": "contact_exact",
     "object_position": "pairs_between",

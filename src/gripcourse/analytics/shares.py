@@ -3,7 +3,7 @@
 With them an answer that follows from an earlier mistake is not right either; without them it is.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Final, Protocol
 
 from gripcourse.grading.model import Outcome
@@ -49,7 +49,7 @@ class Work(Protocol):
     @property
     def judged(self) -> bool: ...  # noqa: D102
     @property
-    def findings(self) -> Sequence[Answer]: ...  # noqa: D102
+    def findings(self) -> Collection[Answer]: ...  # noqa: D102
 
 
 def share_table(works: Sequence[Work]) -> "pd.DataFrame":

@@ -142,7 +142,7 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "motor": _single(at=_POINT, turn=_turn("pi"), shaft=_number(6)),
     # Forces, sizes and letters.
     "force": _single(at=_POINT, turn=_ANGLE, quantity=_SYMBOL, long=_number(11), shift=_number(0),
-                     end=Role(Sort.WORD, words=("tip", "tail"))),
+                     most=_if_any(Sort.LENGTH), end=Role(Sort.WORD, words=("tip", "tail"))),
     "moment": _single(at=_POINT, quantity=_SYMBOL, radius=_number(5), start=_turn("-pi/3"),
                       sweep=_turn("1.5*pi")),
     "length": _single(through=_POINTS, quantity=_SYMBOL, shift=_number(0),

@@ -62,6 +62,13 @@ COURSE: Final = Shape(
                 "title": texts("In full.", required=True),
                 "short": texts("What fits a tab of a workbook.", required=True),
                 "task": texts("What is to be done in it.", required=True),
+                "detail": tables(
+                    "Further sentences of the task, for variants that have something.",
+                    {
+                        "quantities": strings("It is printed for variants with one of these."),
+                        "text": texts("The sentence.", required=True),
+                    },
+                ),
             },
         ),
         "work": by_name(

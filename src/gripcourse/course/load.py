@@ -14,7 +14,7 @@ from gripcourse.course.equations import read_equations
 from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
 from gripcourse.course.kinematics import read_kinematics, read_positions
-from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, Work
+from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, SectionDetail, Work
 from gripcourse.course.note import read_notes
 from gripcourse.course.options import read_options
 from gripcourse.course.override import RawPart
@@ -233,8 +233,17 @@ def _sections(table: Table) -> tuple[Section, ...]:
 def _section(table: Table) -> Section:
     table.known_keys()
     return Section(
-        table.text("id"), table.texts("title"), table.texts("short"), table.texts("task")
+        table.text("id"),
+        table.texts("title"),
+        table.texts("short"),
+        table.texts("task"),
+        tuple(_detail(one) for one in table.tables("detail")),
     )
+
+
+def _detail(table: Table) -> SectionDetail:
+    table.known_keys()
+    return SectionDetail(table.strings("quantities"), table.texts("text"))
 
 
 def _works(table: Table) -> dict[str, Work]:

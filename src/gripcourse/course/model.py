@@ -3,7 +3,7 @@
 Values of quantities are kept in the declared unit (as people wrote them); the solver works in SI.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -122,6 +122,17 @@ class Scheme:
 
 
 @dataclass(frozen=True, slots=True)
+class SectionDetail:
+    """A sentence of a section's task for variants that have one of some quantities.
+
+    Who takes a scheme out of a course need not touch it: a quantity may be no scheme's.
+    """
+
+    quantities: tuple[str, ...]
+    text: Texts
+
+
+@dataclass(frozen=True, slots=True)
 class Section:
     """A section of the assignment, in the order in which it is handed out.
 
@@ -129,13 +140,22 @@ class Section:
         id: name in declarations.
         title: in full.
         short: what fits a tab of a workbook or a column of a table.
-        task: what is to be done in it.
+        task: what is to be done in it, whatever the variant.
+        details: what is to be done besides, for variants that have it.
     """
 
     id: str
     title: Texts
     short: Texts
     task: Texts
+    details: tuple[SectionDetail, ...] = ()
+
+    def task_of(self, quantities: Collection[str], language: str) -> str:
+        """Return what is to be done in a variant with these quantities."""
+        details = (
+            one.text for one in self.details if not set(one.quantities).isdisjoint(quantities)
+        )
+        return " ".join(text.of(language) for text in (self.task, *details))
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,8 @@ SHAPES: Mapping[str, Mapping[str, Need]] = {
     "sector": {"at": Need.POINT, "radius": Need.LENGTH, "angles": Need.ANGLES},
     # half way along a bar: its cross-section, turned into the view (GOST 2.305)
     "section": {"through": Need.POINTS, "width": Need.LENGTH, "length": Need.LENGTH},
+    # a local section, to be hatched: the first of its `x` is the line of break
+    "broken": {"x": Need.RANGE, "y": Need.RANGE},
 }
 # Shapes with an inside: the bodies of a view are made of these.
 CLOSED = frozenset({"box", "circle", "pin", "bar", "polygon", "sector"})

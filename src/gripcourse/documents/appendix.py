@@ -17,6 +17,7 @@ _FIGURES = 12  # sizes are printed as they are declared, never rounded
 _WIDE = 8  # columns, from which on a table takes the width of the page
 _LETTERS = 34  # of a line of a column
 _SPACE = 0.6  # lines round a heading, and below a formula
+_BESIDE = 2  # formulas that find room beside a small table
 _FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
 
 
@@ -97,6 +98,13 @@ class Appendix:
                     column.append(QuotedWork(title, tuple(part)))
                     title = ""
         return tuple(tuple(column) for column in columns)
+
+    @property
+    def beside(self) -> int:
+        """The number of the small table that few formulas stand beside; 0 where they follow."""
+        small = [one.number for one in self.tables if not one.wide]
+        quoted = sum(len(one.formulas) for one in self.works)
+        return small[-1] if small and 0 < quoted <= _BESIDE else 0
 
 
 def _lines_of(formula: AppendixFormula) -> float:

@@ -242,7 +242,7 @@ def _task(
     points = policy.section_points.get(section.id)
     return SheetTask(
         title=section.title.of(words.language),
-        task=section.task.of(words.language),
+        task=section.task_of(plan.quantities, words.language),
         points="" if points is None else counted_points(points, words),
         items=asked_items(asked, plan, policy, words),
     )

@@ -16,6 +16,7 @@ FONT_PACKAGES = {
     "PT Serif": "fonts-paratype",
     "PT Sans": "fonts-paratype",
     "Liberation Serif": "fonts-liberation",
+    "Liberation Sans": "fonts-liberation",
     "DejaVu Serif": "fonts-dejavu-core",
     "DejaVu Sans": "fonts-dejavu-core",
 }

@@ -11,6 +11,7 @@ from gripcourse.text.units import factor
 
 # Declared units to SI and back cost the last digits of a float; no size has so many.
 _FIGURES = 12
+_MANY_COLUMNS, _MANY_ROWS = 8, 6  # of a small table, at most
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,18 +47,27 @@ class NeededTable:
 
 
 def needed_tables(plan: Plan) -> tuple[NeededTable, ...]:
-    """Return the catalogues that the answers of a plan are found with: series, then tables."""
+    """Return the catalogues that answers are found with: series, small tables, large ones."""
     takers: dict[str, dict[str, Quantity]] = {}
     for quantity in plan.answered:
         for column in columns_read(quantity, plan.reference_formula(quantity.id)):
             name = column.partition(".")[0]
             takers.setdefault(name, {})[quantity.id] = quantity
     shown = {name: shown_columns(plan.course.catalogues[name]) for name in takers}
-    ordered = sorted(takers, key=lambda name: len(shown[name]) > 1)
+    sizes = {name: _size(plan.course.catalogues[name], shown[name]) for name in takers}
+    ordered = sorted(takers, key=sizes.__getitem__)
     return tuple(
         NeededTable(number, plan.course.catalogues[name], shown[name], tuple(takers[name].values()))
         for number, name in enumerate(ordered, start=1)
     )
+
+
+def _size(catalogue: Catalogue, columns: tuple[str, ...]) -> int:
+    """Tell series, small tables and large ones apart: small ones find room beside each other."""
+    if len(columns) == 1:
+        return 0
+    rows = len(catalogue.columns[columns[0]])
+    return 2 if len(columns) > _MANY_COLUMNS or rows > _MANY_ROWS else 1
 
 
 def tables_by_taker(tables: tuple[NeededTable, ...]) -> Mapping[str, tuple[NeededTable, ...]]:

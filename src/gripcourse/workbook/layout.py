@@ -95,6 +95,7 @@ class SectionSheet:
         name: of the sheet, unique.
         number: of the section, from one.
         section: what it is about.
+        task: what is to be done in it, in the reader's language.
         answered: rows that the student fills, one below the other.
         manual: rows of what a person marks; they follow.
     """
@@ -102,6 +103,7 @@ class SectionSheet:
     name: str
     number: int
     section: Section
+    task: str
     answered: tuple[SheetLine, ...]
     manual: tuple[SheetLine, ...]
 
@@ -212,6 +214,7 @@ def _section_sheets(plan: Plan, words: Words, cover: str) -> Iterator[SectionShe
             name=name,
             number=number,
             section=section,
+            task=section.task_of(plan.quantities, words.language),
             answered=_lines(plan, answered, name, first, words, prefix=prefix),
             manual=_lines(
                 plan,

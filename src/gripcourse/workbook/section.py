@@ -71,7 +71,7 @@ def write_section(
 
 def _heights(section: SectionSheet, words: Words) -> Iterator[float]:
     """Yield the heights of all rows of a sheet."""
-    top = (section.section.task.of(words.language), words.say(DECIMAL_SIGN))
+    top = (section.task, words.say(DECIMAL_SIGN))
     yield from (row_height([(text, sum(WIDTHS.values()))]) for text in top)
     yield _TITLE_HEIGHT + 2 * _HEAD_HEIGHT
     for line in (*section.answered, *section.manual):
@@ -83,9 +83,8 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
     title = f"{section.number}. {section.section.title.of(words.language)}"
     sheet.set_row(_TITLE_ROW, _TITLE_HEIGHT)
     sheet.write_string(_TITLE_ROW, 0, title, styles.title)
-    task = section.section.task.of(words.language)
     for row, text, style in (
-        (_TASK_ROW, task, styles.paragraph),
+        (_TASK_ROW, section.task, styles.paragraph),
         (_HINT_ROW, words.say(DECIMAL_SIGN), styles.hint),
     ):
         sheet.merge_range(row, 0, row, SheetColumn.CHECK, "", style)

@@ -26,6 +26,7 @@ from gripcourse.variants.table import read_table
 
 LANGUAGE = "ru"
 NEAR = 1e-6  # mm of paper
+OFF_ITS_LINE = 0.2  # mm of paper: chords of a circle have their mean not quite in its middle
 SEEN_UNDER_A_LETTER = 0.1  # mm of line that touches a symbol
 HOSTILE = '<b>&"_"<i>'
 
@@ -160,6 +161,38 @@ def test_a_gripper_with_jaws_shows_its_forces(one_of_each: tuple[Drawn, ...]) ->
         if one.plan.scheme.kinematics is not None:
             assert one.plan.quantities["grip_force"].symbol.of("ru") in written, one.name
             assert written & {one.plan.quantities[name].symbol.of("ru") for name in effort}
+
+
+def test_a_grip_force_runs_through_the_middle_of_the_object(drawn: tuple[Drawn, ...]) -> None:
+    faults = []
+    for one in drawn:
+        written = {letter.symbol: letter for letter in one.layout.written}
+        if one.plan.scheme.kinematics is None:
+            continue
+        force = written[one.plan.quantities["grip_force"].symbol.of(LANGUAGE)]
+        rim = written[one.plan.quantities["diameter_min"].symbol.of(LANGUAGE)].names[0]
+        middle = np.mean(rim[:-1], axis=0)
+        arrows = [pair for pair in force.names if pair != force.leader]
+        assert arrows, one.name
+        faults += [one.name for tail, tip in arrows if away(middle, tail, tip) > OFF_ITS_LINE]
+    assert faults == []
+
+
+def away(point: np.ndarray, start: Point, end: Point) -> float:
+    """Return how far a point is from the straight line through two others."""
+    (x, y), (u, v) = np.subtract(end, start), np.subtract(point, start)
+    return float(abs(x * v - y * u) / math.hypot(x, y))
+
+
+def test_a_leader_leans(drawn: tuple[Drawn, ...]) -> None:
+    faults = []
+    for one in drawn:
+        for letter in one.layout.written:
+            if letter.leader and not letter.has_arrow:
+                (x, y), (u, v) = letter.leader
+                if min(abs(u - x), abs(v - y)) < 0.1 * math.dist((x, y), (u, v)):
+                    faults.append(f"{one.name}: {letter.symbol}")
+    assert faults == []
 
 
 def test_no_symbol_covers_another(drawn: tuple[Drawn, ...]) -> None:

@@ -13,6 +13,7 @@ _DISTANCES: Final = np.array((0.9, 1.6, 2.3, 3.0, 4.5, 6.5, 9.0, 12.0, 16.0))
 _BARE: Final = 3.0  # mm from what it names that a symbol stands without a leader, at most
 _DEGREES: Final = (90, 270, 0, 180, 45, 135, 225, 315, 67, 112, 247, 292, 22, 157, 202, 337)
 _DIRECTIONS: Final = np.radians(_DEGREES)  # the best first
+_UPRIGHT_ONES: Final = [k for k, one in enumerate(_DEGREES) if one % 90 == 0]
 _LONGER: Final = np.array((0.0, 2.0, 4.5, 8.0, 12.0, 17.0, 23.0))  # of a leader than it was asked
 _SPREAD: Final = np.radians((0, 25, -25, 50, -50))  # from its end to the symbol
 _SHORT: Final = 0.5  # between a leader's end and the symbol
@@ -21,6 +22,7 @@ _FAR: Final = 0.35  # a millimetre of distance
 _LATER: Final = 0.04  # one direction later in the order of preference
 _LATER_PLACE: Final = 0.15  # one place later
 _TURNED: Final = 0.6  # a tip later
+_UPRIGHT: Final = 5.0  # a leader along the axis or across it: it looks like an edge or a dimension
 _LEADER: Final = 4.0  # a leader of a symbol that might stand beside what it names
 
 Array = NDArray[np.float64]
@@ -65,7 +67,8 @@ def _beside(letter: Letter, size: tuple[float, float]) -> Candidates:
     leaders = _lines(places, _polar(places, distances - _SHORT, turns))
     is_bare = distances <= _BARE
     leaders[is_bare] = None
-    far = _FAR * distances + _LATER * later + _LATER_PLACE * late + np.where(is_bare, 0, _LEADER)
+    led = _LEADER + _UPRIGHT * np.isin(later, _UPRIGHT_ONES)
+    far = _FAR * distances + _LATER * later + _LATER_PLACE * late + np.where(is_bare, 0, led)
     return Candidates(boxes, leaders, far)
 
 

@@ -22,6 +22,7 @@ _LEAST_MODULE: Final = 0.7  # mm of paper
 _ROOT: Final = 1.25  # modules from the pitch line to the bottom of the teeth
 # A tooth about its middle: shares of the pitch, modules above the pitch line.
 _TOOTH: Final = ((-0.35, -_ROOT), (-0.15, 1.0), (0.15, 1.0), (0.35, -_ROOT))
+_LAND: Final = 0.15  # of a pitch, between the last tooth of a sector and its edge
 _NEAR: Final = 1e-6
 _BACK: Final = 2.0  # modules of a rack behind its pitch line, at least
 _THREAD: Final = 2.2  # pitch of the drawn thread
@@ -77,16 +78,16 @@ def gear(shape: PlacedElement) -> Iterator[Mark]:
     if shape.element.words["has"] == "gap":
         at += pitch / 2
     end = start + (math.tau - _NEAR if is_whole else sweep)
-    corners = [
-        polar(centre, radius + height * module, turn)
-        for turn, height in _teeth(start, end, pitch, at)
-    ]
+    teeth = list(_teeth(start, end, pitch, at))
+    corners = [polar(centre, radius + height * module, turn) for turn, height in teeth]
     if is_whole:
         yield Path(tuple(corners), edge(shape), closed=True)
     else:
-        root = radius - _ROOT * module
-        outline = (polar(centre, root, start), *corners, polar(centre, root, start + sweep))
-        hubs = polar(centre, JOINT, start), polar(centre, JOINT, start + sweep)
+        # A sector ends beside its last teeth: what is left of a pitch would look like a lug.
+        root, land = radius - _ROOT * module, _LAND * pitch
+        ends = (teeth[0][0] - land, teeth[-1][0] + land) if teeth else (start, end)
+        outline = (polar(centre, root, ends[0]), *corners, polar(centre, root, ends[1]))
+        hubs = polar(centre, JOINT, ends[0]), polar(centre, JOINT, ends[1])
         yield Path((hubs[0], *outline, hubs[1]), edge(shape))
     if shape.is_main:
         yield ArcMark(centre, radius, start, sweep, LineKind.CENTRE)

@@ -22,6 +22,7 @@ from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.text import Point
 
 _FORCE_HEAD: Final = (3.2, 1.0)
+_LEAST_FORCE: Final = 5.0  # mm of an arrow, at least
 _OVER: Final = 1.2  # how far extension lines reach over the dimension line
 _SHORT: Final = 7.5  # a dimension line with arrows inside is at least so long
 _TAIL: Final = 4.0  # of arrows that stand outside
@@ -30,8 +31,12 @@ _SMALLEST: Final = math.radians(1.5)  # an angle that cannot be seen is not draw
 
 
 def force(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a force along `turn`; the point is its tip or its tail, `shift` to the left of it."""
-    turn, long = shape.angles["turn"], shape.numbers["long"]
+    """Draw a force along `turn`; the point is its tip or its tail, `shift` to the left of it.
+
+    Where it has room for `most` only, it is so long, but never without its line.
+    """
+    turn, room = shape.angles["turn"], shape.lengths.get("most", math.inf)
+    long = min(shape.numbers["long"], max(room, _LEAST_FORCE))
     at = polar(shape.at, shape.numbers["shift"], turn + math.pi / 2)
     is_tip = shape.element.words["end"] == "tip"
     tail, tip = (polar(at, -long, turn), at) if is_tip else (at, polar(at, long, turn))

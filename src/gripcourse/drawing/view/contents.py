@@ -17,6 +17,7 @@ from gripcourse.drawing.paper.strokes import (
     reach_of,
 )
 from gripcourse.drawing.paper.text import Point
+from gripcourse.drawing.view.cut_faces import Cut, cut_faces
 from gripcourse.drawing.view.extension_lines import begun, reach
 from gripcourse.drawing.view.numbers import Numbers, numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, as_other, shown
@@ -34,14 +35,6 @@ class Seen:
 
     stroke: Stroke
     kind: LineKind
-
-
-@dataclass(frozen=True, slots=True)
-class Cut:
-    """A cut face: a closed polygon, and which way its hatch leans."""
-
-    ring: Sequence[Point]
-    hatch: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +137,7 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     return Figure(
         upright=view.upright,
         seen=seen,
-        cuts={face: list(_cut_faces(shapes, face)) for face in Face},
+        cuts={face: list(cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=measured,
         labelled=list(_labelled(view, main)),
@@ -198,12 +191,6 @@ def _left(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
 def _lost(stroke: Stroke, cover: Shown) -> Iterator[Stroke]:
     if reach_of(stroke).overlaps(cover.box.grown(_NEAR)):
         yield from covered(stroke, cover.outline.mask)
-
-
-def _cut_faces(shapes: Sequence[Shown], face: Face) -> Iterator[Cut]:
-    for one in shapes:
-        if one.hatch and one.face is face and one.ring:
-            yield Cut(one.ring, one.hatch)
 
 
 def _positions(

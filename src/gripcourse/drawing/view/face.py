@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
 
 POSITION_HEIGHT = 5.0  # mm, one or two sizes above dimensions (GOST 2.316)
-_AXIS_BEYOND = 5.0  # mm of paper that an axis reaches beyond the outline
+_AXIS_BEYOND = 4.0  # mm of paper that an axis reaches beyond the outline
 _HATCH_SPACING = 2.0  # mm of paper
 _PITCH = 3.175  # of the standard pattern, mm
 _ANSI31 = [45.0, (0.0, 0.0), (-_PITCH / 2**0.5, _PITCH / 2**0.5), []]
@@ -95,7 +95,8 @@ def draw_face(
     for axis in laid.axes:
         draw_stroke(layout, placed(axis, 1.0, at), LineKind.CENTRE)
     for cut in shown.cuts[face]:
-        _draw_hatch(layout, [at_place(point, scale, at) for point in cut.ring], cut.hatch)
+        rings = [[at_place(point, scale, at) for point in ring] for ring in cut.rings]
+        _draw_hatch(layout, rings, cut.hatch)
     draw_dimensions(layout, laid.dimensions, scale, at)
     draw_leaders(layout, laid.leaders, at)
 
@@ -145,10 +146,11 @@ def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
         yield Line((0.0, outline.bottom - _AXIS_BEYOND), (0.0, outline.top + _AXIS_BEYOND))
 
 
-def _draw_hatch(layout: "Modelspace", ring: Sequence[Point], hatch: str) -> None:
+def _draw_hatch(layout: "Modelspace", rings: Sequence[Sequence[Point]], hatch: str) -> None:
     hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
     # The standard pattern, so that programs with patterns of their own find it.
     size, angle = _HATCH_SPACING / _PITCH, _LEANING[hatch]
     pattern = [_ANSI31]
     hatch_entity.set_pattern_fill("ANSI31", 256, angle, size, definition=pattern)
-    hatch_entity.paths.add_polyline_path(ring, is_closed=True)
+    for ring in rings:
+        hatch_entity.paths.add_polyline_path(ring, is_closed=True)

@@ -171,4 +171,10 @@ def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) ->
         quantity = plan.quantities[name]
         unit = unit_text(quantity.unit, words.language)
         written = words.number(values[name], _FIGURES)
-        yield f"{capital(quantity.title.of(words.language))}: {written} {unit}".rstrip()
+        title = capital(_plain(quantity.title.of(words.language)))
+        yield f"{title}: {written} {unit}".rstrip()
+
+
+def _plain(title: str) -> str:
+    """Leave out how a title explains itself: a second colon in one line would read as its value."""
+    return title.split(": ", maxsplit=1)[0]

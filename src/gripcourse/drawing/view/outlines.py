@@ -10,6 +10,8 @@ from gripcourse.drawing.paper.text import Point
 
 _FULL_TURN, _QUARTER = 360.0, 90.0
 _AXIS_BEYOND = 1.25  # how far the axes of a pin reach, in radii
+_WAVES, _WAVE_STEPS = 1.5, 24  # of a line of break, and the chords that it is drawn in
+_WAVE = 0.12  # how far it swings, of the width of what it breaks off
 _SHARPEST = 0.25  # smallest cosine of half a bend whose corner is still drawn pointed
 
 
@@ -96,6 +98,17 @@ def _section(needs: Mapping[str, Sequence[float]]) -> Outline:
     return _closed([*right, *reversed(left)])
 
 
+def _broken(needs: Mapping[str, Sequence[float]]) -> Outline:
+    """Draw the line of break of a local section; the lines of its other edges are others' lines."""
+    (broken, edge), (bottom, top) = needs["x"], needs["y"]
+    swing, step = _WAVE * (edge - broken), (top - bottom) / _WAVE_STEPS
+    wave = [
+        (broken + swing * math.sin(math.tau * _WAVES * k / _WAVE_STEPS), bottom + step * k)
+        for k in range(_WAVE_STEPS + 1)
+    ]
+    return Outline(_chain(wave), mask=(*wave, (edge, top), (edge, bottom)))
+
+
 _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "box": _box,
     "circle": _circle,
@@ -106,6 +119,7 @@ _OUTLINES: Mapping[str, Callable[[Mapping[str, Sequence[float]]], Outline]] = {
     "arc": _arc,
     "sector": _sector,
     "section": _section,
+    "broken": _broken,
 }
 
 

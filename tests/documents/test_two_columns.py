@@ -1,0 +1,22 @@
+"""Two columns: read down the first, then the second, of about one height."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from gripcourse.documents.two_columns import two_columns
+
+
+def rows(*lengths: int) -> list[SimpleNamespace]:
+    return [SimpleNamespace(text="x" * length) for length in lengths]
+
+
+@pytest.mark.parametrize(
+    ("lengths", "first"),
+    [((), 0), ((9,), 1), ((9, 9), 1), ((9, 9, 9), 2), ((500, 9, 9, 9), 1), ((9, 9, 9, 500), 3)],
+)
+def test_the_higher_column_is_as_low_as_it_can_be(lengths: tuple[int, ...], first: int) -> None:
+    every = rows(*lengths)
+    left, right = two_columns(every, "text")
+    assert [*left, *right] == every
+    assert len(left) == first
