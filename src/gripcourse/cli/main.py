@@ -7,8 +7,7 @@ import logging
 import sys
 import traceback
 from collections.abc import Callable
-from dataclasses import replace
-from datetime import UTC, datetime
+from datetime import datetime
 from pathlib import Path
 from time import perf_counter
 from typing import Annotated
@@ -20,12 +19,13 @@ from gripcourse.cli import course as cli_course
 from gripcourse.cli import desk as cli_desk
 from gripcourse.cli import draw as cli_draw
 from gripcourse.cli import export as cli_export
-from gripcourse.cli import grading_text, simulation
+from gripcourse.cli import grade as cli_grade
 from gripcourse.cli import key as cli_key
 from gripcourse.cli import lti as cli_lti
 from gripcourse.cli import mark as cli_mark
 from gripcourse.cli import regrade as cli_regrade
 from gripcourse.cli import reissue as cli_reissue
+from gripcourse.cli import simulation
 from gripcourse.cli import text as cli_text
 from gripcourse.cli import trace as cli_trace
 from gripcourse.cli import variants as cli_variants
@@ -37,23 +37,17 @@ from gripcourse.cli.options import (
     OUR_MISTAKE,
     PROCESSORS,
     WRONG_USE,
-    AfreshOption,
-    ClusterOption,
     CourseOption,
     DateOption,
-    EitherVersionOption,
-    GradebookOption,
     LanguageOption,
     OutFileOption,
     OutOption,
     TableOption,
-    WhoseOption,
     WorkersOption,
     chosen_words,
     course_folder,
     day_of,
     document_language,
-    gradebook_place,
     main_table,
     say_limits,
     words_for,
@@ -73,6 +67,7 @@ app = command_group(
     is_program=True,
 )
 for part in (
+    cli_grade,
     cli_reissue,
     cli_mark,
     cli_regrade,
@@ -204,94 +199,6 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         print_sheets(issuing.handouts, loaded, out, printed, order.today)
         confirm(str(printed))
     raise typer.Exit(NEEDS_PERSON if any(one.faults for one in issuing.handouts) else DONE)
-
-
-@app.command(cls=SpokenCommand)
-def grade(  # noqa: PLR0913 (one parameter per option)
-    paths: Annotated[
-        list[Path],
-        typer.Argument(metavar="file", help="Workbooks, or folders or zips with workbooks."),
-    ],
-    *,
-    out: OutOption,
-    json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
-    whose: WhoseOption = None,
-    handed_in: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--handed-in",
-            metavar="file=time",
-            help="When a file was handed in, or all of them; default: the file's own time.",
-        ),
-    ] = None,
-    pattern: Annotated[
-        str | None,
-        typer.Option(
-            "--pattern", metavar="pattern", help="Where your own paths say whose a file is."
-        ),
-    ] = None,
-    either_version: EitherVersionOption = None,
-    afresh: AfreshOption = False,
-    on: DateOption = None,
-    workers: WorkersOption = PROCESSORS,
-    cluster: ClusterOption = None,
-    gradebook: GradebookOption = None,
-    course: CourseOption = None,
-    language: LanguageOption = None,
-) -> None:
-    """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
-    from gripcourse.grading.path_pattern import path_pattern
-    from gripcourse.jobs.cluster import open_workers
-    from gripcourse.machine.files import make_private_folder
-    from gripcourse.policy.time_rules import zone_of
-    from gripcourse.usecases import grade as command
-    from gripcourse.usecases.collect import collect
-    from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
-    from gripcourse.usecases.handed_in import handed_in_times
-    from gripcourse.usecases.opening import open_grading
-    from gripcourse.usecases.unchanged import open_earlier, versions_of
-    from gripcourse.usecases.whose import read_whose
-
-    words = words_for(language)
-    found = collect(paths)
-    files = found.files
-    root = course_folder(course)
-    versions = versions_of(root)
-    context = open_grading(root)
-    decided = read_whose(whose or (), files, context.register)
-    order = None if pattern is None else path_pattern(pattern, context.register)
-    context = replace(context, whose=decided, pattern=order, either_version=either_version)
-    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
-    place = gradebook_place(gradebook, context.course.root)
-    check_gradebook(place)
-    context = with_kept_versions(context, place)
-    # Before anything is kept: a folder that cannot be written must not cost an attempt.
-    make_private_folder(out)
-    stated = None if on is None else day_of(on)
-    earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
-    say_limits(words)
-    with open_workers(workers, cluster) as (hands, pool), cli_text.progress() as step:
-        tick = step(words.say(message("Grading")), len(files))
-        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
-        graded = keep(graded, context, place, datetime.now(UTC), times)
-        tick = step(words.say(message("Writing reports")), len(files))
-        outcome = command.write_results(
-            graded,
-            context,
-            out,
-            day_of(on),
-            hands,
-            lambda _: tick(),
-            passed_over=found.passed_over,
-            earlier=earlier,
-            pool=pool,
-        )
-    if json:
-        result = command.batch_result(outcome.reports, words, found.passed_over)
-        typer.echo(cli_text.json_text(result.to_dict()))
-    else:
-        confirm(grading_text.grading_text(outcome, out, words))
-    raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
 
 
 @app.command(cls=SpokenCommand)

@@ -1,0 +1,127 @@
+"""The command that grades a batch: parse, one call, print, exit code. No logic."""
+
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gripcourse.cli import grading_text
+from gripcourse.cli import text as cli_text
+from gripcourse.cli.help import SpokenCommand
+from gripcourse.cli.loudness import confirm
+from gripcourse.cli.options import (
+    DONE,
+    NEEDS_PERSON,
+    PROCESSORS,
+    AfreshOption,
+    ClusterOption,
+    CourseOption,
+    DateOption,
+    EitherVersionOption,
+    GradebookOption,
+    LanguageOption,
+    OutOption,
+    WhoseOption,
+    WorkersOption,
+    course_folder,
+    day_of,
+    gradebook_place,
+    say_limits,
+    words_for,
+)
+from gripcourse.text.words import message
+
+# Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
+# ruff: noqa: PLC0415
+
+app = typer.Typer()
+
+
+@app.command(cls=SpokenCommand)
+def grade(  # noqa: PLR0913 (one parameter per option)
+    paths: Annotated[
+        list[Path],
+        typer.Argument(metavar="file", help="Workbooks, or folders or zips with workbooks."),
+    ],
+    *,
+    out: OutOption,
+    json: Annotated[bool, typer.Option("--json", help="Print the findings as JSON.")] = False,
+    whose: WhoseOption = None,
+    handed_in: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--handed-in",
+            metavar="file=time",
+            help="When a file was handed in, or all of them; default: the file's own time.",
+        ),
+    ] = None,
+    pattern: Annotated[
+        str | None,
+        typer.Option(
+            "--pattern", metavar="pattern", help="Where your own paths say whose a file is."
+        ),
+    ] = None,
+    either_version: EitherVersionOption = None,
+    afresh: AfreshOption = False,
+    on: DateOption = None,
+    workers: WorkersOption = PROCESSORS,
+    cluster: ClusterOption = None,
+    gradebook: GradebookOption = None,
+    course: CourseOption = None,
+    language: LanguageOption = None,
+) -> None:
+    """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.grading.path_pattern import path_pattern
+    from gripcourse.jobs.cluster import open_workers
+    from gripcourse.machine.files import make_private_folder
+    from gripcourse.policy.time_rules import zone_of
+    from gripcourse.usecases import grade as command
+    from gripcourse.usecases.collect import collect
+    from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
+    from gripcourse.usecases.handed_in import handed_in_times
+    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.unchanged import open_earlier, versions_of
+    from gripcourse.usecases.whose import read_whose
+
+    words = words_for(language)
+    found = collect(paths)
+    files = found.files
+    root = course_folder(course)
+    versions = versions_of(root)
+    context = open_grading(root)
+    decided = read_whose(whose or (), files, context.register)
+    order = None if pattern is None else path_pattern(pattern, context.register)
+    context = replace(context, whose=decided, pattern=order, either_version=either_version)
+    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
+    place = gradebook_place(gradebook, context.course.root)
+    check_gradebook(place)
+    context = with_kept_versions(context, place)
+    # Before anything is kept: a folder that cannot be written must not cost an attempt.
+    make_private_folder(out)
+    stated = None if on is None else day_of(on)
+    earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
+    say_limits(words)
+    with open_workers(workers, cluster) as (hands, pool), cli_text.progress() as step:
+        tick = step(words.say(message("Grading")), len(files))
+        graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
+        graded = keep(graded, context, place, datetime.now(UTC), times)
+        tick = step(words.say(message("Writing reports")), len(files))
+        outcome = command.write_results(
+            graded,
+            context,
+            out,
+            day_of(on),
+            hands,
+            lambda _: tick(),
+            passed_over=found.passed_over,
+            earlier=earlier,
+            pool=pool,
+        )
+    if json:
+        result = command.batch_result(outcome.reports, words, found.passed_over)
+        typer.echo(cli_text.json_text(result.to_dict()))
+    else:
+        confirm(grading_text.grading_text(outcome, out, words))
+    raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
