@@ -20,7 +20,7 @@ FEWEST: Final = 8
 """Works from which on a correlation or a reliability is told; with fewer chance decides."""
 
 
-class Answer(Protocol):
+class ScoredAnswer(Protocol):
     """What is asked of a judged answer; see `grading.model.Finding`."""
 
     @property
@@ -39,7 +39,7 @@ class Answer(Protocol):
     def decision(self) -> object | None: ...  # noqa: D102
 
 
-class Work(Protocol):
+class ScoredWork(Protocol):
     """What is asked of a judged work; see `grading.model.Report`."""
 
     @property
@@ -49,10 +49,10 @@ class Work(Protocol):
     @property
     def judged(self) -> bool: ...  # noqa: D102
     @property
-    def findings(self) -> Collection[Answer]: ...  # noqa: D102
+    def findings(self) -> Collection[ScoredAnswer]: ...  # noqa: D102
 
 
-def share_table(works: Sequence[Work]) -> "pd.DataFrame":
+def share_table(works: Sequence[ScoredWork]) -> "pd.DataFrame":
     """Return a row for each answer that has points and waits for nobody.
 
     The columns: `work` (its place), `scheme`, `variant`, `section`, `quantity`, `weight` (points
@@ -105,7 +105,7 @@ def item_table(shares: "pd.DataFrame") -> "pd.DataFrame":
     return pd.DataFrame(rows)
 
 
-def _views(answer: Answer) -> tuple[float, float]:
+def _views(answer: ScoredAnswer) -> tuple[float, float]:
     share = answer.points / answer.max_points
     if not answer.outcome.traits.follows:
         return share, share

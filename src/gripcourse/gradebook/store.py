@@ -211,8 +211,8 @@ def _answers(
     Rows come as they are asked for: those of a whole cohort take more room than what they say.
     """
     if students is None:
-        streamed = connection.execution_options(yield_per=_AT_ONCE)
-        yield from streamed.execute(question).mappings()
+        with connection.execute(question, execution_options={"yield_per": _AT_ONCE}) as streamed:
+            yield from streamed.mappings()
         return
     names = sorted(students)
     portions = [

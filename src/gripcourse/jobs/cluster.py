@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Final
 from gripcourse.errors import Problem, UsageError
 from gripcourse.jobs.gang import (
     Gang,
-    Order,
+    GangOrder,
     OtherProgramError,
     do_there,
     packed_call,
@@ -216,7 +216,7 @@ def _open(
     first: Initializer,
     arguments: tuple[Any, ...],
 ) -> _OnCluster:
-    order = Order(packed_call(first, *arguments), _LIMITS, program_here())
+    order = GangOrder(packed_call(first, *arguments), _LIMITS, program_here())
     # Packed by ourselves: Dask need not look into it on its way.
     gang = client.submit(_gang, pickle.dumps(order), pure=False)
     executor = _OnCluster(address, client, gang)

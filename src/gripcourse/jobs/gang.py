@@ -31,7 +31,7 @@ _LONGEST: Final = 600.0  # seconds
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class GangOrder:
     """What travels once to each worker that gets jobs of one task.
 
     Attributes:
@@ -56,7 +56,7 @@ class Gang:
     is gone.
     """
 
-    def __init__(self, order: Order) -> None:
+    def __init__(self, order: GangOrder) -> None:
         self.order = order
         self._idle: _Children = deque()
         self._scratch = Path(mkdtemp(prefix="gripcourse-", dir=_folder()))
@@ -64,7 +64,7 @@ class Gang:
         self._keeper = ThreadPoolExecutor(1, "keeper of children")
         weakref.finalize(self, _disband, self._idle, self._scratch, self._keeper)
 
-    def __reduce__(self) -> tuple[type["Gang"], tuple[Order]]:
+    def __reduce__(self) -> tuple[type["Gang"], tuple[GangOrder]]:
         # Another worker hires children of its own.
         return Gang, (self.order,)
 

@@ -44,7 +44,7 @@ _EARLIEST: Final = (1980, 1, 1, 0, 0, 0)  # of a zip; when it was made stands in
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class PackedPart:
     """What a backup says of one of its files: size in bytes, and SHA-256."""
 
     size: int
@@ -57,7 +57,7 @@ class Manifest:
 
     course: str
     revision: str
-    members: Mapping[str, Member]
+    members: Mapping[str, PackedPart]
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +113,7 @@ def back_up(root: Path, out: Path, now: datetime) -> BackedUp:
     return BackedUp(course.id, len(members), digest)
 
 
-def _add_tables(archive: zipfile.ZipFile, root: Path) -> dict[str, Member]:
+def _add_tables(archive: zipfile.ZipFile, root: Path) -> dict[str, PackedPart]:
     place = home_of(root)
     if not exists(place):
         return {}
@@ -126,7 +126,7 @@ def _add_tables(archive: zipfile.ZipFile, root: Path) -> dict[str, Member]:
         }
 
 
-def _add_files(archive: zipfile.ZipFile, root: Path) -> dict[str, Member]:
+def _add_files(archive: zipfile.ZipFile, root: Path) -> dict[str, PackedPart]:
     return {
         name: _add(archive, name, _content(root / path))
         for path in _files_of(root)
@@ -196,7 +196,7 @@ def _standing(path: Path) -> bytes:
         return copy.read_bytes()
 
 
-def _add(archive: zipfile.ZipFile, name: str, portions: Iterable[bytes]) -> Member:
+def _add(archive: zipfile.ZipFile, name: str, portions: Iterable[bytes]) -> PackedPart:
     digest, size = hashlib.sha256(), 0
     info = zipfile.ZipInfo(name, _EARLIEST)
     info.compress_type = zipfile.ZIP_DEFLATED
@@ -206,4 +206,4 @@ def _add(archive: zipfile.ZipFile, name: str, portions: Iterable[bytes]) -> Memb
             stream.write(portion)
             digest.update(portion)
             size += len(portion)
-    return Member(size, digest.hexdigest())
+    return PackedPart(size, digest.hexdigest())

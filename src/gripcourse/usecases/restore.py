@@ -39,7 +39,7 @@ from gripcourse.usecases.backup import (
     MANIFEST,
     TABLES,
     Manifest,
-    Member,
+    PackedPart,
     is_sound,
 )
 
@@ -120,7 +120,7 @@ def _manifest(backup: Path, archive: zipfile.ZipFile) -> Manifest:
         what = message("A later version of the program made this backup.")
         raise _refusal(backup, what, message("Restore it with that version."))
     members = {
-        str(name): Member(int(one["size"]), str(one["sha256"]))
+        str(name): PackedPart(int(one["size"]), str(one["sha256"]))
         for name, one in plain["members"].items()
     }
     return Manifest(str(plain["course"]), str(plain["revision"]), members)
@@ -141,7 +141,7 @@ def _target(name: str, course: Path, tables: Path) -> Path:
     raise ValueError(name)
 
 
-def _write_member(archive: zipfile.ZipFile, name: str, member: Member, target: Path) -> None:
+def _write_member(archive: zipfile.ZipFile, name: str, member: PackedPart, target: Path) -> None:
     """Write a member.
 
     Raises:

@@ -19,6 +19,7 @@ from gripcourse.errors import GradebookError
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
+from gripcourse.lti import schema as platforms
 from gripcourse.machine.database import opening
 from gripcourse.machine.database.migrate import (
     NEWEST,
@@ -88,7 +89,7 @@ class TestTables:
             _make_revision(nothing, revision)
         engine = open_engine(nothing)
         whole = MetaData()
-        for part in (gradebook, register, desk):
+        for part in (gradebook, register, desk, platforms):
             for table in part.metadata.sorted_tables:
                 table.to_metadata(whole)
         with engine.connect() as connection:

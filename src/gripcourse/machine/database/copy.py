@@ -44,10 +44,10 @@ def lines_of(connection: Connection, table: Table) -> Iterator[bytes]:
     """Yield the names of the columns, then the rows of a table."""
     yield _line([column.name for column in table.columns])
     key = in_code_order(connection.engine, *table.primary_key.columns)
-    for row in connection.execution_options(yield_per=_AT_ONCE).execute(
-        select(table).order_by(*key)
-    ):
-        yield _line([one.isoformat() if isinstance(one, datetime) else one for one in row])
+    question = select(table).order_by(*key)
+    with connection.execute(question, execution_options={"yield_per": _AT_ONCE}) as streamed:
+        for row in streamed:
+            yield _line([one.isoformat() if isinstance(one, datetime) else one for one in row])
 
 
 def add_lines(connection: Connection, table: Table, lines: Iterable[bytes]) -> None:
