@@ -215,6 +215,21 @@ def unexplained(comparison: Comparison) -> float:
     return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
 
 
+def density_alone(
+    comparison: Comparison, met: Sequence[Weighed], candidates: Sequence[Candidate]
+) -> float:
+    """Return how densely numbers lie at an answer that is wrong by itself, for whatever reason.
+
+    Args:
+        comparison: of the answer.
+        met: the wrong methods that meet it.
+        candidates: all that were thought of.
+    """
+    nothing = comparison.policy.slips.unexplained
+    weight = _weight_of(met) + nothing * unexplained(comparison)
+    return weight / (nothing + sum(one.prior for one in candidates))
+
+
 def _alike(weighed: Sequence[Weighed]) -> list[list[Weighed]]:
     """Group methods whose results no number can tell apart, the likeliest first in each."""
     groups: list[list[Weighed]] = []
