@@ -23,6 +23,7 @@ from gripcourse.grading.explain import (
     with_later_answers,
 )
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.other_cell import weigh_other_cell
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.solve import choose, reference_rounding
@@ -66,9 +67,10 @@ def diagnose(
     weighed = [with_later_answers(one, later) for one in met]
     for earlier in _unwritten(comparison, Kind.FORMULA):
         weighed += _weigh_earlier(comparison, earlier, candidates_of(earlier))
-    explanation = conclude(comparison, weighed)
+    other, rival = weigh_other_cell(comparison)
+    explanation = conclude(comparison, weighed, rival)
     if explanation is None:
-        return judgement
+        return judgement if other is None else _with_other_cell(comparison, judgement, other)
     if explanation.likeliest.of == comparison.quantity.id:
         return _with_slip(comparison, judgement, explanation)
     return _with_earlier_slip(comparison, judgement, explanation)
@@ -99,6 +101,12 @@ def _with_wrong_rule(
     return replace(
         judgement, outcome=Outcome.SLIP, credit=met[0].credit, slip=met[0].id, message=said
     )
+
+
+def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -> Judgement:
+    title = comparison.plan.quantities[other].title
+    said = message("The same number stands in another cell: {title}.", title=title)
+    return replace(judgement, remarks=(*judgement.remarks, said))
 
 
 def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explanation) -> Judgement:

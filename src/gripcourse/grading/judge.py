@@ -11,7 +11,6 @@ from dataclasses import replace
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
-from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of

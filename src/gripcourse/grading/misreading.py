@@ -46,7 +46,9 @@ def misreadings(
     return found
 
 
-def neighbours(numbers: Mapping[str, tuple[float, str]], name: str) -> tuple[list[float], list[float]]:
+def neighbours(
+    numbers: Mapping[str, tuple[float, str]], name: str
+) -> tuple[list[float], list[float]]:
     """Return what stands beside a number, and all others of its unit.
 
     Args:

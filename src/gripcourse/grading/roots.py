@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.grading.unwritten import carried_here
 from gripcourse.text.units import factor
 
@@ -36,7 +36,11 @@ def reach(comparison: Comparison) -> float:
     Digits may be cut off, and the other inputs stand for more digits than were typed.
     """
     answer, policy, follows = comparison.answer, comparison.policy, comparison.follows
-    half_unit = max(typed_half_unit(answer, policy), _FINEST * abs(comparison.value))
+    half_unit = max(
+        typed_half_unit(answer, policy),
+        without_zeros(answer, policy),
+        _FINEST * abs(comparison.value),
+    )
     spread = (follows.high - follows.low) / 2
     if not (math.isfinite(spread) and follows.value):
         return 2 * policy.last_digit * half_unit

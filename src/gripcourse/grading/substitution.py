@@ -32,7 +32,10 @@ _ELSEWHERE_RIGHT: Final = 0.2
 _MOST_RIGHT: Final = 3  # such answers that count
 # How likely a size or a verdict comes out so by chance, where it is wrong.
 _BY_CHANCE: Final[Mapping[Kind, float]] = {Kind.CHOICE: 0.15, Kind.VERDICT: 0.5}
+# A zero has no last digit, and comes out by many mistakes.
+_ZERO = 0.2
 _SAME: Final = 1e-6
+_SLACK: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +68,13 @@ class _Wrong:
 
     @property
     def name(self) -> str:
+        """Id of the quantity."""
         return self.comparison.quantity.id
+
+    @property
+    def is_range(self) -> bool:
+        """Whether it was typed with a last digit, and stands for all numbers that round to it."""
+        return self.comparison.quantity.kind not in _BY_CHANCE and self.comparison.value != 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,12 +124,11 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
             continue
         if not one.judgement.outcome.traits.mistake:
             continue
-        alone = _BY_CHANCE.get(one.quantity.kind, one.judgement.alone)
+        alone = one.judgement.alone
         if math.isnan(alone):
             alone = unexplained(comparison)
-        # A zero has no last digit: it would leave an input no range, and fit any by chance.
-        if alone > 0 and (comparison.value or one.quantity.kind is Kind.VERDICT):
-            found[one.quantity.id] = _Wrong(comparison, alone)
+        alone = _ZERO if comparison.value == 0 else alone
+        found[one.quantity.id] = _Wrong(comparison, _BY_CHANCE.get(one.quantity.kind, alone))
     return [found[name] for name in case.plan.quantities if name in found]
 
 
@@ -159,8 +167,7 @@ def _of_input(
         return
     certain = case.policy.slips.certain
     is_told = best.share * best.likelihood >= certain * _weight(
-        [one for one in trials if not math.isclose(one.value, best.value, rel_tol=1e-3)]
-        + [best]
+        [one for one in trials if not math.isclose(one.value, best.value, rel_tol=1e-3)] + [best]
     )
     value = best.value / factor(case.plan.quantities[name].unit) if is_told else math.nan
     yield Substitution(name, value, explains, odds, "")
@@ -178,8 +185,7 @@ def _trials(
     if shares:
         unit = factor(case.plan.quantities[name].unit)
         yield from _tried(name, using, [(one * unit, share) for one, share in shares.items()])
-    of_formula = [one for one in using if one.comparison.quantity.kind not in _BY_CHANCE]
-    found = [span for one in of_formula for span in spans(one.comparison, name)]
+    found = [span for one in using if one.is_range for span in spans(one.comparison, name)]
     spread = case.policy.slips.spread
     for value, width in overlaps(found):
         if value * right > 0 and not math.isclose(value, right, rel_tol=1e-3):
@@ -226,8 +232,9 @@ def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
     comparison = wrong.comparison
     with np.errstate(all="ignore"):
         here = carried_here(comparison, name, values) / factor(comparison.quantity.unit)
-    if comparison.quantity.kind in _BY_CHANCE:
-        met = np.isclose(here, comparison.value, rtol=_SAME, atol=0.0)
+    if not wrong.is_range:
+        scale = abs(comparison.reference) if math.isfinite(comparison.reference) else 0.0
+        met = np.isclose(here, comparison.value, rtol=_SAME, atol=_SLACK * scale)
         return np.where(met, 1 / wrong.alone, 0.0)
     half = reach(comparison)
     return np.where(np.abs(here - comparison.value) <= half, 1 / (2 * half) / wrong.alone, 0.0)
@@ -237,7 +244,9 @@ def _contradicting(name: str, value: float, right: Sequence[Comparison]) -> int:
     """Count the right answers that would be others with this number."""
     users = [one for one in right if name in one.plan.inputs[one.quantity.id]]
     return sum(
-        not one.fits(float(carried_here(one, name, np.asarray([value]))[0]) / factor(one.quantity.unit))
+        not one.fits(
+            float(carried_here(one, name, np.asarray([value]))[0]) / factor(one.quantity.unit)
+        )
         for one in users
     )
 
