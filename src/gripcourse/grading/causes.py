@@ -108,8 +108,8 @@ def spoiled_first(plan: Plan, found: Substitution) -> Message:
     title, more = plan.quantities[found.quantity].title, len(found.explains) - 1
     if not found.named:
         return message(
-            "Wrong. This answer and {count} more seem to have one wrong number in common; which one "
-            "cannot be told. They cost once.",
+            "Wrong. This answer and {count} more seem to have one wrong number in common; which "
+            "one cannot be told. They cost once.",
             count=more,
         )
     if found.tied:

@@ -7,7 +7,7 @@ from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.rounding import typed_half_unit
 from gripcourse.text.units import factor
 
-# How common it is, on the scale of the priors of slips: from the cell above or below, from elsewhere.
+# How common it is, on the scale of the priors of slips: from the cell beside, from elsewhere.
 _BESIDE, _ELSEWHERE = 3.0, 1.0
 _SAME: Final = 1e-9
 

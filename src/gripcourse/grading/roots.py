@@ -49,7 +49,7 @@ def reach(comparison: Comparison) -> float:
 
 
 def spans(comparison: Comparison, name: str) -> Iterator[Span]:
-    """Yield the ranges of an input in which the student's other numbers give the answer as typed."""
+    """Yield the ranges of an input in which a student's other numbers give the answer."""
     tried = float(comparison.follow_through.evaluation.values[name]) * _SPAN
     size = factor(comparison.quantity.unit)
     away = carried_here(comparison, name, tried) - comparison.value * size

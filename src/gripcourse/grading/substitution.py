@@ -2,8 +2,8 @@
 
 Answers that follow from no formula at the student's numbers may all follow at another value of one
 of their inputs. Two explanations are weighed against each other: that one number was taken for
-another, and that each of the answers is wrong by itself, by a known slip or for no known reason. The
-first has one freedom, the number; the second has one for each answer.
+another, and that each of the answers is wrong by itself, by a known slip or for no known reason.
+The first has one freedom, the number; the second has one for each answer.
 """
 
 import math
@@ -243,12 +243,9 @@ def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
 def _contradicting(name: str, value: float, right: Sequence[Comparison]) -> int:
     """Count the right answers that would be others with this number."""
     users = [one for one in right if name in one.plan.inputs[one.quantity.id]]
-    return sum(
-        not one.fits(
-            float(carried_here(one, name, np.asarray([value]))[0]) / factor(one.quantity.unit)
-        )
-        for one in users
-    )
+    number = np.asarray([value])
+    here = ((one, carried_here(one, name, number) / factor(one.quantity.unit)) for one in users)
+    return sum(not one.fits(float(result[0])) for one, result in here)
 
 
 def _scatter(value: float, right: float, spread: float) -> float:
