@@ -5,6 +5,7 @@ The sum of all shares is below one: the rest are numbers from elsewhere, which m
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from decimal import Decimal
 from itertools import pairwise
 from typing import Final
 
@@ -68,8 +69,8 @@ def neighbours(
 
 
 def _written(value: float) -> str:
-    text = f"{value:.{_FIGURES}g}"
-    return f"{value:f}".rstrip("0").rstrip(".") if "e" in text else text
+    """Write a number as people do, without a power of ten."""
+    return f"{Decimal(f'{value:.{_FIGURES}g}'):f}"
 
 
 def _digits(text: str) -> list[int]:

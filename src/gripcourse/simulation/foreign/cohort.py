@@ -98,7 +98,7 @@ def work_of(
 def _shown(plan: Plan, reaches: frozenset[str], cells: Mapping[str, float | str]) -> frozenset[str]:
     """Return the filled answers that rest on blank ones which a mistake is in."""
     hidden = {name for name in reaches if name not in cells}
-    shown = set()
+    shown: set[str] = set()
     for one in plan.answered:
         if not hidden.isdisjoint(plan.inputs[one.id]):
             (shown if one.id in cells else hidden).add(one.id)
