@@ -10,6 +10,7 @@ from gripcourse.text.units import factor
 # How common it is, on the scale of the priors of slips: from the cell beside, from elsewhere.
 _BESIDE, _ELSEWHERE = 3.0, 1.0
 _SAME: Final = 1e-9
+_RIGHT: Final = 0.02
 
 
 def weigh_other_cell(comparison: Comparison) -> tuple[str | None, float]:
@@ -36,4 +37,20 @@ def _holds_the_same(comparison: Comparison, name: str) -> bool:
     number = comparison.follow_through.known.get(name)
     if number is None or name == comparison.quantity.id or quantity.exact:
         return False
-    return math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME)
+    if not math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME):
+        return False
+    right = comparison.reference_values.get(name, math.nan)
+    return math.isclose(number, right, rel_tol=_RIGHT) or not _rests_on(comparison, name)
+
+
+def _rests_on(comparison: Comparison, name: str) -> bool:
+    """Tell whether another answer is computed from this one: then it has its number from here."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        one = waiting.pop()
+        if one == comparison.quantity.id:
+            return True
+        if one not in seen:
+            seen.add(one)
+            waiting += comparison.plan.inputs[one]
+    return False

@@ -181,16 +181,17 @@ def _trials(
     case: GradingCase, name: str, using: Sequence[_Wrong], right: float
 ) -> Iterator[_Trial]:
     """Yield numbers that may have been used: what a number is taken for, then any that fits."""
-    shares = _misread(case, name)
-    if shares:
-        unit = factor(case.plan.quantities[name].unit)
-        yield from _tried(name, using, [(one * unit, share) for one, share in shares.items()])
+    unit = factor(case.plan.quantities[name].unit)
+    numbers = [(one * unit, share) for one, share in _misread(case, name).items()]
     found = [span for one in using if one.is_range for span in spans(one.comparison, name)]
     spread = case.policy.slips.spread
-    for value, width in overlaps(found):
-        if value * right > 0 and not math.isclose(value, right, rel_tol=1e-3):
-            share = ANYTHING * _scatter(value, right, spread) * width
-            yield from _tried(name, using, [(value, share)])
+    numbers += [
+        (value, ANYTHING * _scatter(value, right, spread) * width)
+        for value, width in overlaps(found)
+        if value * right > 0 and not math.isclose(value, right, rel_tol=1e-3)
+    ]
+    if numbers:
+        yield from _tried(name, using, numbers)
 
 
 def _misread(case: GradingCase, name: str) -> dict[float, float]:
