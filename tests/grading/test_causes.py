@@ -13,7 +13,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer
 
 if TYPE_CHECKING:
-    from conftest import Case
+    from conftest import Case, Written
 
 Typed = Callable[[str, float, int], Answer]
 
@@ -169,7 +169,7 @@ class TestOneWrongNumber:
         assert report.causes == ()
 
 
-def _with_given(case: "Case", typed: Typed, given: dict[str, float]) -> dict[str, object]:
+def _with_given(case: "Case", typed: Typed, given: dict[str, float]) -> "dict[str, Written]":
     """What somebody writes with four figures who took other numbers for the given ones."""
     wrong = solve_variant(case.plan, {**case.given, **given})
     return {

@@ -79,7 +79,7 @@ def test_a_work_of_one_right_section_keeps_what_it_earned(hydraulic: "Case") -> 
 
 def test_a_neighbours_consistent_numbers_earn_next_to_nothing(table: "tuple[Case, ...]") -> None:
     """They follow from each other, but for those that use what was issued to somebody else."""
-    shares = []
+    shares: list[float] = []
     alike = sorted(table, key=lambda case: case.plan.scheme.id)
     for case, other in pairwise(alike[: len(alike) // 3]):
         if case.plan.scheme.id == other.plan.scheme.id and len(shares) < WORKS:
