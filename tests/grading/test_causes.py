@@ -1,17 +1,19 @@
 """Root causes are told from consequences; one wrong number behind several answers costs once."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from gripcourse.grading.causes import causes_of, spoiled_first, spoiled_later
+from gripcourse.grading.misreading import misreadings
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.substitution import Substitution
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer
 
 if TYPE_CHECKING:
-    from conftest import Case
+    from conftest import Case, Written
 
 Typed = Callable[[str, float, int], Answer]
 
@@ -82,6 +84,49 @@ class TestOneWrongNumber:
             assert first not in {one.quantity for one in report.causes}, "one cause, said once"
         assert found >= 5
 
+    def test_a_decimal_sign_read_elsewhere_costs_once_whatever_each_answer_looks_like(
+        self, table: "tuple[Case, ...]", typed: Typed
+    ) -> None:
+        """Each answer by itself looks like a slip of units; together they have one number."""
+        lost, works = 0, 0
+        for case in table[:14:2]:
+            shared = _shared_given(case)
+            if shared is None:
+                continue
+            works += 1
+            report = case.judge(_with_given(case, typed, {shared: 10 * case.given[shared]}))
+            mistakes = [one for one in report.findings if one.outcome.traits.mistake]
+            lost += len(mistakes) > 1
+            blamed = {cause.quantity for cause in report.causes} - {
+                one.quantity for one in report.findings
+            }
+            assert blamed <= {shared}
+        assert works >= 4
+        assert lost <= 1
+
+    def test_of_two_numbers_that_explain_as_well_the_one_with_exchanged_digits_is_named(
+        self, hydraulic: "Case", typed: Typed
+    ) -> None:
+        """Pressure and efficiency stand in one product; only one has such digits."""
+        plan = hydraulic.plan
+        one = next(one for one in plan.givens if "pressure" in one.id)
+        number = hydraulic.given[one.id]
+        taken = next(iter(misreadings(number)))
+        report = hydraulic.judge(_with_given(hydraulic, typed, {one.id: taken}))
+        assert {cause.quantity for cause in report.causes} <= {one.id} | {
+            one.quantity for one in report.findings
+        }
+
+    def test_what_cannot_be_told_is_not_named(self, hydraulic: "Case") -> None:
+        plan = hydraulic.plan
+        explains = ("lifting_load", "grip_force")
+        found = Substitution(plan.givens[0].id, math.nan, explains, 2.0, "", named=False)
+        (cause,) = causes_of(plan, (), (found,))
+        assert cause.quantity == "lifting_load"
+        title = plan.givens[0].title.of("en")
+        for said in (cause.message, spoiled_first(plan, found), spoiled_later(plan, found)):
+            assert title not in str(said)
+
     def test_a_number_used_for_a_given_value_is_told_and_one_used_for_an_answer_is_not(
         self, hydraulic: "Case"
     ) -> None:
@@ -122,6 +167,18 @@ class TestOneWrongNumber:
         answers = hydraulic.following(lifting_load=1.37 * hydraulic.reference["lifting_load"])
         report = hydraulic.judge(answers, identity=identity)
         assert report.causes == ()
+
+
+def _with_given(case: "Case", typed: Typed, given: dict[str, float]) -> "dict[str, Written]":
+    """What somebody writes with four figures who took other numbers for the given ones."""
+    wrong = solve_variant(case.plan, {**case.given, **given})
+    return {
+        one.id: typed(one.id, wrong[one.id], 4)
+        if one.kind == "formula" and wrong.get(one.id)
+        else wrong[one.id]
+        for one in case.plan.answered
+        if math.isfinite(wrong.get(one.id, math.nan))
+    }
 
 
 def _shared_given(case: "Case") -> str | None:

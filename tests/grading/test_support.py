@@ -1,5 +1,6 @@
 """Credit that rests on one's own numbers needs numbers that were earned."""
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +11,8 @@ from gripcourse.grading.outcome import Outcome
 
 if TYPE_CHECKING:
     from conftest import Case
+
+WORKS = 6
 
 
 def nothing_computed(case: "Case", number: float | None) -> dict[str, float]:
@@ -72,3 +75,16 @@ def test_a_work_of_one_right_section_keeps_what_it_earned(hydraulic: "Case") -> 
     answers = {name: value for name, value in hydraulic.answers.items() if name in section}
     findings = hydraulic.findings(answers)
     assert all(findings[name].outcome is Outcome.CORRECT for name in section)
+
+
+def test_a_neighbours_consistent_numbers_earn_next_to_nothing(table: "tuple[Case, ...]") -> None:
+    """They follow from each other, but for those that use what was issued to somebody else."""
+    shares: list[float] = []
+    alike = sorted(table, key=lambda case: case.plan.scheme.id)
+    for case, other in pairwise(alike[: len(alike) // 3]):
+        if case.plan.scheme.id == other.plan.scheme.id and len(shares) < WORKS:
+            theirs = {name: n for name, n in other.answers.items() if name in case.answers}
+            report = case.judge(theirs)
+            shares.append(report.score / (report.max_score - report.open_points))
+    assert len(shares) == WORKS
+    assert sum(shares) / WORKS <= 0.05

@@ -113,6 +113,18 @@ class TestGenericSlips:
                 {"grip_force": 3, "diameter_min": 0.1},
                 0.3,
             ),
+            (
+                "grip_force*diameter_max - diameter_max",
+                "wrong_end:diameter_max,diameter_min,26",
+                {"grip_force": 3, "diameter_max": 0.2, "diameter_min": 0.1},
+                0.5,
+            ),
+            (
+                "friction/mass",
+                "multiplied_for_divided:friction",
+                {"friction": 0.5, "mass": 4},
+                0.5,
+            ),
             ("mass*gravity", "gravity_left_out:5", {"mass": 12}, 12),
             (
                 "mass*(gravity + acceleration)",

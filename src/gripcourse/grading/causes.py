@@ -1,5 +1,6 @@
 """Root causes told from consequences: which wrong answers explain which later ones."""
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
@@ -60,7 +61,8 @@ def causes_of(
         # What follows from the first answer that the number spoiled follows from the number too.
         further = explained.pop(one.explains[0], [])
         names = sorted({*one.explains, *further}, key=lambda name: order[name])
-        causes.append(Cause(one.quantity, tuple(names), _used(plan, one)))
+        cause = one.quantity if one.named else one.explains[0]
+        causes.append(Cause(cause, tuple(names), _used(plan, one)))
     causes += [
         Cause(
             root,
@@ -78,6 +80,12 @@ def causes_of(
 
 def _used(plan: Plan, found: Substitution) -> Message:
     title = plan.quantities[found.quantity].title
+    if not found.named:
+        return message(
+            "{title}: this and other wrong answers seem to have one wrong number in common; which "
+            "one cannot be told.",
+            title=plan.quantities[found.explains[0]].title,
+        )
     if found.tied:
         return message(
             "{title} or {other}: these answers fit together if another number was used.",
@@ -98,6 +106,12 @@ def _used(plan: Plan, found: Substitution) -> Message:
 def spoiled_first(plan: Plan, found: Substitution) -> Message:
     """Say of the first answer that a wrong number spoiled what it follows from."""
     title, more = plan.quantities[found.quantity].title, len(found.explains) - 1
+    if not found.named:
+        return message(
+            "Wrong. This answer and {count} more seem to have one wrong number in common; which "
+            "one cannot be told. They cost once.",
+            count=more,
+        )
     if found.tied:
         return message(
             "A wrong number: this answer and {count} more follow if another one is used for "
@@ -123,6 +137,11 @@ def spoiled_first(plan: Plan, found: Substitution) -> Message:
 
 def spoiled_later(plan: Plan, found: Substitution) -> Message:
     """Say of a later answer that a wrong number spoiled what it follows from."""
+    if not found.named:
+        return message(
+            "It seems to have a wrong number in common with {title}, which has cost already.",
+            title=plan.quantities[found.explains[0]].title,
+        )
     title = plan.quantities[found.quantity].title
     if found.tied or not _may_be_told(plan, found):
         return message(
@@ -142,7 +161,8 @@ def _may_be_told(plan: Plan, found: Substitution) -> bool:
     What a given value was taken for is the student's own; what answers fit to in the place of
     another answer may be the reference, where that answer was typed wrongly but not used so.
     """
-    return plan.quantities[found.quantity].kind in {Kind.GIVEN, Kind.CONSTANT}
+    is_issued = plan.quantities[found.quantity].kind in {Kind.GIVEN, Kind.CONSTANT}
+    return is_issued and math.isfinite(found.value)
 
 
 def _value(plan: Plan, found: Substitution) -> Texts:

@@ -34,6 +34,8 @@ class Judgement:
         tied: other slips that explain the answer as well.
         roots: ids of the quantities whose wrong answers this one follows from.
         message, remarks: for the student.
+        alone: how densely numbers lie at a wrong answer if nothing else is wrong but it: what all
+            wrong methods and chance make of it; NaN where nobody asked.
     """
 
     outcome: Outcome
@@ -46,6 +48,7 @@ class Judgement:
     roots: tuple[str, ...]
     message: Message
     remarks: tuple[Message, ...]
+    alone: float = math.nan
 
 
 @dataclass(frozen=True, slots=True)

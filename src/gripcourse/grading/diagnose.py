@@ -4,11 +4,10 @@ A slip may have been made in a step that the student did not write down; then it
 in the next answer that was.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
@@ -19,12 +18,15 @@ from gripcourse.grading.explain import (
     Weighed,
     conclude,
     density,
+    density_alone,
     weigh,
     with_later_answers,
 )
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.other_cell import weigh_other_cell
+from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.solve import choose, compute, reference_rounding
+from gripcourse.solver.solve import choose, reference_rounding
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 
@@ -59,15 +61,16 @@ def diagnose(
     other_size = _with_other_size(comparison, judgement)
     if other_size is not None:
         return other_size
-    weighed = [
-        with_later_answers(one, later)
-        for one in weigh(comparison, candidates_of(comparison.quantity.id))
-    ]
+    candidates = candidates_of(comparison.quantity.id)
+    met = weigh(comparison, candidates)
+    judgement = replace(judgement, alone=density_alone(comparison, met, candidates))
+    weighed = [with_later_answers(one, later) for one in met]
     for earlier in _unwritten(comparison, Kind.FORMULA):
         weighed += _weigh_earlier(comparison, earlier, candidates_of(earlier))
-    explanation = conclude(comparison, weighed)
+    other, rival = weigh_other_cell(comparison)
+    explanation = conclude(comparison, weighed, rival)
     if explanation is None:
-        return judgement
+        return judgement if other is None else _with_other_cell(comparison, judgement, other)
     if explanation.likeliest.of == comparison.quantity.id:
         return _with_slip(comparison, judgement, explanation)
     return _with_earlier_slip(comparison, judgement, explanation)
@@ -98,6 +101,12 @@ def _with_wrong_rule(
     return replace(
         judgement, outcome=Outcome.SLIP, credit=met[0].credit, slip=met[0].id, message=said
     )
+
+
+def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -> Judgement:
+    title = comparison.plan.quantities[other].title
+    said = message("The same number stands in another cell: {title}.", title=title)
+    return replace(judgement, remarks=(*judgement.remarks, said))
 
 
 def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explanation) -> Judgement:
@@ -171,7 +180,7 @@ def _with_other_size(comparison: Comparison, judgement: Judgement) -> Judgement 
         sizes = sound_sizes(comparison, name)
         if not sizes:
             continue
-        here = _carried_here(comparison, name, np.asarray(sizes)) / factor(comparison.quantity.unit)
+        here = carried_here(comparison, name, np.asarray(sizes)) / factor(comparison.quantity.unit)
         for size, value in zip(sizes, here.tolist(), strict=True):
             if comparison.fits(_spread_as(comparison.follows, value).nearest(comparison.value)):
                 title = comparison.plan.quantities[name].title
@@ -193,19 +202,7 @@ def _with_other_size(comparison: Comparison, judgement: Judgement) -> Judgement 
 def _unwritten(comparison: Comparison, kind: Kind) -> list[str]:
     """Return the quantities of a kind that lead to this one through no number of the student's."""
     quantities = comparison.plan.quantities
-    return [name for name in _unwritten_before(comparison) if quantities[name].kind is kind]
-
-
-def _unwritten_before(comparison: Comparison) -> Iterator[str]:
-    """Yield all that leads to an answer through no number of the student's."""
-    waiting = list(comparison.plan.inputs[comparison.quantity.id])
-    seen: set[str] = set()
-    while waiting:
-        name = waiting.pop()
-        if name not in seen and name not in comparison.follow_through.known:
-            seen.add(name)
-            yield name
-            waiting += comparison.plan.inputs[name]
+    return [name for name in unwritten_before(comparison) if quantities[name].kind is kind]
 
 
 def _weigh_earlier(
@@ -220,36 +217,13 @@ def _weigh_earlier(
         float(evaluate_formula(one.formula, unit, values, comparison.plan.columns))
         for one in candidates
     ]
-    here = _carried_here(comparison, name, np.asarray(results)) / factor(comparison.quantity.unit)
+    here = carried_here(comparison, name, np.asarray(results)) / factor(comparison.quantity.unit)
     return [
         Weighed(name, candidate, value, _UNWRITTEN * candidate.prior * density(comparison, spread))
         for candidate, value in zip(candidates, here.tolist(), strict=True)
         for spread in [_spread_as(comparison.follows, value)]
         if np.isfinite(value)
     ]
-
-
-def _carried_here(
-    comparison: Comparison, name: str, values: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return what this answer would be, SI, for each value of an earlier quantity.
-
-    Only the steps between the two are computed again, which the student did not write down.
-    """
-    plan, evaluation = comparison.plan, comparison.follow_through.evaluation
-    asked = comparison.quantity.id
-    between = {*_unwritten_before(comparison), asked}
-    found = dict(evaluation.values)
-    found[name] = np.where(np.isnan(values), evaluation.computed[name], values)
-    changed = {name}
-    for step, quantity in plan.quantities.items():
-        if step in between and step != name and not changed.isdisjoint(plan.inputs[step]):
-            found[step] = compute(plan, quantity, found)
-            changed.add(step)
-        if step == asked:
-            break
-    here = found[asked] if asked in changed else evaluation.computed[asked]
-    return np.broadcast_to(here, values.shape)
 
 
 def _spread_as(follows: ExpectedRange, value: float) -> ExpectedRange:

@@ -14,7 +14,7 @@ from typing import Final
 from gripcourse.grading.comparison import Comparison, ExpectedRange
 from gripcourse.grading.rounding import typed_half_unit, without_zeros
 from gripcourse.grading.shortened import with_shortened
-from gripcourse.policy.slips import SlipPolicy
+from gripcourse.policy.slips import OF_WRITING, SlipKind, SlipPolicy
 from gripcourse.slips.model import Candidate
 
 # The last digits of a number differ by the route: 3.14159 for pi.
@@ -132,12 +132,15 @@ def _met(comparison: Comparison, result: ExpectedRange) -> float:
     return density(comparison, result) if math.isfinite(result.value) else 0.0
 
 
-def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation | None:
+def conclude(
+    comparison: Comparison, weighed: Sequence[Weighed], rival: float = 0.0
+) -> Explanation | None:
     """Name the wrong method behind an answer.
 
     Args:
         comparison: of the answer, which is wrong.
         weighed: all the methods that were thought of.
+        rival: weight of what is no method and explains the answer too.
 
     Returns:
         The method, or two that explain the answer equally well; None where it is not explained.
@@ -146,7 +149,7 @@ def conclude(comparison: Comparison, weighed: Sequence[Weighed]) -> Explanation 
     met = [one for one in weighed if one.weight > 0]
     if not met:
         return None
-    total = sum(one.weight for one in met) + unexplained(comparison) * policy.unexplained
+    total = rival + _weight_of(met) + unexplained(comparison) * policy.unexplained
     groups = sorted(_alike(met), key=_weight_of, reverse=True)
     best = groups[0]
     if _weight_of(best) / total >= policy.certain:
@@ -215,6 +218,21 @@ def unexplained(comparison: Comparison) -> float:
     return math.exp(-away * away / 2) / (2 * size * spread * math.sqrt(2 * math.pi))
 
 
+def density_alone(
+    comparison: Comparison, met: Sequence[Weighed], candidates: Sequence[Candidate]
+) -> float:
+    """Return how densely numbers lie at an answer that is wrong by itself, for whatever reason.
+
+    Args:
+        comparison: of the answer.
+        met: the wrong methods that meet it.
+        candidates: all that were thought of.
+    """
+    nothing = comparison.policy.slips.unexplained
+    weight = _weight_of(met) + nothing * unexplained(comparison)
+    return weight / (nothing + sum(one.prior for one in candidates))
+
+
 def _alike(weighed: Sequence[Weighed]) -> list[list[Weighed]]:
     """Group methods whose results no number can tell apart, the likeliest first in each."""
     groups: list[list[Weighed]] = []
@@ -237,6 +255,21 @@ def _tie(one: Sequence[Weighed], other: Sequence[Weighed], policy: SlipPolicy) -
 
 
 def _named(group: Sequence[Weighed], policy: SlipPolicy) -> Explanation:
+    """Name the likeliest of methods with one result, or what holds whichever it was."""
+    first = _what_holds(group, policy)
+    tied = [one for one in group if one is not first and first.weight < policy.tie * one.weight]
+    return Explanation(first, tuple(tied[:1]) if first is group[0] else ())
+
+
+def _what_holds(group: Sequence[Weighed], policy: SlipPolicy) -> Weighed:
+    """Return a method that says of the result what is true whichever method led to it.
+
+    A result is a tenth of the right one whether this input or that was a tenth of what it is.
+    """
     first = group[0]
-    tied = [one for one in group[1:] if first.weight < policy.tie * one.weight]
-    return Explanation(first, tuple(tied[:1]))
+    if first.candidate.kind != SlipKind.INPUT_UNIT:
+        return first
+    if first.weight >= policy.certain * _weight_of(group):
+        return first
+    of_writing = (one for one in group if one.candidate.kind in OF_WRITING)
+    return next(of_writing, first)

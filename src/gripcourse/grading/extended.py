@@ -1,5 +1,6 @@
 """What else follows from a number that was used wrongly: sizes, verdicts, and seeming slips."""
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -41,7 +42,7 @@ def extended(
 def _following(
     case: GradingCase, judged: Sequence[JudgedAnswer], one: Substitution, taken: Collection[str]
 ) -> Iterator[str]:
-    used = _with_number(case, one)
+    used = _with_number(case, one) if math.isfinite(one.value) else None
     if used is None:
         return
     for answer in judged:

@@ -11,7 +11,6 @@ from dataclasses import replace
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
-from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
@@ -22,7 +21,6 @@ from gripcourse.grading.submission_case import (
     GradingCase,
     JudgedAnswer,
     explain,
-    is_unexplained,
     judge_answer,
     make_case,
 )
@@ -69,7 +67,7 @@ def judge(
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
     explained = explain(case, compared)
     intended = shortened_once(case, as_intended(case, explained))
-    found = substitutions(_still_wrong(case, intended))
+    found = substitutions(case, intended)
     substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]
     supported = withhold_unsupported(case, settled)
@@ -115,16 +113,6 @@ def _in_order(plan: Plan) -> list[Quantity]:
     return sorted((*plan.answered, *plan.manual), key=lambda one: sections[one.section])
 
 
-def _still_wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[Comparison]:
-    """Return the answers that nothing explains yet, in order of calculation."""
-    views = {
-        one.quantity.id: one.comparison
-        for one in judged
-        if one.comparison is not None and is_unexplained(case, one)
-    }
-    return [views[name] for name in case.plan.quantities if name in views]
-
-
 def _substituted(
     case: GradingCase, judged: JudgedAnswer, found: Mapping[str, Substitution]
 ) -> JudgedAnswer:
@@ -136,8 +124,8 @@ def _substituted(
     if judged.quantity.id == first:
         judgement = replace(
             judged.judgement,
-            outcome=Outcome.SLIP,
-            slip=SlipId.used(one.quantity),
+            outcome=Outcome.SLIP if one.named else Outcome.WRONG,
+            slip=SlipId.used(one.quantity) if one.named else None,
             tied=(SlipId.used(one.tied),) if one.tied else (),
             message=spoiled_first(case.plan, one),
         )

@@ -1,33 +1,41 @@
 """One wrong number behind several wrong answers: the mass read wrongly, a friction from elsewhere.
 
 Answers that follow from no formula at the student's numbers may all follow at another value of one
-of their inputs. Each answer, at the precision it was typed with, leaves that value a narrow range;
-where the ranges of several answers have a part in common, chance is an unlikely explanation.
+of their inputs. Two explanations are weighed against each other: that one number was taken for
+another, and that each of the answers is wrong by itself, by a known slip or for no known reason.
+The first has one freedom, the number; the second has one for each answer.
 """
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gripcourse.course.quantity import Kind
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import unexplained
-from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
+from gripcourse.grading.roots import Array, overlaps, reach, spans
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.text.units import factor
 
-# A wrong number is looked for between a tenth and ten times the right one.
-_SPAN: Final = np.geomspace(0.1, 10.0, 1601)
-# Some common wrong input is as likely as this, against each of its answers being wrong by itself.
-_PRIOR: Final = 0.2
+# How often a number is taken for another, and how often an answer is wrong by itself.
+_TAKEN_WRONGLY, _MISTAKEN = 0.005, 0.03
+# From even odds on, the doubt is the student's gain: it costs once. Only a certain number is named.
+_LEAST_ODDS: Final = 1.0
 _LEAST_ANSWERS: Final = 2
-_FINEST: Final = 5e-6
-# Rounded inputs that move a result further leave nothing to tell it by.
-_MOST_SPREAD: Final = 0.02
+# Who takes a number for another takes it so everywhere, but for one time in five.
+_ELSEWHERE_RIGHT: Final = 0.2
+_MOST_RIGHT: Final = 3  # such answers that count
+# How likely a size or a verdict comes out so by chance, where it is wrong.
+_BY_CHANCE: Final[Mapping[Kind, float]] = {Kind.CHOICE: 0.15, Kind.VERDICT: 0.5}
+# A zero has no last digit, and comes out by many mistakes.
+_ZERO = 0.2
+_SAME: Final = 1e-6
+_SLACK: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,10 +44,11 @@ class Substitution:
 
     Attributes:
         quantity: id of the input that it was used for.
-        value: what was used, in the declared unit.
+        value: what was used, in the declared unit; NaN where several numbers may have been.
         explains: ids of the answers that follow from it; the first is the one that it costs.
-        odds: of it against chance.
+        odds: of it against each answer being wrong by itself.
         tied: another input whose number explains the same answers as well; empty for none.
+        named: whether it is certain that it was this input, or the tied one.
     """
 
     quantity: str
@@ -47,153 +56,219 @@ class Substitution:
     explains: tuple[str, ...]
     odds: float
     tied: str
+    named: bool = True
 
 
 @dataclass(frozen=True, slots=True)
-class _Span:
-    """What one answer leaves of an input: from … to, SI."""
+class _Wrong:
+    """A wrong answer, and how densely numbers lie at it if it is wrong by itself."""
 
     comparison: Comparison
-    low: float
-    high: float
+    alone: float
+
+    @property
+    def name(self) -> str:
+        """Id of the quantity."""
+        return self.comparison.quantity.id
+
+    @property
+    def is_range(self) -> bool:
+        """Whether it was typed with a last digit, and stands for all numbers that round to it."""
+        return self.comparison.quantity.kind not in _BY_CHANCE and self.comparison.value != 0
 
 
-def substitutions(wrong: Sequence[Comparison]) -> tuple[Substitution, ...]:
+@dataclass(frozen=True, slots=True)
+class _Trial:
+    """A number, SI, that may have been used, its share of the wrong ones, and what it explains."""
+
+    value: float
+    share: float
+    explains: tuple[str, ...]
+    likelihood: float
+
+
+def substitutions(case: GradingCase, judged: Sequence[JudgedAnswer]) -> tuple[Substitution, ...]:
     """Find the numbers that explain several wrong answers each, the most certain first.
 
     Args:
-        wrong: the answers that nothing else explains, in order of calculation.
+        case: the submission.
+        judged: every answer, those with a known slip too.
 
     Returns:
         Substitutions that share no answer.
     """
-    # A zero has no last digit: it would leave an input no range, and fit any by chance.
-    open_views = [
-        comparison
-        for comparison in wrong
-        if comparison.quantity.kind is Kind.FORMULA and comparison.value
-    ]
-    if len(open_views) < _LEAST_ANSWERS:
+    wrong = _wrong(case, judged)
+    if len(wrong) < _LEAST_ANSWERS:
         return ()
-    found = sorted(_all(open_views), key=lambda one: (-len(one.explains), -one.odds))
+    right = [
+        one.comparison
+        for one in judged
+        if one.comparison is not None and one.judgement.outcome.traits.right
+    ]
+    found = sorted(_all(case, wrong, right), key=lambda one: -one.odds)
     taken: set[str] = set()
     kept: list[Substitution] = []
     for one in found:
         if taken.isdisjoint(one.explains):
             taken |= set(one.explains)
-            kept.append(_with_tie(one, found, open_views[0].policy.slips.tie))
+            kept.append(_certain(one, found, case))
     return tuple(kept)
 
 
-def _with_tie(best: Substitution, found: Sequence[Substitution], tie: float) -> Substitution:
-    others = (o for o in found if o.quantity != best.quantity and o.explains == best.explains)
-    rival = next((o for o in others if tie * o.odds > best.odds), None)
-    if rival is None:
-        return best
-    return Substitution(best.quantity, best.value, best.explains, best.odds, rival.quantity)
-
-
-def _all(views: Sequence[Comparison]) -> Iterator[Substitution]:
-    names = dict.fromkeys(
-        name for comparison in views for name in comparison.plan.inputs[comparison.quantity.id]
-    )
-    for name in names:
-        spans = [span for comparison in views for span in _spans(comparison, name)]
-        found = _common(name, spans, _PRIOR / len(names))
-        if found is not None:
-            yield found
-
-
-def _spans(comparison: Comparison, name: str) -> Iterator[_Span]:
-    """Yield the ranges of an input in which an answer's formula gives the answer as typed."""
-    right = float(comparison.follow_through.evaluation.values[name])
-    formula = comparison.plan.reference_formula(comparison.quantity.id)
-    if formula is None or name not in comparison.plan.inputs[comparison.quantity.id] or right == 0:
-        return
-    if not math.isfinite(right) or comparison.plan.quantities[name].kind is Kind.VERDICT:
-        return
-    tried = right * _SPAN
-    values = {**comparison.follow_through.evaluation.values, name: tried}
-    results = evaluate_formula(formula, comparison.quantity.unit, values, comparison.plan.columns)
-    size = factor(comparison.quantity.unit)
-    typed = comparison.value * size
-    half = _reach(comparison) * size
-    away = np.broadcast_to(results, tried.shape) - typed
-    for place in np.flatnonzero(np.sign(away[:-1]) * np.sign(away[1:]) < 0).tolist():
-        yield _between(comparison, tried, away, place, half)
-
-
-def _reach(comparison: Comparison) -> float:
-    """Return how far a typed number may be from what the formula gives at the right input.
-
-    Digits may be cut off, and the other inputs stand for more digits than were typed.
-    """
-    answer, policy, follows = comparison.answer, comparison.policy, comparison.follows
-    half_unit = max(typed_half_unit(answer, policy), _FINEST * abs(comparison.value))
-    spread = (follows.high - follows.low) / 2
-    if not (math.isfinite(spread) and follows.value):
-        return 2 * policy.last_digit * half_unit
-    share = min(spread / abs(follows.value), _MOST_SPREAD)
-    return 2 * policy.last_digit * half_unit + share * abs(comparison.value)
-
-
-def _between(
-    comparison: Comparison,
-    tried: NDArray[np.float64],
-    away: NDArray[np.float64],
-    place: int,
-    half: float,
-) -> _Span:
-    """Return the range round a crossing, on the straight line between two tried values."""
-    first, second = float(tried[place]), float(tried[place + 1])
-    before, after = float(away[place]), float(away[place + 1])
-    slope = (after - before) / (second - first)
-    root = first - before / slope
-    # The line bends between tried values; its sagitta is far below their distance.
-    reach = abs(half / slope) + 1e-4 * (second - first)
-    return _Span(comparison, root - reach, root + reach)
-
-
-def _common(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
-    """Return the value at which most answers' ranges overlap, if chance is unlikely enough."""
-    best: Substitution | None = None
-    for start in spans:
-        inside = {
-            span.comparison.quantity.id: span
-            for span in spans
-            if span.low <= start.low <= span.high
-        }
-        if len(inside) < _LEAST_ANSWERS or (best and len(inside) < len(best.explains)):
+def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
+    """Return the wrong answers that something may be told from, in order of calculation."""
+    found = {}
+    for one in judged:
+        comparison = one.comparison
+        if comparison is None or not case.is_own or not comparison.answer.unit_fits:
             continue
-        found = _substitution(name, list(inside.values()), prior)
-        if found is not None and (best is None or found.odds > best.odds):
-            best = found
-    return best
+        if not one.judgement.outcome.traits.mistake:
+            continue
+        alone = one.judgement.alone
+        if math.isnan(alone):
+            alone = unexplained(comparison)
+        alone = _ZERO if comparison.value == 0 else alone
+        found[one.quantity.id] = _Wrong(comparison, _BY_CHANCE.get(one.quantity.kind, alone))
+    return [found[name] for name in case.plan.quantities if name in found]
 
 
-def _substitution(name: str, spans: Sequence[_Span], prior: float) -> Substitution | None:
-    comparison = spans[0].comparison
-    low = max(span.low for span in spans)
-    high = min(span.high for span in spans)
-    right = abs(float(comparison.follow_through.evaluation.values[name]))
-    value = (low + high) / 2
-    if value * right <= 0:
-        return None
-    odds = prior * _scatter(value, right, comparison.policy.slips.spread) * (high - low)
-    for span in spans:
-        odds *= 1 / (2 * _reach(span.comparison)) / (unexplained(span.comparison) or math.inf)
-    certain = comparison.policy.slips.certain
-    if odds < certain / (1 - certain) or math.isclose(value, right, rel_tol=1e-3):
-        return None
-    unit = factor(comparison.plan.quantities[name].unit)
-    order = list(comparison.plan.quantities)
-    explains = sorted((span.comparison.quantity.id for span in spans), key=order.index)
-    return Substitution(name, value / unit, tuple(explains), odds, "")
+def _all(
+    case: GradingCase, wrong: Sequence[_Wrong], right: Sequence[Comparison]
+) -> Iterator[Substitution]:
+    users: dict[str, list[_Wrong]] = {}
+    for one in wrong:
+        before = list(unwritten_before(one.comparison))
+        inputs = (case.plan.inputs[name] for name in (one.name, *before))
+        for name in dict.fromkeys(name for names in inputs for name in names):
+            users.setdefault(name, []).append(one)
+    for name, using in users.items():
+        if len(using) >= _LEAST_ANSWERS and case.plan.quantities[name].kind is not Kind.VERDICT:
+            yield from _of_input(case, name, using, right)
+
+
+def _of_input(
+    case: GradingCase, name: str, using: Sequence[_Wrong], right: Sequence[Comparison]
+) -> Iterator[Substitution]:
+    """Yield the best explanation by another number for an input, if it is likely enough."""
+    number = float(case.follow_through.evaluation.values[name])
+    if not math.isfinite(number) or number == 0:
+        return
+    sets: dict[tuple[str, ...], list[_Trial]] = {}
+    for one in _trials(case, name, using, number):
+        if len(one.explains) >= _LEAST_ANSWERS:
+            sets.setdefault(one.explains, []).append(one)
+    if not sets:
+        return
+    explains, trials = max(sets.items(), key=lambda pair: _weight(pair[1]))
+    best = max(trials, key=lambda one: one.share * one.likelihood)
+    odds = _TAKEN_WRONGLY / _MISTAKEN ** len(explains) * _weight(trials)
+    odds *= _ELSEWHERE_RIGHT ** min(_MOST_RIGHT, _contradicting(name, best.value, right))
+    if odds < _LEAST_ODDS:
+        return
+    certain = case.policy.slips.certain
+    is_told = best.share * best.likelihood >= certain * _weight(
+        [one for one in trials if not math.isclose(one.value, best.value, rel_tol=1e-3)] + [best]
+    )
+    value = best.value / factor(case.plan.quantities[name].unit) if is_told else math.nan
+    yield Substitution(name, value, explains, odds, "")
+
+
+def _weight(trials: Sequence[_Trial]) -> float:
+    return sum(one.share * one.likelihood for one in trials)
+
+
+def _trials(
+    case: GradingCase, name: str, using: Sequence[_Wrong], right: float
+) -> Iterator[_Trial]:
+    """Yield numbers that may have been used: what a number is taken for, then any that fits."""
+    unit = factor(case.plan.quantities[name].unit)
+    numbers = [(one * unit, share) for one, share in _misread(case, name).items()]
+    found = [span for one in using if one.is_range for span in spans(one.comparison, name)]
+    spread = case.policy.slips.spread
+    numbers += [
+        (value, ANYTHING * _scatter(value, right, spread) * width)
+        for value, width in overlaps(found)
+        if value * right > 0 and not math.isclose(value, right, rel_tol=1e-3)
+    ]
+    if numbers:
+        yield from _tried(name, using, numbers)
+
+
+def _misread(case: GradingCase, name: str) -> dict[float, float]:
+    """Return what the number of an input may have been taken for, in its unit."""
+    plan = case.plan
+    quantity = plan.quantities[name]
+    if quantity.kind is Kind.GIVEN:
+        givens = {one.id: (case.given[one.id], one.unit) for one in plan.givens}
+        return misreadings(case.given[name], *neighbours(givens, name))
+    if quantity.value is not None:
+        return misreadings(quantity.value)
+    answers = {
+        one.id: (answer.value, one.unit)
+        for one in plan.answered
+        if (answer := case.answers.get(one.id)) is not None and answer.value is not None
+    }
+    if name not in answers:
+        return {}
+    return misreadings(answers[name][0], *neighbours(answers, name))
+
+
+def _tried(
+    name: str, using: Sequence[_Wrong], numbers: Sequence[tuple[float, float]]
+) -> Iterator[_Trial]:
+    values = np.asarray([value for value, _ in numbers])
+    likelihoods = [_likelihoods(one, name, values) for one in using]
+    for place, (value, share) in enumerate(numbers):
+        met = [
+            (one.name, float(each[place]))
+            for one, each in zip(using, likelihoods, strict=True)
+            if each[place] > 0
+        ]
+        likelihood = math.prod(ratio for _, ratio in met)
+        yield _Trial(value, share, tuple(name for name, _ in met), likelihood)
+
+
+def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
+    """Return how much better each number explains an answer than that it is wrong by itself."""
+    comparison = wrong.comparison
+    with np.errstate(all="ignore"):
+        here = carried_here(comparison, name, values) / factor(comparison.quantity.unit)
+    if not wrong.is_range:
+        scale = abs(comparison.reference) if math.isfinite(comparison.reference) else 0.0
+        met = np.isclose(here, comparison.value, rtol=_SAME, atol=_SLACK * scale)
+        return np.where(met, 1 / wrong.alone, 0.0)
+    half = reach(comparison)
+    return np.where(np.abs(here - comparison.value) <= half, 1 / (2 * half) / wrong.alone, 0.0)
+
+
+def _contradicting(name: str, value: float, right: Sequence[Comparison]) -> int:
+    """Count the right answers that would be others with this number."""
+    users = [one for one in right if name in one.plan.inputs[one.quantity.id]]
+    number = np.asarray([value])
+    here = ((one, carried_here(one, name, number) / factor(one.quantity.unit)) for one in users)
+    return sum(not one.fits(float(result[0])) for one, result in here)
 
 
 def _scatter(value: float, right: float, spread: float) -> float:
     away = math.log(value / right) / spread
-    return math.exp(-away * away / 2) / (value * spread * math.sqrt(2 * math.pi))
+    return math.exp(-away * away / 2) / (abs(value) * spread * math.sqrt(2 * math.pi))
+
+
+def _certain(best: Substitution, found: Sequence[Substitution], case: GradingCase) -> Substitution:
+    """Name an input, or two, only where no other could be it."""
+    policy = case.policy.slips
+    rivals = [
+        one
+        for one in found
+        if one.quantity != best.quantity and not set(best.explains).isdisjoint(one.explains)
+    ]
+    total = 1.0 + best.odds + sum(one.odds for one in rivals)
+    if best.odds >= policy.certain * total:
+        return best
+    same = [one for one in rivals if one.explains == best.explains]
+    if same and best.odds + same[0].odds >= policy.certain * total:
+        return replace(best, tied=same[0].quantity)
+    return replace(best, value=math.nan, named=False)
 
 
 def by_answer(found: Sequence[Substitution]) -> Mapping[str, Substitution]:

@@ -7,8 +7,9 @@ most of its computed answers are right, follow, or are understood, every consequ
 most are neither, an answer counts only if what it rests on does.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Outcome
@@ -16,6 +17,8 @@ from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.policy.bands import within
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import message
+
+_FEW: Final = 2  # mistakes that somebody makes who calculated
 
 
 def withhold_unsupported(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
@@ -44,17 +47,35 @@ def withhold_unsupported(case: GradingCase, judged: Sequence[JudgedAnswer]) -> l
 def is_calculated(case: GradingCase, judged: Sequence[JudgedAnswer]) -> bool:
     """Tell whether enough of the computed answers of a work are right or follow.
 
-    Zeros that follow from zeros, rough numbers and known slips speak neither for nor against it.
+    Those that use issued numbers are also looked at by themselves: all others follow from each
+    other in a neighbour's work as well. Zeros that follow from zeros, rough numbers and known slips
+    speak neither for nor against it.
     """
     computed = [
-        one.judgement.outcome.traits
+        one
         for one in judged
         if one.quantity.kind is Kind.FORMULA and one.comparison is not None and not _is_nothing(one)
     ]
-    calculated = sum(one.calculated for one in computed)
-    unexplained = sum(one.mistake and not one.named for one in computed)
-    needed = case.policy.calculated_share * (calculated + unexplained)
-    return calculated > 0 and calculated >= needed
+    calculated, unexplained = _counted(computed)
+    share = case.policy.calculated_share
+    if not calculated or calculated < share * (calculated + unexplained):
+        return False
+    calculated, unexplained = _counted(
+        one for one in computed if _uses_issued(case.plan, one.quantity.id)
+    )
+    return unexplained <= _FEW or calculated >= share * (calculated + unexplained)
+
+
+def _counted(judged: Iterable[JudgedAnswer]) -> tuple[int, int]:
+    """Return how many answers show that somebody calculated, and how many nothing explains."""
+    traits = [one.judgement.outcome.traits for one in judged]
+    return sum(one.calculated for one in traits), sum(
+        one.mistake and not one.named for one in traits
+    )
+
+
+def _uses_issued(plan: Plan, name: str) -> bool:
+    return any(plan.quantities[one].kind is Kind.GIVEN for one in plan.inputs[name])
 
 
 def _is_nothing(judged: JudgedAnswer) -> bool:

@@ -124,7 +124,8 @@ def _input_unit(around: Surroundings) -> Iterator[Rewritten]:
         for ratio, (unit, asked) in sorted(taken.items()):
             tree = renamed(around.formula.tree, {name: scaled(Name(name), ratio)})
             places: dict[str, Place] = {"quantity": quantity, "unit": unit, "asked": asked}
-            yield Rewritten(f"{name},{ratio:g}", tree, places | {"number": ratio})
+            times = float(f"{ratio:.4g}")
+            yield Rewritten(f"{name},{ratio:g}", tree, places | {"number": times})
 
 
 def _angle_unit(around: Surroundings) -> Iterator[Rewritten]:
@@ -212,6 +213,9 @@ def _multiplied_for_divided(around: Surroundings) -> Iterator[Rewritten]:
             yield other, (right.id, {"quantity": right})
         if left is not None and node.operator == "*":
             yield Operation("/", node.right, node.left), (left.id, {"quantity": left})
+        if left is not None and node.operator == "/":
+            below = Operation("*", node.left, node.right)
+            yield Operation("/", number(1.0), below), (left.id, {"quantity": left})
         match node:
             # `a/(b·c)` typed into a calculator without the brackets.
             case Operation("/", above, Operation("*", first, last)):
@@ -266,19 +270,34 @@ def _swapped(around: Surroundings) -> Iterator[Rewritten]:
 
 
 def _wrong_end(around: Surroundings) -> Iterator[Rewritten]:
-    pairs = {name: other for name in around.formula.names for other in _other_ends(around, name)}
-    for name, other in pairs.items():
-        places = {"quantity": around.quantities[name], "other": around.quantities[other]}
-        yield Rewritten(name, renamed(around.formula.tree, {name: Name(other)}), places)
+    """Take a value at another end of its range: everywhere, in one place, or all of them."""
+    tree = around.formula.tree
+    ends = {name: tuple(_other_ends(around, name)) for name in around.formula.names}
+    for name, others in ends.items():
+        for other in others:
+            detail = name if others == (other,) else f"{name},{other}"
+            yield Rewritten(detail, renamed(tree, {name: Name(other)}), _ends(around, name, other))
+
+    def one(node: Node) -> Iterator[Found]:
+        if isinstance(node, Name):
+            for other in ends.get(node.id, ()):
+                place = f"{node.id},{other},{node.span[0]}"
+                yield Name(other), (place, _ends(around, node.id, other))
+
+    yield from _each(around, one)
+    pairs = {name: others[-1] for name, others in ends.items() if others}
     if len(pairs) > 1:
         name, other = next(iter(pairs.items()))
-        places = {"quantity": around.quantities[name], "other": around.quantities[other]}
         swapped = {one: Name(another) for one, another in pairs.items()}
-        yield Rewritten("all", renamed(around.formula.tree, dict(swapped)), places)
+        yield Rewritten("all", renamed(tree, dict(swapped)), _ends(around, name, other))
+
+
+def _ends(around: Surroundings, name: str, other: str) -> Mapping[str, Place]:
+    return {"quantity": around.quantities[name], "other": around.quantities[other]}
 
 
 def _other_ends(around: Surroundings, name: str) -> Iterator[str]:
-    """Yield the quantities that are called the same but for the ending, at most one per pair."""
+    """Yield the quantities that are called the same but for the ending."""
     unit = around.quantities[name].unit
     for other in other_ends(name, around.slip):
         if other in around.earlier and around.quantities[other].unit == unit:

@@ -80,17 +80,29 @@ def work_of(
     }
     if doing is Doing.STOLEN_FILE:
         cells = dict(neighbours[0].cells)
+    reaches = frozenset() if done is None else reached(plan, done)
     return ForeignWork(
         student=student,
         owner=sources[0] if doing is Doing.STOLEN_FILE else student,
         doing=Doing.HONEST if doing is Doing.MISTAKE and done is None else doing,
         habits=habits,
         done=done,
-        reaches=frozenset() if done is None else reached(plan, done),
+        reaches=reaches,
+        shown=_shown(plan, reaches, cells),
         calculated=calculated,
         cells=cells,
         sources=sources,
     )
+
+
+def _shown(plan: Plan, reaches: frozenset[str], cells: Mapping[str, float | str]) -> frozenset[str]:
+    """Return the filled answers that rest on blank ones which a mistake is in."""
+    hidden = {name for name in reaches if name not in cells}
+    shown: set[str] = set()
+    for one in plan.answered:
+        if not hidden.isdisjoint(plan.inputs[one.id]):
+            (shown if one.id in cells else hidden).add(one.id)
+    return frozenset(shown)
 
 
 def _handed_in(

@@ -64,5 +64,5 @@ def _judge_one(student: str, room: _Room) -> JudgedForeign:
         failed = incident_report(raw.file, "", issued)
         return JudgedForeign(work, failed, frozenset(), traceback.format_exc())
     plan = plan_of(context.course, issued.variant.composition)
-    twins = same_by_value(plan, context.policy, work, report)
+    twins = same_by_value(plan, context.policy, issued.variant.given, work, report)
     return JudgedForeign(work, report, twins)

@@ -5,11 +5,11 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, FlagCode, Report
-from gripcourse.simulation.foreign.kinds import MISTAKES, Doing, ForeignMistake
+from gripcourse.simulation.foreign.kinds import MISTAKES, SEEN, Doing, ForeignMistake
 from gripcourse.simulation.foreign.model import JudgedForeign
 from gripcourse.simulation.model import Mix
 from gripcourse.simulation.rates import Rate, added
-from gripcourse.slips.model import USED
+from gripcourse.slips.model import USED, SlipId
 
 _OWNER = frozenset({FlagCode.COPIED_FROM})
 _SPOILED = 2  # answers that a number used wrongly must spoil before it can be told
@@ -246,28 +246,63 @@ def _is_misnamed(one: JudgedForeign) -> bool:
 
 
 def _is_blamed(one: JudgedForeign) -> bool:
-    """Tell whether something is said to be wrong where nothing is."""
+    """Tell whether something is said to be wrong where nothing is.
+
+    Who leaves the place of the mistake blank shows it first in the next answers.
+    """
     done = one.work.done
     if done is None:
         return False
-    places = {done.root, *one.work.reaches}
+    places = {done.root, *one.work.reaches, *one.work.shown}
     wrong = (found.quantity for found in _answers(one) if found.outcome.traits.mistake)
     used = (
-        found.slip.detail
+        _place_of(found.slip, (found.slip, *found.tied), done.root)
         for found in _named(one)
         if found.slip is not None and found.slip.kind == USED
     )
-    causes = (cause.quantity for cause in one.report.causes)
+    causes = (
+        _place_of(SlipId.used(cause.quantity), pair, done.root)
+        for cause in one.report.causes
+        for pair in [_named_together(one, cause.quantity)]
+    )
     return not places.issuperset({*wrong, *used, *causes})
 
 
+def _named_together(one: JudgedForeign, quantity: str) -> tuple[SlipId, ...]:
+    """Return the two numbers of which one was used wrongly, where one is this quantity's."""
+    for found in _named(one):
+        if found.slip is not None and SlipId.used(quantity) in (found.slip, *found.tied):
+            return (found.slip, *found.tied)
+    return ()
+
+
+def _place_of(slip: SlipId, named: Sequence[SlipId], root: str) -> str:
+    """Return what is blamed; of two that are named together, the right one counts."""
+    return root if SlipId.used(root) in named else slip.detail
+
+
 def _has_word(one: JudgedForeign) -> bool:
-    """Tell whether the grader could say what was done: it has a word, and enough to go by."""
+    """Tell whether the grader could say what was done: it has a word, and enough to go by.
+
+    A number that was used wrongly can be told from two answers that it moves, not from one.
+    """
     done = one.work.done
     if done is None or not MISTAKES[done.kind].names or not _charged(one):
         return False
-    filled = one.work.reaches & one.work.cells.keys()
-    return len(filled) >= (_SPOILED if USED in MISTAKES[done.kind].names else 1)
+    if USED not in MISTAKES[done.kind].names:
+        return bool(one.work.reaches & one.work.cells.keys())
+    moved = (
+        found for found in _answers(one) if found.quantity in one.work.reaches and _is_moved(found)
+    )
+    return sum(1 for _ in moved) >= _SPOILED
+
+
+def _is_moved(found: Finding) -> bool:
+    """Tell whether an answer is far from what follows from the numbers before it."""
+    right = found.reference if found.expected is None else found.expected
+    if found.given is None or right is None:
+        return False
+    return abs(found.given - right) > SEEN * abs(right)
 
 
 def _is_named(one: JudgedForeign) -> bool:

@@ -82,6 +82,7 @@ class ForeignWork:
         done: the mistake; None for none.
         reaches: answers that the mistake itself is in: where it was made, or where a misread or
             miscopied number was used directly.
+        shown: answers in which it shows first where what it reaches is blank.
         calculated: the numbers.
         cells: what stands in them, by id; blank answers are not there.
         sources: students whose numbers were taken over.
@@ -93,6 +94,7 @@ class ForeignWork:
     habits: Habits
     done: Done | None
     reaches: frozenset[str]
+    shown: frozenset[str]
     calculated: Calculated
     cells: Mapping[str, float | str]
     sources: tuple[str, ...]

@@ -1,9 +1,10 @@
 """Names that come to the very number of another mistake: nobody can tell which was made."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.grading.model import Report
@@ -16,28 +17,31 @@ from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
 
 _SAME = 1e-6  # relative
+_POWERS_OF_PI = 3  # that a shortened pi may stand in a formula with
 
 
 def same_by_value(
-    plan: Plan, policy: Policy, work: ForeignWork, report: Report
+    plan: Plan, policy: Policy, given: Mapping[str, float], work: ForeignWork, report: Report
 ) -> frozenset[tuple[str, SlipId]]:
     """Return the names in a report that give the number that the student's mistake gives.
 
     Args:
         plan: of the variant.
         policy: its slips.
+        given: issued values, in declared units: a name is of what was done with the right ones.
         work: what was done.
         report: what the grader says.
 
     Returns:
         The quantity with the slip's name.
     """
-    return frozenset(_found(plan, policy, work, report))
+    return frozenset(_found(plan, policy, given, work, report))
 
 
 def _found(
-    plan: Plan, policy: Policy, work: ForeignWork, report: Report
+    plan: Plan, policy: Policy, given: Mapping[str, float], work: ForeignWork, report: Report
 ) -> Iterator[tuple[str, SlipId]]:
+    same = max(_SAME, _POWERS_OF_PI * abs(work.habits.pi / math.pi - 1))
     for finding in report.findings:
         name, done = finding.quantity, work.done
         if finding.slip is None or done is None or name not in work.reaches:
@@ -45,15 +49,28 @@ def _found(
         quantity = plan.quantities[name]
         made = done.number if done.root == name and done.tree is None else math.nan
         wrong = work.calculated.found[name] if math.isnan(made) else made
-        values = {
-            one: np.asarray(number / size_of(plan.quantities[one].unit))
-            * factor(plan.quantities[one].unit)
-            for one, number in work.calculated.held.items()
-            if one in plan.quantities
-        }
+        values = _values(plan, given, work)
         for candidate in candidates_of(plan, name, policy.slips):
             if candidate.id in {finding.slip, *finding.tied}:
                 at = {one: values.get(one, np.asarray(np.nan)) for one in candidate.formula.names}
                 value = evaluate(candidate.formula, quantity.unit, at, plan.columns)
-                if math.isclose(float(value) / factor(quantity.unit), wrong, rel_tol=_SAME):
+                if math.isclose(float(value) / factor(quantity.unit), wrong, rel_tol=same):
                     yield name, candidate.id
+
+
+def _values(
+    plan: Plan, given: Mapping[str, float], work: ForeignWork
+) -> dict[str, NDArray[np.float64]]:
+    """Return what the student computed with, SI, but for the number that was used wrongly."""
+    declared = {
+        one: number / size_of(plan.quantities[one].unit)
+        for one, number in work.calculated.held.items()
+        if one in plan.quantities
+    }
+    done = work.done
+    if done is not None and done.root not in work.reaches:
+        declared[done.root] = given.get(done.root, work.calculated.typed(done.root))
+    return {
+        name: np.asarray(number * factor(plan.quantities[name].unit))
+        for name, number in declared.items()
+    }

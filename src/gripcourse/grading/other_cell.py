@@ -1,0 +1,56 @@
+"""A number that stands in two cells: it may have been written into the wrong one."""
+
+import math
+from typing import Final
+
+from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.rounding import typed_half_unit
+from gripcourse.text.units import factor
+
+# How common it is, on the scale of the priors of slips: from the cell beside, from elsewhere.
+_BESIDE, _ELSEWHERE = 3.0, 1.0
+_SAME: Final = 1e-9
+_RIGHT: Final = 0.02
+
+
+def weigh_other_cell(comparison: Comparison) -> tuple[str | None, float]:
+    """Weigh that an answer is the number of another one.
+
+    Returns:
+        The other answer and the weight; None and 0 where no other has the same number.
+    """
+    order = [one.id for one in comparison.plan.answered]
+    place = order.index(comparison.quantity.id)
+    beside = {*order[max(0, place - 1) : place], *order[place + 1 : place + 2]}
+    same = [name for name in order if _holds_the_same(comparison, name)]
+    half_unit = typed_half_unit(comparison.answer, comparison.policy)
+    if not same or not half_unit:
+        return None, 0.0
+    near = [name for name in same if name in beside]
+    elsewhere = (len(same) - len(near)) / max(1, len(order) - len(beside))
+    prior = _BESIDE * len(near) / max(1, len(beside)) + _ELSEWHERE * elsewhere
+    return (near or same)[0], prior / (2 * half_unit)
+
+
+def _holds_the_same(comparison: Comparison, name: str) -> bool:
+    quantity = comparison.plan.quantities[name]
+    number = comparison.follow_through.known.get(name)
+    if number is None or name == comparison.quantity.id or quantity.exact:
+        return False
+    if not math.isclose(number / factor(quantity.unit), comparison.value, rel_tol=_SAME):
+        return False
+    right = comparison.reference_values.get(name, math.nan)
+    return math.isclose(number, right, rel_tol=_RIGHT) or not _rests_on(comparison, name)
+
+
+def _rests_on(comparison: Comparison, name: str) -> bool:
+    """Tell whether another answer is computed from this one: then it has its number from here."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        one = waiting.pop()
+        if one == comparison.quantity.id:
+            return True
+        if one not in seen:
+            seen.add(one)
+            waiting += comparison.plan.inputs[one]
+    return False
