@@ -210,7 +210,9 @@ def changed(
 
 
 def _without(members: Members, columns: set[str]) -> None:
-    """Take columns out of all tables."""
+    """Take columns out of all tables, and tables out that came later still."""
+    for name in [one for one in members if one.startswith("tables/lti_")]:
+        del members[name]
     for name in [one for one in members if one.startswith("tables/")]:
         head, *rows = [json.loads(line) for line in members[name].splitlines()]
         # The register had versions, and waivers a reason, before revision 5.
@@ -222,11 +224,15 @@ def _without(members: Members, columns: set[str]) -> None:
 
 
 class TestWhatIsDamagedOrStrange:
-    @pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9, 0.999])
+    @pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9])
     def test_a_byte_that_is_another(self, term: Term, tmp_path: Path, share: float) -> None:
         data = bytearray(term.backup.read_bytes())
         data[int(share * len(data))] ^= 0xFF
         (tmp_path / "damaged.zip").write_bytes(data)
+        assert refused(tmp_path / "damaged.zip", tmp_path / "course")
+
+    def test_an_end_that_is_missing(self, term: Term, tmp_path: Path) -> None:
+        (tmp_path / "damaged.zip").write_bytes(term.backup.read_bytes()[:-1])
         assert refused(tmp_path / "damaged.zip", tmp_path / "course")
 
     @pytest.mark.parametrize("content", [b"", b"PK", b"a text"])
