@@ -79,8 +79,13 @@ class Atlas:
     rows: tuple[AtlasRow, ...]
 
 
-def load_atlas(root: Path, identifier: str) -> Atlas:
+def load_atlas(root: Path, identifier: str, schemes: Collection[str]) -> Atlas:
     """Load `variants/atlas/<identifier>.toml`.
+
+    Args:
+        root: folder of the course.
+        identifier: of the atlas, with hyphens.
+        schemes: ids of the course's schemes.
 
     Raises:
         CourseError: with all problems of the file.
@@ -111,6 +116,9 @@ def load_atlas(root: Path, identifier: str) -> Atlas:
         tuple(_figure(one) for one in table.tables("figure")),
         tuple(_row(one, sizes) for one in table.tables("row")),
     )
+    if atlas.scheme and atlas.scheme not in schemes:
+        what = message("The course has no scheme '{scheme}'.", scheme=atlas.scheme)
+        table.add("scheme", what, did_you_mean(atlas.scheme, schemes))
     if problems:
         raise CourseError(problems)
     return atlas

@@ -24,7 +24,7 @@ def draw_atlas(course: Course, identifier: str, out: Path, words: Words) -> list
     if identifier not in known:
         what = message("The course has no atlas '{atlas}'.", atlas=identifier)
         raise UsageError([Problem("", "", what, did_you_mean(identifier, known))])
-    atlas = load_atlas(course.root, identifier)
+    atlas = load_atlas(course.root, identifier, course.schemes)
     _check(atlas, course)
     drawn = plates(atlas, course, words)
     written = []

@@ -9,6 +9,7 @@ from gripcourse.course.atlas import Atlas, AtlasRow, load_atlas
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.documents.report.atlas import atlas_pdf, case_values, curve_values, plates
+from gripcourse.errors import CourseError
 from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import Plan, default_options, make_plan
 from gripcourse.text.words import Words
@@ -21,12 +22,17 @@ def the_course() -> Course:
 
 @pytest.fixture(scope="module")
 def atlas(the_course: Course) -> Atlas:
-    return load_atlas(the_course.root, "lever-arms")
+    return load_atlas(the_course.root, "lever-arms", the_course.schemes)
 
 
 @pytest.fixture(scope="module")
 def lever_plan(the_course: Course, atlas: Atlas) -> Plan:
     return make_plan(the_course, atlas.scheme, default_options(the_course.schemes[atlas.scheme]))
+
+
+def test_a_scheme_that_the_course_does_not_have_is_named(the_course: Course) -> None:
+    with pytest.raises(CourseError, match=r"lever_arms\.toml: scheme: The course has no scheme"):
+        load_atlas(the_course.root, "lever-arms", ["another_scheme"])
 
 
 def ordinate(atlas: Atlas, plan: Plan, figure: int, curve: int, abscissa: float) -> float:

@@ -16,7 +16,7 @@ def _samples(sample: SampleDocument) -> Mapping[str, Maker]:
 
 
 def _drawn(sample: SampleDocument, name: str) -> Document:
-    loaded = load_atlas(sample.course.root, name)
+    loaded = load_atlas(sample.course.root, name, sample.course.schemes)
     drawn = plates(loaded, sample.course, sample.words)
     values = atlas_values(loaded, drawn, sample.course, sample.words)
     return Document(TEMPLATE, STYLES, values)
