@@ -2,6 +2,7 @@
 
 import math
 import re
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from conftest import Composition
 
 _WORD = re.compile(r"(?<!\w)(?!arc|sqrt)[a-z]{4,}")  # else it may be a formula in any language
+_TOKEN = re.compile(r"[\w’.]+")
 _CYRILLIC = re.compile("[а-яіїєґ]", re.IGNORECASE)
 # A letter that one of the two languages does not have betrays a text in the wrong place.
 _FOREIGN = {"ru": re.compile("[іїєґ]", re.IGNORECASE), "uk": re.compile("[ыэъё]", re.IGNORECASE)}
@@ -58,6 +60,33 @@ def test_each_language_is_itself(composition: "Composition") -> None:
         if _CYRILLIC.search(texts.of("en"))
     ]
     assert faults == []
+
+
+def test_what_stands_beside_a_question_says_nothing_twice(composition: "Composition") -> None:
+    faults = {
+        f"{one.id}: {said} / {again}"
+        for one in composition.plan.answered
+        for language in LANGUAGES
+        for said, again in combinations(read_beside(one, language), 2)
+        if says_again(said, again)
+    }
+    assert faults == set()
+
+
+def read_beside(one: Quantity, language: str) -> list[str]:
+    """Return the texts of a question as the sheet has them one after the other."""
+    note = one.source.note
+    printed = one.note_decides or one.kind in {Kind.CHOICE, Kind.PICK}
+    texts = (one.title, one.decides, note if printed else None)
+    return [text.of(language).casefold() for text in texts if text is not None]
+
+
+def says_again(said: str, again: str) -> bool:
+    """Tell whether one text stands in the other, or five words of it do in their order."""
+    words = [_TOKEN.findall(text) for text in (said, again)]
+    length = min(5, *map(len, words))
+    runs = [{tuple(of[at : at + length]) for at in range(len(of) - length + 1)} for of in words]
+    return not runs[0].isdisjoint(runs[1])
 
 
 def test_symbols_are_there_and_differ(composition: "Composition") -> None:

@@ -26,7 +26,7 @@ def sources(course: Course) -> list[Source]:
 def test_a_note_on_a_source_has_no_english_words_in_another_language(
     course: Course, language: str
 ) -> None:
-    notes = {one.note.of(language) for one in sources(course) if one.note is not None}
+    notes = {one.told(language) for one in sources(course)}
     assert notes
     assert {note for note in notes if set(WORD.findall(note)) - KEPT} == set()
 

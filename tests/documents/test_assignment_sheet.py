@@ -287,6 +287,16 @@ def test_a_choice_cites_its_series_in_the_appendix(text: Callable[..., str], pla
     assert f"[app.\u00a0{stroke.number}]".replace("\u00a0", " ") in written
 
 
+def test_the_order_of_a_direction_is_told_where_a_formula_takes_one(course: Course) -> None:
+    examples = {id_: course.schemes[id_].example for id_ in ("prism_lever", "screw")}
+    told = {
+        id_: appendix_of(make_plan(course, id_, one.options), ENGLISH).has_directions
+        for id_, one in examples.items()
+        if one is not None
+    }
+    assert told == {"prism_lever": True, "screw": False}
+
+
 def test_formulas_of_works_that_students_do_not_have_are_printed(course: Course) -> None:
     at_hand = {work.title.of("en") for work in course.works.values() if work.at_hand}
     example = course.schemes["prism_lever"].example

@@ -2,9 +2,10 @@
 
 import pytest
 
+from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.solver.asked import cited_works, deciding
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import LANGUAGES, Words
 
 ENGLISH = Words("en")
@@ -46,3 +47,14 @@ def test_an_overall_size_has_its_formula(plan: Plan) -> None:
 
 def test_nothing_stands_beside_what_its_title_says_already(plan: Plan) -> None:
     assert not beside(plan, "arm_angle_at_max")
+
+
+def test_how_far_a_source_was_read_stands_beside_no_question(course: Course) -> None:
+    example = course.schemes["screw"].example
+    assert example is not None
+    plan = make_plan(course, "screw", example.options)
+    marked = {one.id: one.source.mark for one in plan.answered if one.source.mark is not None}
+    assert marked
+    assert not [name for name, mark in marked.items() if mark.of("en") in beside(plan, name)]
+    assert all(plan.quantities[name].source.told("en").endswith(mark.of("en"))
+               for name, mark in marked.items())  # fmt: skip

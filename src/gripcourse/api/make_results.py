@@ -139,8 +139,7 @@ def refused_check(problems: Iterable[Problem], words: Words) -> CheckResult:
 
 def _source_result(quantity: Quantity, words: Words) -> SourceResult:
     source = quantity.source
-    note = "" if source.note is None else source.note.of(words.language)
-    return SourceResult(source.work, source.equation, note)
+    return SourceResult(source.work, source.equation, source.told(words.language))
 
 
 def _said(sentences: Sequence[Message], words: Words) -> tuple[str, ...]:

@@ -88,7 +88,8 @@ def source(table: Table) -> Source:
     """Read where something comes from."""
     table.known_keys()
     note = table.texts("note") if "note" in table.values else None
-    return Source(table.text("work"), table.text("equation", ""), note)
+    mark = table.texts("mark") if "mark" in table.values else None
+    return Source(table.text("work"), table.text("equation", ""), note, mark)
 
 
 def _check_id(identifier: str, table: Table) -> None:

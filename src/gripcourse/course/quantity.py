@@ -46,11 +46,24 @@ class Rounding(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where a declaration comes from: a work of the course's list, an equation, a note."""
+    """Where a declaration comes from.
+
+    Attributes:
+        work: id of the course's list.
+        equation: number of the equation, or the paragraph.
+        note: what the source says, or how it was obtained.
+        mark: how far the source was read; for whoever teaches, never on what is issued.
+    """
 
     work: str
     equation: str = ""
     note: Texts | None = None
+    mark: Texts | None = None
+
+    def told(self, language: str) -> str:
+        """Return note and mark in a language, as the reference tells them; empty for neither."""
+        said = (one.of(language) for one in (self.note, self.mark) if one is not None)
+        return "; ".join(filter(None, said))
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,6 +30,7 @@ SOURCE: Final = Shape(
         "work": text("Id of a work that `course.toml` lists.", required=True),
         "equation": text("Number of the equation, or the paragraph."),
         "note": texts("What the source says about it, or how it was obtained."),
+        "mark": texts("How far the source was read: for the reference, never on what is issued."),
     }
 )
 WIDEST_TOLERANCE: Final = 0.5

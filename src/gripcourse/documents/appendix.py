@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.worked import entering_units, worked_line
-from gripcourse.formula.boxes import Box, Fraction, Root, boxes
+from gripcourse.formula.boxes import Applied, Box, Fraction, Root, boxes
 from gripcourse.formula.plain import text
 from gripcourse.solver.needed_tables import NeededTable, needed_tables, tables_by_taker
 from gripcourse.solver.plan import Plan
@@ -77,6 +77,13 @@ class Appendix:
     def any(self) -> bool:
         """Whether there is anything to print."""
         return bool(self.series or self.tables or self.works)
+
+    @property
+    def has_directions(self) -> bool:
+        """Whether a formula takes a direction, whose arguments tools give in either order."""
+        lines = (one.line for work in self.works for one in work.formulas)
+        called = (one for line in lines for one in boxes(line) if isinstance(one, Applied))
+        return any(one.word == "atan2" for one in called)
 
     @property
     def thirds(self) -> tuple[tuple[QuotedWork, ...], ...]:

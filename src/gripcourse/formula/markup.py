@@ -80,9 +80,12 @@ def argument(word: str, arguments: tuple[Box, ...]) -> Box:
             lone = False
     if lone and len(arguments) == 1 and word not in _ALWAYS_BRACKETED:
         return Row((Text("mark", _NO_BREAK), first))
+    # Short names stay together; a line may break between longer ones.
+    short = all(isinstance(one, Text | Script) for one in arguments)
+    between = Text("mark", f";{_NO_BREAK}" if short else "; ")
     items: list[Box] = [first]
     for other in arguments[1:]:
-        items += [Text("mark", "; "), other]
+        items += [between, other]
     return Fence("(", Row(tuple(items)), ")")
 
 

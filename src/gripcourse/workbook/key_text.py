@@ -38,7 +38,7 @@ def source_text(quantity: Quantity, plan: Plan, words: Words) -> str:
     """Return where a quantity comes from: the work's number in the list, equation, note."""
     source, cited = quantity.source, cited_works(plan)
     number = f"[{cited.index(source.work) + 1}]" if source.work in cited else ""
-    note = "" if source.note is None else source.note.of(words.language)
+    note = source.told(words.language)
     return "; ".join(part for part in (f"{number} {source.equation}".strip(), note) if part)
 
 

@@ -205,8 +205,8 @@ def citation(source: Source, course: Course, language: str) -> Citation:
     equation = source.equation
     numbered = f"({equation})" if equation[:1].isdigit() else equation
     work = course.works.get(source.work)
-    note = "" if source.note is None else source.note.of(language)
-    return Citation(source.work if work is None else work.title.of(language), numbered, note)
+    title = source.work if work is None else work.title.of(language)
+    return Citation(title, numbered, source.told(language))
 
 
 def link_to(one: Occurrence, content: Content, language: str) -> Link:
