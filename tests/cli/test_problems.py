@@ -7,13 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.cli import grade as cli_grade
 from gripcourse.cli import main as cli
 from gripcourse.cli.problems import TYPED, spoken
 from gripcourse.errors import NextStep, Problem
 from gripcourse.text.words import LANGUAGES, Words, message
 
 SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
-COMMANDS = "|".join(one.name or one.callback.__name__ for one in cli.app.registered_commands)
+ALONE = (*cli.app.registered_commands, *cli_grade.app.registered_commands)
+COMMANDS = "|".join(one.name or one.callback.__name__ for one in ALONE)
 TYPED_WORD = re.compile(rf"(?<![\w-])--[a-z]|gripcourse ({COMMANDS})\b")
 
 

@@ -161,8 +161,9 @@ def test_a_page_shows_it_and_has_no_element_of_it(
 def test_a_page_that_escapes_nothing_is_noticed(
     sample: SampleDocument, report: Report, kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def unescaped(folder: Path, language: str) -> Environment:
-        return template_environment(folder, language).overlay(autoescape=False)
+    def unescaped(folder: Path, language: str, *, with_charts: bool) -> Environment:
+        made = template_environment(folder, language, with_charts=with_charts)
+        return made.overlay(autoescape=False)
 
     monkeypatch.setattr("gripcourse.documents.pdf.template_environment", unescaped)
     page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)

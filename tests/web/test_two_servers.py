@@ -59,7 +59,7 @@ def test_hand_ins_are_rationed_by_both_together_and_wait_no_longer_than_said(
     shared: Server, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rate = Allowance(4, 600)
-    monkeypatch.setattr("gripcourse.web.student.HAND_INS", rate)
+    monkeypatch.setattr("gripcourse.web.acts.HAND_INS", rate)
     home = shared.home("s02")
     clients = [shared.client(), shared.client()]
     answers = [
@@ -79,7 +79,7 @@ def test_a_student_is_asked_to_try_again_while_the_database_is_away(
     postgresql.stop()
     answer = client.post(f"{home}hand-in", files=upload(b"a work"))
     assert answer.status_code == 503
-    assert "kept twice" in answer.text
+    assert "не сохраняется дважды" in answer.text
     assert str(postgresql.folder) not in answer.text
     postgresql.start()
     answers = [client.post(f"{home}hand-in", files=upload(b"a work")) for _ in range(2)]

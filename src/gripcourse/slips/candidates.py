@@ -14,9 +14,10 @@ from gripcourse.formula.tree import Formula, Node, names
 from gripcourse.formula.typeset import declared_symbol, symbol_box, typeset
 from gripcourse.policy.slips import GenericSlip, SlipKind, SlipPolicy
 from gripcourse.slips.ends import other_ends
-from gripcourse.slips.generic import GENERATORS, Place, Rewritten, Surroundings
+from gripcourse.slips.generic import GENERATORS
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.slips.practical import in_practical_units
+from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
 from gripcourse.solver.plan import Plan
 from gripcourse.text.number_text import format_number
 from gripcourse.text.units import known, unit_text

@@ -6,65 +6,17 @@ with a detail that tells it from the others of its kind and with what fills the 
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from fnmatch import fnmatchcase
+from dataclasses import replace
 from itertools import combinations
 from types import MappingProxyType
 from typing import Final, TypeAlias
 
-from gripcourse.course.model import Catalogue
-from gripcourse.course.quantity import Quantity
-from gripcourse.formula.evaluate import Column
-from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
-from gripcourse.policy.slips import GenericSlip, SlipKind
+from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation
+from gripcourse.policy.slips import SlipKind
 from gripcourse.slips.ends import other_ends
 from gripcourse.slips.rewrite import everywhere, number, renamed, rewritings, scaled
+from gripcourse.slips.surroundings import Place, Rewritten, Surroundings
 from gripcourse.text.units import dimension, factor
-
-# A declaration stands for itself; so do a number, a unit, a piece of the formula.
-Place: TypeAlias = Quantity | Node | float | str
-
-
-@dataclass(frozen=True, slots=True)
-class Surroundings:
-    """A formula with what a generator may look at.
-
-    Attributes:
-        quantities: what the formula names, what has the same name but for its end, and what reads
-            the same column of a catalogue; by id.
-        columns, catalogues: of the course.
-        earlier: ids of the quantities that are known before this one.
-    """
-
-    quantities: Mapping[str, Quantity]
-    columns: Mapping[str, Column]
-    catalogues: Mapping[str, Catalogue]
-    quantity: Quantity
-    formula: Formula
-    slip: GenericSlip
-    earlier: frozenset[str]
-
-    def named(self, node: Node) -> Quantity | None:
-        """Return the quantity that a node names, if it is one that this kind concerns."""
-        if not isinstance(node, Name) or node.id not in self.quantities:
-            return None
-        concerned = not self.slip.names or any(fnmatchcase(node.id, p) for p in self.slip.names)
-        return self.quantities[node.id] if concerned else None
-
-    def dimensionless(self, node: Node) -> Quantity | None:
-        """Return the plain number that a node names: a factor such as an efficiency."""
-        found = self.named(node)
-        return found if found is not None and found.unit in {"", "%"} else None
-
-
-@dataclass(frozen=True, slots=True)
-class Rewritten:
-    """A tree with one slip in it, and what fills the places of its hint."""
-
-    detail: str
-    tree: Node
-    places: Mapping[str, Place]
-
 
 Generator: TypeAlias = Callable[[Surroundings], Iterator[Rewritten]]
 Found: TypeAlias = tuple[Node, tuple[str, Mapping[str, Place]]]

@@ -12,8 +12,8 @@ from typing import Final
 from gripcourse.formula.dimension import measured_by
 from gripcourse.formula.fault import FormulaFault
 from gripcourse.formula.tree import Call, Name, Node, names, walk
-from gripcourse.slips.generic import Rewritten, Surroundings
 from gripcourse.slips.rewrite import renamed, scaled
+from gripcourse.slips.surroundings import Rewritten, Surroundings
 from gripcourse.text.units import PLAIN, Dimension, dimension
 
 # The mass that one newton accelerates by one millimetre a second each second is a tonne.

@@ -208,7 +208,7 @@ def _refuse_encoding(connection: Connection) -> None:
         raise failure(
             without_password(connection.engine.url),
             message("The database keeps its texts as {encoding}.", encoding=str(encoding)),
-            message("Make one that keeps UTF-8: createdb --encoding=UTF8 --template=template0."),
+            message("Make one that keeps UTF-8, from the template template0."),
         )
 
 

@@ -1,0 +1,56 @@
+"""What a generator of slips may look at, and what it makes of a formula."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import TypeAlias
+
+from gripcourse.course.model import Catalogue
+from gripcourse.course.quantity import Quantity
+from gripcourse.formula.evaluate import Column
+from gripcourse.formula.tree import Formula, Name, Node
+from gripcourse.policy.slips import GenericSlip
+
+# A declaration stands for itself; so do a number, a unit, a piece of the formula.
+Place: TypeAlias = Quantity | Node | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """A formula with what a generator may look at.
+
+    Attributes:
+        quantities: what the formula names, what has the same name but for its end, and what reads
+            the same column of a catalogue; by id.
+        columns, catalogues: of the course.
+        earlier: ids of the quantities that are known before this one.
+    """
+
+    quantities: Mapping[str, Quantity]
+    columns: Mapping[str, Column]
+    catalogues: Mapping[str, Catalogue]
+    quantity: Quantity
+    formula: Formula
+    slip: GenericSlip
+    earlier: frozenset[str]
+
+    def named(self, node: Node) -> Quantity | None:
+        """Return the quantity that a node names, if it is one that this kind concerns."""
+        if not isinstance(node, Name) or node.id not in self.quantities:
+            return None
+        concerned = not self.slip.names or any(fnmatchcase(node.id, p) for p in self.slip.names)
+        return self.quantities[node.id] if concerned else None
+
+    def dimensionless(self, node: Node) -> Quantity | None:
+        """Return the plain number that a node names: a factor such as an efficiency."""
+        found = self.named(node)
+        return found if found is not None and found.unit in {"", "%"} else None
+
+
+@dataclass(frozen=True, slots=True)
+class Rewritten:
+    """A tree with one slip in it, and what fills the places of its hint."""
+
+    detail: str
+    tree: Node
+    places: Mapping[str, Place]
