@@ -1,5 +1,6 @@
 """A course whose people come by a platform on this machine."""
 
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -103,6 +104,23 @@ class LtiCourse:
         answer = client.post("/lti/launch", data={one[3]: one[5] for one in fields})
         assert isinstance(answer, httpx2.Response)
         return answer
+
+
+@contextmanager
+def on_its_first_day(school: LtiCourse) -> Iterator[LtiCourse]:
+    """Give a course to one test, and take back what it did to records and platform."""
+    records = school.context.course.root / "private"
+    before = records.with_name("private-before")
+    shutil.copytree(records, before)
+    try:
+        yield school
+    finally:
+        shutil.rmtree(records)
+        before.rename(records)
+        school.clock.now = BEGAN
+        school.platform.down = False
+        school.platform.scores.clear()
+        school.platform.refuses.clear()
 
 
 def declared_as(platform: StandIn) -> Platform:

@@ -19,7 +19,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.lti import store_of
 from gripcourse.usecases.publish import publish, withdraw
-from support.lti_course import BEGAN, LtiCourse, open_lti_course
+from support.lti_course import BEGAN, LtiCourse, on_its_first_day, open_lti_course
 from support.platform import CLAIM, LINE_ITEM, SCORE
 
 Run = Callable[..., str]
@@ -34,10 +34,9 @@ def opened(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Iterator
 
 
 @pytest.fixture
-def school(opened: LtiCourse) -> LtiCourse:
-    opened.platform.scores.clear()
-    opened.platform.refuses.clear()
-    return opened
+def school(opened: LtiCourse) -> Iterator[LtiCourse]:
+    with on_its_first_day(opened) as made:
+        yield made
 
 
 @pytest.fixture
