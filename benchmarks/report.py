@@ -14,19 +14,13 @@ from weasyprint import CSS, HTML
 
 from gripcourse.course.load import load_course
 from gripcourse.documents.assignment_sheet import assignment_sheet
+from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import pdf_from_html, render_html
 from gripcourse.documents.report.student import STYLES, student_report
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.samples import (
-    DAY,
-    SampleDocument,
-    printed_documents,
-    sample_report,
-    samples,
-    student,
-)
+from gripcourse.usecases.samples import DAY, printed_samples, samples
 from gripcourse.variants.space import load_spaces
 
 RUNS = 7
@@ -50,8 +44,8 @@ def main() -> None:
 
 def _beside_weasyprint(sample: SampleDocument) -> None:
     """Compare a report from its values to its bytes with the bare rendering of its HTML."""
-    templates, report = sample.course.root / "templates", sample_report(sample)
-    finished = render_html(student(sample, report, sample.policy.reveal), templates, sample.words)
+    templates, report = sample.course.root / "templates", sample.judged
+    finished = render_html(printed_samples(sample)["student"](), templates, sample.words)
 
     def ours() -> bytes:
         return student_report(report, sample.plan, sample.policy, sample.course, sample.words, DAY)
@@ -93,7 +87,7 @@ def _sheet(sample: SampleDocument) -> bytes:
 def _kinds(sample: SampleDocument) -> None:
     """Print time, pages and bytes of every kind of document that is printed."""
     templates = sample.course.root / "templates"
-    for kind, make in printed_documents(sample).items():
+    for kind, make in printed_samples(sample).items():
         made, making = _result(make)
         html = render_html(made, templates, sample.words)
         pdf, laying = _result(lambda: pdf_from_html(html, made.styles, templates))  # noqa: B023 (as above)
