@@ -2,8 +2,11 @@
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from typing import Final
 
 from gripcourse.text.words import Message, message
+
+_MOST_LISTED: Final = 12
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> Message:
@@ -12,4 +15,8 @@ def did_you_mean(name: str, known: Iterable[str]) -> Message:
     near = get_close_matches(name, choices, n=1)
     if near:
         return message("Did you mean '{near}'?", near=near[0])
-    return message("Known here: {names}.", names=", ".join(choices[:12]) or "—")
+    names = ", ".join(choices[:_MOST_LISTED])
+    more = len(choices) - _MOST_LISTED
+    if more > 0:
+        return message("Known here: {names}, and {count} more.", names=names, count=more)
+    return message("Known here: {names}.", names=names or "—")
