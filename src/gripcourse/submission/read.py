@@ -163,7 +163,7 @@ def _cells(
     for one in wanted_places:
         if one.sheet in parts:
             places.setdefault(parts[one.sheet], set()).add(one.place)
-    located = {part: _located(package.root(part), wanted) for part, wanted in places.items()}
+    located = {part: _located(package.tree(part), wanted) for part, wanted in places.items()}
     sheets = {title: located[part] for title, part in parts.items() if part in located}
     by_kind = {one.kind: one.part for one in related}
     stored = [cell for sheet in located.values() for _, cell in sheet.stored.values()]

@@ -54,15 +54,19 @@ class Package:
         return part.lower() in self._members
 
     def root(self, part: str) -> Element:
-        """Return the tree of a part.
+        """Return the tree of a short part, which is kept: it may be asked for again.
 
         Raises:
             KeyError: there is no such part.
             Exception: whatever the bytes make a library raise.
         """
         if part not in self._roots:
-            self._roots[part] = self._scan.root(self._content(part))
+            self._roots[part] = self.tree(part)
         return self._roots[part]
+
+    def tree(self, part: str) -> Element:
+        """Return the tree of a part that nobody else reads. Errors: as above."""
+        return self._scan.root(self._content(part))
 
     def elements(self, part: str) -> Iterator[Element]:
         """Yield the elements of a long part as they end; who has read one may clear it.

@@ -113,12 +113,12 @@ class XmlScan:
             Exception: what the parser raises of unsound XML.
         """
         left = self._bounds.elements - self._elements
-        if _most_elements(content) > left:
+        if content.count(b"<") > left:  # each element begins with this byte in every encoding
             XmlScan(replace(self._bounds, elements=left)).check(content)
         parser: XMLParser[Element] = XMLParser(target=_Builder())  # noqa: S314 (checked)
         parser.feed(content)
         root: Element = parser.close()
-        level, depth = [root], 0
+        level, depth, tags = [root], 0, {root.tag}
         while level:
             depth += 1
             self._elements += len(level)
@@ -127,7 +127,8 @@ class XmlScan:
             if self._elements > self._bounds.elements:
                 raise RefusedError(WhyRefused.TOO_LARGE)
             level = [inner for element in level for inner in element]
-        for tag in {element.tag for element in root.iter()}:
+            tags |= {element.tag for element in level}
+        for tag in tags:
             if local_name(tag) in _COUNTED:
                 for element in root.iter(tag):
                     self._count_one(local_name(tag), element.attrib)
@@ -168,11 +169,6 @@ def local(element: Element) -> str:
 def local_name(name: str) -> str:
     """Return a name without its namespace; a strict and a usual workbook differ in theirs."""
     return name.rpartition("}")[2]
-
-
-def _most_elements(content: bytes) -> int:
-    """Return how many elements XML can have, whatever its encoding: each begins with this byte."""
-    return content.count(b"<") - content.count(b"</")
 
 
 def _refuse_declarations(*_declaration: object) -> None:
