@@ -6,40 +6,34 @@ workbook holds refuses nothing.
 """
 
 import hashlib
-import io
 import re
 import zipfile
 import zlib
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
+from gripcourse.machine.spreadsheet.addresses import Place, address, place_of
 from gripcourse.machine.spreadsheet.cell_value import (
     GENERAL,
+    CellContent,
     counts_from_1904,
     formats_of,
     shown_value,
     text_index,
 )
-from gripcourse.machine.spreadsheet.package import (
-    Package,
-    local,
-    package_of,
-)
-from gripcourse.machine.spreadsheet.preflight import refusal
+from gripcourse.machine.spreadsheet.package import Package
+from gripcourse.machine.spreadsheet.preflight import read_checked
 from gripcourse.machine.spreadsheet.sheet_cells import (
     EMPTY,
-    Place,
     StoredCell,
-    address,
     first_of_merged,
-    place_of,
     shared_texts,
-    sheets_of,
     stored_cells,
 )
+from gripcourse.machine.spreadsheet.xml_scan import local
 from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
@@ -64,8 +58,7 @@ _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
 _FURTHER: Final = 30
 
 
-@dataclass(frozen=True, slots=True)
-class _Named:
+class _Named(NamedTuple):
     """Where one of our names points to."""
 
     sheet: str
@@ -94,8 +87,9 @@ def read_workbook(source: Readable) -> RawWorkbook | Rejected:
     data, file = content_of(source), shown_name(source)
     digest = hashlib.sha256(data).hexdigest()
     try:
-        refused = refusal(pure_path(source).name, data)
-        read = _read(data, file, digest) if refused is None else refused
+        read = read_checked(
+            pure_path(source).name, data, lambda package: _read(package, file, digest)
+        )
     except Exception as fault:  # noqa: BLE001 (whatever the bytes make a library raise)
         read = _fault_of(fault)
     return read if isinstance(read, RawWorkbook) else Rejected.because(file, digest, read)
@@ -106,26 +100,24 @@ def _fault_of(fault: Exception) -> WhyRefused:
     return next(found, WhyRefused.UNREADABLE_CONTENT)
 
 
-def _read(data: bytes, file: str, digest: str) -> RawWorkbook | WhyRefused:
-    with zipfile.ZipFile(io.BytesIO(data)) as archive:
-        package = package_of(archive)
-        workbook = package.workbook_part()
-        named = _named(package, workbook)
-        if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
-            return WhyRefused.FOREIGN
-        cells, beside = _cells(package, workbook, named)
-        stored = _properties(package)
-        identity, remarks = _identity(cells, stored)
-        return RawWorkbook(
-            file=file,
-            digest=digest,
-            identity=identity,
-            creator=_creator(package),
-            givens=_of_role(cells, names.GIVEN),
-            answers=_of_role(cells, names.ANSWER),
-            remarks=remarks,
-            beside=beside,
-        )
+def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
+    workbook = package.workbook_part()
+    named = _named(package, workbook)
+    if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
+        return WhyRefused.FOREIGN
+    cells, beside = _cells(package, workbook, named)
+    stored = _properties(package)
+    identity, remarks = _identity(cells, stored)
+    return RawWorkbook(
+        file=file,
+        digest=digest,
+        identity=identity,
+        creator=_creator(package),
+        givens=_of_role(cells, names.GIVEN),
+        answers=_of_role(cells, names.ANSWER),
+        remarks=remarks,
+        beside=beside,
+    )
 
 
 def _named(package: Package, workbook: str) -> dict[str, _Named]:
@@ -142,10 +134,12 @@ def _named(package: Package, workbook: str) -> dict[str, _Named]:
 
 def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     ours: list[tuple[bool, str, str]] = []
-    for element in package.elements(workbook):
+    for element in package.root(workbook).iter():
+        if local(element) != "definedName":
+            continue
         found = _NAME.fullmatch(element.get("name", "").lower())
         text = (element.text or "").strip()
-        if local(element) == "definedName" and found and len(text) <= _LONGEST_REFERENCE:
+        if found and len(text) <= _LONGEST_REFERENCE:
             of_sheet = element.get("localSheetId") is not None
             ours.append((of_sheet, names.cell_name(found[1], found[2]), text))
     if len(ours) > _MOST_NAMES:
@@ -164,42 +158,50 @@ def _cells(
     answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
     beside = set(_beside(answers))
     wanted_places = {*named.values(), *beside, *map(_label_of, answers | beside)}
-    sheets = {
-        title: _located(package, part, {one.place for one in wanted_places if one.sheet == title})
-        for title, part in sheets_of(package, workbook).items()
-        if any(one.sheet == title for one in named.values())
-    }
+    parts = package.sheets(workbook)
+    places: dict[str, set[Place]] = {}
+    for one in wanted_places:
+        if one.sheet in parts:
+            places.setdefault(parts[one.sheet], set()).add(one.place)
+    located = {part: _located(package.tree(part), wanted) for part, wanted in places.items()}
+    sheets = {title: located[part] for title, part in parts.items() if part in located}
     by_kind = {one.kind: one.part for one in related}
-    stored = [cell for sheet in sheets.values() for _, cell in sheet.stored.values()]
+    stored = [cell for sheet in located.values() for _, cell in sheet.stored.values()]
     indices = (text_index(one.text) for one in stored if one.kind == "s")
     wanted = {one for one in indices if one is not None}
-    texts = shared_texts(package, by_kind["sharedStrings"], wanted) if wanted else {}
+    shared = package.root(by_kind["sharedStrings"]).iter() if wanted else ()
+    texts = shared_texts(shared, wanted)
     formats = formats_of(package, by_kind["styles"]) if any(one.style for one in stored) else ()
     from_1904 = counts_from_1904(package, workbook)
 
+    def shown(where: _Named) -> tuple[CellContent, str]:
+        _, cell = sheets[where.sheet].stored[where.place]
+        number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
+        return shown_value(cell, number_format, texts, from_1904=from_1904), number_format
+
     def raw(where: _Named, label: str = "") -> RawCell:
         place, cell = sheets[where.sheet].stored[where.place]
-        number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
-        shown = shown_value(cell, number_format, texts, from_1904=from_1904)
+        content, number_format = shown(where)
         return RawCell(
-            value=shown.value,
+            value=content.value,
             number_format=number_format,
-            error=shown.error,
+            error=content.error,
             formula=cell.formula,
             cell=f"{where.sheet}!{address(place)}",
             label=label,
         )
 
-    def labelled(where: _Named) -> RawCell:
-        label = raw(_label_of(where)).value
-        return raw(where, " ".join(label.split()) if isinstance(label, str) else "")
+    def label_of(where: _Named) -> str:
+        label = shown(_label_of(where))[0].value
+        return " ".join(label.split()) if isinstance(label, str) else ""
 
     there = {name: where for name, where in named.items() if where.sheet in sheets}
     cells = {
-        name: labelled(where) if where in answers else raw(where) for name, where in there.items()
+        name: raw(where, label_of(where) if where in answers else "")
+        for name, where in there.items()
     }
-    others = (labelled(where) for where in sorted(beside, key=_order) if where.sheet in sheets)
-    return cells, tuple(one for one in others if one.label)
+    others = ((one, label_of(one)) for one in sorted(beside, key=_order) if one.sheet in sheets)
+    return cells, tuple(raw(one, label) for one, label in others if label)
 
 
 def _label_of(where: _Named) -> _Named:
@@ -221,9 +223,9 @@ def _order(where: _Named) -> tuple[str, Place]:
     return where.sheet, where.place
 
 
-def _located(package: Package, part: str, places: set[Place]) -> _Located:
-    shown = first_of_merged(package, part, places)
-    cells = stored_cells(package, part, set(shown.values()))
+def _located(sheet: Element, places: set[Place]) -> _Located:
+    shown = first_of_merged(sheet, places)
+    cells = stored_cells(sheet, set(shown.values()))
     return _Located({place: (at, cells.get(at, EMPTY)) for place, at in shown.items()})
 
 
@@ -275,4 +277,4 @@ def _creator(package: Package) -> str:
 def _of_document(package: Package, kind: str) -> Iterable[Element]:
     parts = (one.part for one in package.related("") if one.kind == kind and package.has(one.part))
     part = next(parts, None)
-    return () if part is None else package.elements(part)
+    return () if part is None else package.root(part).iter()

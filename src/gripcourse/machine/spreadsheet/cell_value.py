@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from typing import Final, TypeAlias
 
-from gripcourse.machine.spreadsheet.package import Package, local
+from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
+from gripcourse.machine.spreadsheet.xml_scan import local
 
 CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timedelta | None
 """What a spreadsheet cell can hold; `date` includes `datetime`."""
@@ -46,7 +47,7 @@ def formats_of(package: Package, part: str) -> tuple[str, ...]:
 
     declared: dict[str, str] = {}
     used: list[str] = []
-    for element in package.elements(part):
+    for element in package.root(part).iter():
         if local(element) == "numFmt":
             declared[element.get("numFmtId", "")] = element.get("formatCode", "")
         elif local(element) == "cellXfs":
@@ -100,7 +101,7 @@ def counts_from_1904(package: Package, workbook: str) -> bool:
     """Tell whether a workbook counts days from 1904 on, as old ones of a Macintosh do."""
     return any(
         element.get("date1904", "0") in {"1", "true"}
-        for element in package.elements(workbook)
+        for element in package.root(workbook).iter()
         if local(element) == "workbookPr"
     )
 

@@ -1,7 +1,7 @@
 """The parts of a workbook's archive, found as a spreadsheet program finds them: by relationships.
 
-What is not asked for is never unpacked: pictures, charts and pivot tables cost nothing here and
-cannot be damaged.
+Each part is gone through once, and checked on the way. Pictures, charts and pivot tables stay
+packed: they cost nothing here and cannot be damaged.
 """
 
 import posixpath
@@ -10,11 +10,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 from xml.etree.ElementTree import Element, XMLPullParser
+from xml.parsers import expat
+
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+from gripcourse.machine.spreadsheet.xml_scan import RefusedError, XmlScan, local, local_name
 
 _OFFICE_DOCUMENT: Final = "officeDocument"
 _USUAL_WORKBOOK: Final = "xl/workbook.xml"
+_CHUNK: Final = 1 << 16
 # Bytes of XML parsed at a time: the parser looks through a long attribute again with each portion.
 _PORTION: Final = 1 << 20
+_BEFORE_XML: Final = b"\xef\xbb\xbf\xff\xfe\0 \t\r\n"  # byte order marks and white space
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,43 +38,94 @@ class Related:
     part: str
 
 
-@dataclass(frozen=True, slots=True)
 class Package:
-    """An open archive.
+    """An open archive, of which some parts have been read; some packers write other names."""
 
-    Attributes:
-        archive: whose parts were checked.
-        members: names in the archive by what they mean: slashes forward, letters small.
-    """
-
-    archive: zipfile.ZipFile
-    members: Mapping[str, str]
+    def __init__(self, archive: zipfile.ZipFile, scan: XmlScan) -> None:
+        self._archive = archive
+        self._scan = scan
+        members = archive.infolist()
+        self._members = {part_name(member.filename): member for member in members}
+        self._roots: dict[str, Element] = {}
+        self._seen: set[str] = set()
 
     def has(self, part: str) -> bool:
         """Tell whether there is such a part."""
-        return part.lower() in self.members
+        return part.lower() in self._members
 
-    def content(self, part: str) -> bytes:
-        """Unpack a part.
+    def root(self, part: str) -> Element:
+        """Return the tree of a short part, which is kept: it may be asked for again.
 
         Raises:
             KeyError: there is no such part.
+            Exception: whatever the bytes make a library raise.
         """
-        return self.archive.read(self.members[part.lower()])
+        if part not in self._roots:
+            self._roots[part] = self.tree(part)
+        return self._roots[part]
+
+    def tree(self, part: str) -> Element:
+        """Return the tree of a part that nobody else reads. Errors: as above."""
+        return self._scan.root(self._content(part))
 
     def elements(self, part: str) -> Iterator[Element]:
-        """Yield the elements of a part as they end; who has read one may clear it.
+        """Yield the elements of a long part as they end; who has read one may clear it.
 
         Raises:
-            KeyError: there is no such part.
+            KeyError, Exception: as above.
         """
-        content = memoryview(self.content(part))
+        whole = self._content(part)
+        self._scan.check(whole)
+        content = memoryview(whole)
         parser: XMLPullParser[Element] = XMLPullParser(("end",))
         for start in range(0, len(content), _PORTION):
             parser.feed(content[start : start + _PORTION])
             yield from _ended(parser)
         parser.close()
         yield from _ended(parser)
+
+    def _content(self, part: str) -> bytes:
+        """Return the content of a part that nobody has read: none has two purposes."""
+        name = part.lower()
+        member = self._members[name]
+        if name in self._seen:
+            raise ValueError(part)
+        self._seen.add(name)
+        return self._unpacked(member)
+
+    def check_others(self) -> None:
+        """Check every part that nobody has read, in the order of the archive.
+
+        Raises:
+            RefusedError: one holds what must not be read, or no sound XML.
+            Exception: what `zipfile` raises of damaged ones.
+        """
+        for name, member in self._members.items():
+            if name not in self._seen:
+                self._check(member)
+
+    def _check(self, member: zipfile.ZipInfo) -> None:
+        content = self._unpacked(member)
+        try:
+            if content:
+                self._scan.check(content)
+        except (
+            expat.ExpatError,
+            LookupError,
+            UnicodeError,
+        ) as fault:  # the latter two of encodings
+            # The reader would stop at the same place; drawings of comments need not be sound XML.
+            if member.filename.lower().endswith((".xml", ".rels")):
+                raise RefusedError(WhyRefused.INVALID_XML) from fault
+
+    def _unpacked(self, member: zipfile.ZipInfo) -> bytes:
+        """Return a part that is XML, however it is called; nothing of others: they stay packed."""
+        with self._archive.open(member) as stream:
+            beginning = stream.read(_CHUNK)
+            if beginning.lstrip(_BEFORE_XML)[:1] not in {b"<", b""}:
+                return b""
+            self._scan.unpack(member.file_size)
+            return beginning + stream.read()
 
     def related(self, part: str) -> tuple[Related, ...]:
         """Return the parts that a part points to; of the archive itself where it is empty."""
@@ -84,9 +141,23 @@ class Package:
                     "/"
                 ),
             )
-            for one in self.elements(relations)
+            for one in self.root(relations).iter()
             if local(one) == "Relationship" and one.get("TargetMode") != "External"
         )
+
+    def sheets(self, workbook: str) -> Mapping[str, str]:
+        """Return the part of every sheet by its title; of two with one title the first counts."""
+        parts = {
+            one.identifier: one.part
+            for one in self.related(workbook)
+            if one.kind == "worksheet" and self.has(one.part)
+        }
+        sheets: dict[str, str] = {}
+        for element in self.root(workbook).iter():
+            part = parts.get(_attribute(element, "id") or "")
+            if local(element) == "sheet" and part is not None:
+                sheets.setdefault(element.get("name", ""), part)
+        return sheets
 
     def workbook_part(self) -> str:
         """Return the name of the part that lists sheets and names."""
@@ -100,27 +171,12 @@ def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:
         yield element
 
 
-def package_of(archive: zipfile.ZipFile) -> Package:
-    """Return the parts of an archive; some packers write backslashes and capitals."""
-    return Package(archive, {part_name(name): name for name in archive.namelist()})
-
-
 def part_name(member: str) -> str:
     """Return what the name of a member means."""
     return member.replace("\\", "/").lstrip("/").lower()
 
 
-def local(element: Element) -> str:
-    """Return a tag without its namespace; a strict and a usual workbook differ in theirs."""
-    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
-
-
-def attribute(element: Element, name: str) -> str | None:
+def _attribute(element: Element, name: str) -> str | None:
     """Return an attribute by its name in whatever namespace."""
-    found = (value for key, value in element.items() if key.rpartition("}")[2] == name)
+    found = (value for key, value in element.items() if local_name(key) == name)
     return next(found, None)
-
-
-def child(element: Element, name: str) -> Element | None:
-    """Return the first child with a name, None for none."""
-    return next((one for one in element if local(one) == name), None)

@@ -1,23 +1,15 @@
 """The cells of a sheet that names point to, as the file stores them; no other cell is kept."""
 
-import re
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
-from typing import Final, TypeAlias
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import product
+from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
-from gripcourse.machine.spreadsheet.package import Package, attribute, child, local
-
-Place: TypeAlias = tuple[int, int]
-"""Row and column of a cell, from 1."""
-
-LAST_ROW: Final = 1_048_576
-LAST_COLUMN: Final = 16_384
-_CORNER: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
+from gripcourse.machine.spreadsheet.addresses import Place, place_of
+from gripcourse.machine.spreadsheet.xml_scan import local, namespace
 
 
-@dataclass(frozen=True, slots=True)
-class StoredCell:
+class StoredCell(NamedTuple):
     """One cell as it stands in its sheet.
 
     Attributes:
@@ -36,60 +28,26 @@ class StoredCell:
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
-def place_of(reference: str) -> Place | None:
-    """Read an address such as `$C$5`; None where it is none of a sheet."""
-    found = _CORNER.fullmatch(reference)
-    if found is None:
-        return None
-    row, column = int(found[2]), column_number(found[1])
-    return (row, column) if 1 <= row <= LAST_ROW and column <= LAST_COLUMN else None
-
-
-def column_number(letters: str) -> int:
-    """Return the number of a column, from 1."""
-    number = 0
-    for letter in letters.upper():
-        number = number * 26 + ord(letter) - ord("A") + 1
-    return number
-
-
-def address(place: Place) -> str:
-    """Write a place as `C5`."""
-    row, column = place
-    letters = ""
-    while column:
-        column, rest = divmod(column - 1, 26)
-        letters = chr(ord("A") + rest) + letters
-    return f"{letters}{row}"
-
-
-def first_of_merged(package: Package, part: str, places: Collection[Place]) -> dict[Place, Place]:
+def first_of_merged(sheet: Element, places: Collection[Place]) -> dict[Place, Place]:
     """Return for each place the cell that shows there: the first of a merged range, or itself."""
     shown = {place: place for place in places}
-    content = package.content(part)
-    if b"mergeCell" not in content and b"\0" not in content:  # the latter of two-byte letters
-        return shown
-    for element in package.elements(part):
-        if local(element) == "mergeCell":
-            first, _, last = element.get("ref", "").partition(":")
-            one, other = place_of(first), place_of(last or first)
-            if one is not None and other is not None:
-                top, left = min(one[0], other[0]), min(one[1], other[1])
-                bottom, right = max(one[0], other[0]), max(one[1], other[1])
-                inside = (
-                    place
-                    for place in places
-                    if top <= place[0] <= bottom and left <= place[1] <= right
-                )
-                shown |= dict.fromkeys(inside, (top, left))
-        elif local(element) == "row":
-            element.clear()
+    for element in sheet.iter(f"{namespace(sheet)}mergeCell"):
+        first, _, last = element.get("ref", "").partition(":")
+        one, other = place_of(first), place_of(last or first)
+        if one is not None and other is not None:
+            shown |= _first_of(one, other, places)
     return shown
 
 
-def stored_cells(
-    package: Package, part: str, wanted: Collection[Place]
-) -> Mapping[Place, StoredCell]:
+def _first_of(one: Place, other: Place, places: Collection[Place]) -> Mapping[Place, Place]:
+    """Return the first cell of a range for those of some places that are inside it."""
+    rows = range(min(one[0], other[0]), max(one[0], other[0]) + 1)
+    columns = range(min(one[1], other[1]), max(one[1], other[1]) + 1)
+    inside = (place for place in product(rows, columns) if place in places)
+    return dict.fromkeys(inside, (rows[0], columns[0]))
+
+
+def stored_cells(sheet: Element, wanted: Collection[Place]) -> Mapping[Place, StoredCell]:
     """Read the wanted cells of a sheet; those that are not stored are left out.
 
     Raises:
@@ -97,7 +55,7 @@ def stored_cells(
     """
     rows = {row for row, _ in wanted}
     found: dict[Place, StoredCell] = {}
-    for number, row in _rows(package, part):
+    for number, row in _rows(sheet.iter(f"{namespace(sheet)}row")):
         for place, cell in _of_row(row, number) if number in rows else ():
             if place in found:
                 raise ValueError(place)
@@ -106,54 +64,44 @@ def stored_cells(
     return found
 
 
-def all_cells(package: Package, part: str) -> Mapping[int, Mapping[int, StoredCell]]:
-    """Read all cells of a sheet that are stored: by row, then by column."""
+def all_cells(elements: Iterable[Element]) -> Mapping[int, Mapping[int, StoredCell]]:
+    """Read all cells of a long sheet that are stored: by row, then by column.
+
+    Args:
+        elements: of the sheet as they end; its rows are cleared.
+    """
     found: dict[int, dict[int, StoredCell]] = {}
-    for number, row in _rows(package, part):
+    for number, row in _rows(elements):
         for (_, column), cell in _of_row(row, number):
             found.setdefault(number, {})[column] = _stored(cell)
+        row.clear()
     return found
 
 
-def _rows(package: Package, part: str) -> Iterator[tuple[int, Element]]:
-    """Yield the rows of a sheet with their numbers; each is cleared after it was looked at."""
+def _rows(elements: Iterable[Element]) -> Iterator[tuple[int, Element]]:
+    """Yield the rows among the elements of a sheet with their numbers."""
     number = 0
-    for element in package.elements(part):
-        if element.tag.endswith("row") and local(element) == "row":
+    for element in elements:
+        if local(element) == "row":
             number = _whole(element.get("r")) or number + 1
             yield number, element
-            element.clear()
 
 
 def _of_row(row: Element, number: int) -> Iterator[tuple[Place, Element]]:
     """Yield the cells of a row; one that does not say where it is stands beside the last one."""
-    column = 0
+    column, tag = 0, f"{namespace(row)}c"
     for cell in row:
-        if local(cell) == "c":
+        if cell.tag == tag:
             place = place_of(cell.get("r", "")) or (number, column + 1)
             column = place[1]
             yield place, cell
 
 
-def sheets_of(package: Package, workbook: str) -> Mapping[str, str]:
-    """Return the part of every sheet by its title; of two with one title the first counts."""
-    parts = {
-        one.identifier: one.part
-        for one in package.related(workbook)
-        if one.kind == "worksheet" and package.has(one.part)
-    }
-    sheets: dict[str, str] = {}
-    for element in package.elements(workbook):
-        part = parts.get(attribute(element, "id") or "")
-        if local(element) == "sheet" and part is not None:
-            sheets.setdefault(element.get("name", ""), part)
-    return sheets
-
-
 def _stored(cell: Element) -> StoredCell:
+    space = namespace(cell)
     kind = cell.get("t", "n")
-    value, formula = child(cell, "v"), child(cell, "f")
-    inline = child(cell, "is")
+    value, formula = cell.find(f"{space}v"), cell.find(f"{space}f")
+    inline = cell.find(f"{space}is") if kind == "inlineStr" else None
     text = None if value is None else value.text
     if kind == "inlineStr":
         text = None if inline is None else text_of(inline)
@@ -167,18 +115,23 @@ def _stored(cell: Element) -> StoredCell:
 
 def text_of(item: Element) -> str:
     """Join the pieces of a text; how it is pronounced is not part of it."""
-    pieces = [item, *(one for one in item if local(one) == "r")]
-    texts = (one.text or "" for piece in pieces for one in piece if local(one) == "t")
-    return "".join(texts)
+    space = namespace(item)
+    pieces = [item, *item.findall(f"{space}r")]
+    return "".join(one.text or "" for piece in pieces for one in piece.findall(f"{space}t"))
 
 
 def shared_texts(
-    package: Package, part: str, wanted: Collection[int] | None = None
+    elements: Iterable[Element], wanted: Collection[int] | None = None
 ) -> Mapping[int, str]:
-    """Read the wanted items of the table of shared texts; all where None."""
+    """Read the wanted items of the table of shared texts; all where None.
+
+    Args:
+        elements: of the table; its items are cleared.
+        wanted: numbers of items.
+    """
     found: dict[int, str] = {}
     number = 0
-    for element in package.elements(part):
+    for element in elements:
         if local(element) == "si":
             if wanted is None or number in wanted:
                 found[number] = text_of(element)

@@ -1,0 +1,185 @@
+"""The XML of an archive, checked against bounds while it is parsed."""
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+from xml.etree.ElementTree import Element, TreeBuilder, XMLParser
+from xml.parsers import expat
+
+from gripcourse.machine.spreadsheet.addresses import column_number
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
+
+MOST_SHEETS: Final = 100
+DEEPEST: Final = 100  # elements inside each other; office programs stay below 20
+MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that a range covers
+MOST_RANGES: Final = 5_000
+MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
+
+_RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
+_COUNTED: Final = _RANGES | {"sheet", "Relationship"}
+_CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
+
+
+class RefusedError(Exception):
+    """A file that must not be read any further.
+
+    Attributes:
+        reason: for the person who sent it.
+    """
+
+    def __init__(self, reason: WhyRefused) -> None:
+        self.reason = reason
+        super().__init__(reason)
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """What a file may hold.
+
+    Attributes:
+        part, total: bytes of XML, unpacked, by the sizes that the archive declares.
+        elements: of XML.
+    """
+
+    part: int
+    total: int
+    elements: int
+
+
+class XmlScan:
+    """What was seen of an archive's XML so far; it changes, because a parser calls back."""
+
+    def __init__(self, bounds: Bounds) -> None:
+        self._bounds = bounds
+        self._elements = 0
+        self._unpacked = 0
+        self._seen: Counter[str] = Counter()
+
+    def unpack(self, size: int) -> None:
+        """Count the declared size of a part, which `zipfile` never unpacks beyond.
+
+        Pictures are not counted: nothing but XML is ever unpacked.
+
+        Raises:
+            RefusedError: it is too much.
+        """
+        self._unpacked += size
+        if size > self._bounds.part or self._unpacked > self._bounds.total:
+            raise RefusedError(WhyRefused.TOO_LARGE)
+
+    def check(self, content: bytes) -> None:
+        """Go through a part that nobody reads; prefixes of it need not mean anything.
+
+        Raises:
+            RefusedError: it holds too much, or what no spreadsheet program writes.
+            expat.ExpatError, LookupError, UnicodeError: it is no sound XML.
+        """
+        depth, elements, most = 0, self._elements, self._bounds.elements
+
+        def enter(element: str, attributes: dict[str, str]) -> None:
+            nonlocal depth, elements
+            depth += 1
+            elements += 1
+            if depth > DEEPEST:
+                raise RefusedError(WhyRefused.FOREIGN_CONTENT)
+            if elements > most:
+                raise RefusedError(WhyRefused.TOO_LARGE)
+            name = element.rpartition(":")[2] if ":" in element else element
+            if name in _COUNTED:
+                self._count_one(name, attributes)
+
+        def leave(_element: str) -> None:
+            nonlocal depth
+            depth -= 1
+
+        parser = expat.ParserCreate()
+        parser.StartElementHandler = enter
+        parser.EndElementHandler = leave
+        parser.StartDoctypeDeclHandler = _refuse_declarations
+        # In one piece: with each further one the parser looks through a long attribute again.
+        parser.Parse(content, True)
+        self._elements = elements
+
+    def root(self, content: bytes) -> Element:
+        """Check a part and return its tree.
+
+        The tree is looked at when it is there, which is faster than looking at each element while
+        it is made; what may have too many elements is gone through before.
+
+        Raises:
+            RefusedError: as above.
+            Exception: what the parser raises of unsound XML.
+        """
+        left = self._bounds.elements - self._elements
+        if content.count(b"<") > left:  # each element begins with this byte in every encoding
+            XmlScan(replace(self._bounds, elements=left)).check(content)
+        parser: XMLParser[Element] = XMLParser(target=_Builder())  # noqa: S314 (checked)
+        parser.feed(content)
+        root: Element = parser.close()
+        level, depth, tags = [root], 0, {root.tag}
+        while level:
+            depth += 1
+            self._elements += len(level)
+            if depth > DEEPEST:
+                raise RefusedError(WhyRefused.FOREIGN_CONTENT)
+            if self._elements > self._bounds.elements:
+                raise RefusedError(WhyRefused.TOO_LARGE)
+            level = [inner for element in level for inner in element]
+            tags |= {element.tag for element in level}
+        for tag in tags:
+            if local_name(tag) in _COUNTED:
+                for element in root.iter(tag):
+                    self._count_one(local_name(tag), element.attrib)
+        return root
+
+    def _count_one(self, name: str, attributes: Mapping[str, str]) -> None:
+        if name == "sheet":
+            self._count("sheet", 1, MOST_SHEETS, WhyRefused.TOO_LARGE)
+        elif name == "Relationship":
+            self._count("relation", 1, MOST_RELATIONS, WhyRefused.TOO_LARGE)
+        else:
+            covered = _covered(attributes.get("ref", ""))
+            self._count("range", 1, MOST_RANGES, WhyRefused.MERGED)
+            self._count("covered", covered, MOST_COVERED, WhyRefused.MERGED)
+
+    def _count(self, what: str, number: int, most: int, reason: WhyRefused) -> None:
+        self._seen[what] += number
+        if self._seen[what] > most:
+            raise RefusedError(reason)
+
+
+class _Builder(TreeBuilder):
+    def doctype(self, *_declaration: object) -> None:
+        _refuse_declarations()
+
+
+def namespace(element: Element) -> str:
+    """Return what stands before the names of a part with this root."""
+    space, end, _ = element.tag.rpartition("}")
+    return space + end
+
+
+def local(element: Element) -> str:
+    """Return the tag of an element without its namespace."""
+    return local_name(element.tag)
+
+
+def local_name(name: str) -> str:
+    """Return a name without its namespace; a strict and a usual workbook differ in theirs."""
+    return name.rpartition("}")[2]
+
+
+def _refuse_declarations(*_declaration: object) -> None:
+    raise RefusedError(WhyRefused.FOREIGN_CONTENT)
+
+
+def _covered(reference: str) -> int:
+    """Return how many cells a range covers; whole columns and rows are more than any limit."""
+    found = _CORNERS.fullmatch(reference)
+    if found is None:
+        return MOST_COVERED + 1 if reference else 0
+    left, top, right, bottom = found.groups()
+    columns = abs(column_number(right or left) - column_number(left)) + 1
+    return columns * (abs(int(bottom or top) - int(top)) + 1)
