@@ -14,6 +14,7 @@ from gripcourse.course.model import Course, WorkedExample
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
+from support.by_folder import ByFolder, dear_first, is_shared
 from support.classroom import classroom, issued
 
 REPOSITORY = Path(__file__).parents[1]
@@ -35,6 +36,18 @@ def pytest_collection_finish() -> None:
     """Keep what is loaded by now, modules and tests, out of every search for garbage."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> ByFolder | None:
+    """Give each process whole folders, where files were asked for."""
+    return ByFolder(config, log) if config.getoption("dist") == "loadfile" else None
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Begin with what takes long, where several processes share the tests."""
+    if is_shared(config):
+        dear_first(items)
 
 
 @pytest.fixture(scope="session")
