@@ -87,7 +87,7 @@ def called(
     title: str, folder: Path, workers: int, address: str, works: int, pids: Sequence[int] = ()
 ) -> dict[str, Any]:
     """Measure in a fresh process, whose memory is its own."""
-    told = [folder, str(workers), address, ",".join(map(str, pids))]
+    told = [str(folder), str(workers), address, ",".join(map(str, pids))]
     command = [sys.executable, __file__, str(works), "--measure", *told]
     done = subprocess.run(command, stdout=subprocess.PIPE, check=True)  # noqa: S603 (this file)
     return {"title": title, **json.loads(done.stdout)}
@@ -97,7 +97,8 @@ def spent(process: psutil.Process) -> float:
     """Return the seconds of the processor that a process and its children have had."""
     times = [one.cpu_times() for one in (process, *process.children(recursive=True))]
     ended = process.cpu_times()
-    return sum(one.user + one.system for one in times) + ended.children_user + ended.children_system
+    own = sum(one.user + one.system for one in times)
+    return float(own + ended.children_user + ended.children_system)
 
 
 def measured(

@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from statistics import median
 from time import perf_counter
+from typing import TYPE_CHECKING
 
-from ezdxf.addons.drawing import Frontend, RenderContext
+from ezdxf.addons.drawing.frontend import Frontend
 from ezdxf.addons.drawing.layout import Page
+from ezdxf.addons.drawing.properties import RenderContext
 from ezdxf.addons.drawing.svg import SVGBackend
 
 from gripcourse.course.load import load_course
@@ -19,6 +21,9 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
 from gripcourse.variants.table import read_table
 
+if TYPE_CHECKING:
+    from gripcourse.variants.model import Variant
+
 RUNS = 7
 
 
@@ -26,7 +31,7 @@ def main() -> None:
     """Draw the first variant of each scheme several times, each way in turn."""
     course = load_course(course_root())
     block = TitleBlock("001 GA", "gripper", "General arrangement", "Student")
-    first = {}
+    first: dict[str, Variant] = {}
     for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
         first.setdefault(variant.scheme, variant)
     times: dict[str, list[float]] = {"make": [], "dxf": [], "svg": [], "ezdxf": []}

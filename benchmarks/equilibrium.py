@@ -106,8 +106,8 @@ def report(mechanism: Mechanism, trials: Sequence[Trial]) -> tuple[int, int]:
             f"{mechanism.id:24} {variants:5d} variants, {compared:6d} compared,"
             f" largest error {worst:.1e}{', FAILS' if said else ''}"
         )
-    for one in said:
-        print(f"    {one.say(Words('en'))}")
+    for problem in said:
+        print(f"    {problem.say(Words('en'))}")
     return compared, len(said)
 
 

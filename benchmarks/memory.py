@@ -127,7 +127,7 @@ def run(folder: Path, size: int) -> None:
     with tempfile.TemporaryDirectory() as name:
         graded = keep(graded, context, f"{name}/gradebook.sqlite", datetime.now(UTC))
         parts.append(f"{peak():.0f} in the gradebook")
-        command.cohort_pdf = cohort_page  # type: ignore[attr-defined]
+        command.cohort_pdf = cohort_page  # type: ignore[assignment,attr-defined]
         day = date(2026, 12, 1)
         out = Path(name) / "out"
         command.write_results(graded, context, out, day, 0, lambda _: None, lay_out=page)

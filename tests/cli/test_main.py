@@ -177,15 +177,16 @@ class TestHappyPaths:
         table, out = tmp_path / "drawn.csv", tmp_path / "audit"
         drawing = ("variants", "draw", "--count", 4, "--seed", 1, "--scheme", "wedge_slide")
         gripcourse(*drawing, "--out", table)
+        certificate = "gripcourse.documents.report.certificate.certificate"
+        monkeypatch.setattr(certificate, lambda *_: b"%PDF of it")  # nobody reads it here
         sound = gripcourse("variants", "audit", "--table", table, "--out", out)
         assert (sound.code, sound.err) == (cli.DONE, "")
         assert "The table keeps all rules." in sound.out
         assert str(out / "certificate.pdf") in sound.out
+        assert (out / "certificate.pdf").read_bytes() == b"%PDF of it"
         head, first, *rest = table.read_text(encoding="utf-8-sig").splitlines()
         twin = ",".join(["twin", *first.split(",")[1:]])
         table.write_text("\n".join([head, first, *rest, twin]) + "\n", encoding="utf-8")
-        certificate = "gripcourse.documents.report.certificate.certificate"
-        monkeypatch.setattr(certificate, lambda *_: b"")  # nobody reads this one
         doubled = gripcourse("variants", "audit", "--table", table, "--out", out)
         assert doubled.code == cli.NEEDS_PERSON
         assert "2 are too near to another variant." in doubled.out

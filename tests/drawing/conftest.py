@@ -1,7 +1,7 @@
 import csv
 from collections import defaultdict
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Protocol
@@ -9,7 +9,7 @@ from typing import Protocol
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.drawing.paper.title_block import TitleBlock
+from gripcourse.drawing.paper.title_block import variant_block
 from gripcourse.drawing.view.general_view import GeneralView, general_view
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
@@ -19,7 +19,9 @@ from gripcourse.variants.table import read_table
 REPOSITORY = Path(__file__).parents[2]
 SHOWN_BY_OPTIONS = ("mounting", "drive")
 SIZES = ("diameter_max [mm]", "object_length [mm]")
-BLOCK = TitleBlock("007 GA", "a gripper", "General arrangement", "Somebody")
+# The longest that a sheet must hold: who it fits, everybody fits.
+LONG = "Константинопольская-Задунайская Александра Максимилиановна Я."
+GROUP = "Група РТ-41мп, Національний технічний університет «Київський політехнічний інститут»"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +83,7 @@ def smallest() -> Mapping[str, str]:
 
 @pytest.fixture(scope="session")
 def draw(course: Course) -> Draw:
-    """Draw a variant; a drawing in a language is made once."""
+    """Draw a variant with long names on its sheet; a drawing in a language is made once."""
     table = read_table(course.root / "variants" / "tables" / "main.csv", course)
     variants = {one.id: one for one in table}
 
@@ -91,7 +93,10 @@ def draw(course: Course) -> Draw:
         plan = make_plan(course, variant.scheme, variant.options)
         values = solve_variant(plan, variant.given)
         assert plan.scheme.view is not None
-        made = general_view(plan, plan.scheme.view, values, BLOCK, Words(language))
+        words = Words(language)
+        own = variant_block(plan, identifier, LONG, words)
+        block = replace(own, checked=LONG, organisation=GROUP)
+        made = general_view(plan, plan.scheme.view, values, block, words)
         return Drawn(plan, values, made)
 
     return drawn

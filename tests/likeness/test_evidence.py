@@ -1,6 +1,8 @@
 """Who copied is told with its odds; who did not is left alone."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,10 +41,26 @@ def test_nobody_is_told_even_at_even_odds(school: "School") -> None:
     assert find_evidence(school.honest(4), school.issued, LikenessRule(1.0, 3, 3)) == ()
 
 
+@pytest.fixture(scope="module")
+def copied(school: "School") -> Callable[[float], tuple[tuple[Evidence, ...], Mapping[str, str]]]:
+    """Let a quarter copy a share of the answers: what is found, and who copied from whom."""
+
+    @cache
+    def find(share: float) -> tuple[tuple[Evidence, ...], Mapping[str, str]]:
+        works, sources = school.copying(5, share, 0.25)
+        return find_evidence(works, school.issued, RULE), sources
+
+    return find
+
+
 @pytest.mark.parametrize(("share", "least"), [(1.0, 0.99), (0.8, 0.99), (0.5, 0.95)])
-def test_who_copied_is_told_with_the_source(school: "School", share: float, least: float) -> None:
-    works, sources = school.copying(5, share, 0.25)
-    alike = told(find_evidence(works, school.issued, RULE))
+def test_who_copied_is_told_with_the_source(
+    copied: Callable[[float], tuple[tuple[Evidence, ...], Mapping[str, str]]],
+    share: float,
+    least: float,
+) -> None:
+    evidence, sources = copied(share)
+    alike = told(evidence)
     found = sum(source in alike.get(student, set()) for student, source in sources.items())
     assert len(sources) > 50
     assert found >= least * len(sources)
@@ -60,9 +78,10 @@ def test_copies_with_every_number_moved_a_little_are_told(school: "School") -> N
     assert set(alike) <= set(sources) | set(sources.values())
 
 
-def test_whose_work_was_copied_is_told_as_owner(school: "School") -> None:
-    works, sources = school.copying(5, 1.0, 0.25)
-    found = find_evidence(works, school.issued, RULE)
+def test_whose_work_was_copied_is_told_as_owner(
+    copied: Callable[[float], tuple[tuple[Evidence, ...], Mapping[str, str]]],
+) -> None:
+    found, sources = copied(1.0)
     taken = {one.students for one in found if one.kind is NumberKind.OTHER_VARIANT}
     suspected = {
         (one.students[0], other)

@@ -31,20 +31,17 @@ def test_it_is_put_back_after_a_failure(changed: Change) -> None:
     assert settings() == before
 
 
-@pytest.mark.parametrize("changed", BOTH)
-def test_two_threads_do_not_put_back_each_others_changes(
-    changed: Change,
-) -> None:
+def test_two_threads_do_not_put_back_each_others_warnings() -> None:
     before, inside, leave = settings(), threading.Event(), threading.Event()
 
     def first() -> None:
-        with changed():
+        with without_warnings():
             inside.set()
             leave.wait(10)
 
     def second() -> None:
         inside.wait(10)
-        with changed():
+        with without_warnings():
             pass
 
     threads = [threading.Thread(target=one) for one in (first, second)]
@@ -56,6 +53,25 @@ def test_two_threads_do_not_put_back_each_others_changes(
     leave.set()
     for one in threads:
         one.join(10)
+    assert settings() == before
+
+
+def test_who_wants_few_collections_waits_for_nobody_and_the_last_one_puts_it_back() -> None:
+    before, inside, leave = settings(), threading.Event(), threading.Event()
+
+    def other() -> None:
+        with few_collections():
+            inside.set()
+            leave.wait(10)
+
+    thread = threading.Thread(target=other)
+    with few_collections():
+        changed = settings()
+        thread.start()
+        assert inside.wait(10)
+    assert before != changed == settings()
+    leave.set()
+    thread.join(10)
     assert settings() == before
 
 

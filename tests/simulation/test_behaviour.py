@@ -14,9 +14,9 @@ from gripcourse.simulation.student import Classroom
 
 
 def test_the_same_seed_makes_the_same_cohort(course: Course, policy: Policy, mix: Mix) -> None:
-    one = make_classroom(course, policy, mix, 20, 3)
-    again = make_classroom(course, policy, mix, 20, 3)
-    other = make_classroom(course, policy, mix, 20, 4)
+    one = make_classroom(course, policy, mix, 8, 3)
+    again = make_classroom(course, policy, mix, 8, 3)
+    other = make_classroom(course, policy, mix, 8, 4)
     assert one.behaviours == again.behaviours
     assert one.context.register == again.context.register
     assert one.behaviours != other.behaviours

@@ -4,7 +4,6 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qsl, urlsplit
@@ -27,6 +26,7 @@ from gripcourse.web.checking import make_checkers
 from gripcourse.web.lti import lti_routes
 from gripcourse.web.site import Site
 from support.classroom import KEY, open_classroom
+from support.clock import BEGAN, Clock
 from support.platform import CLAIM, CLIENT_ID, TEACHER, TOOL, StandIn, running
 
 ROSTER = """\
@@ -36,7 +36,6 @@ s02,Шевченко Оксана,РТК-41,oksana@example.org,uk,
 s03,Julia Carter,РТК-42,both@example.org,en,
 s04,Jane Doe,РТК-42,both@example.org,en,
 """
-BEGAN = datetime(2026, 10, 1, 9, 30, tzinfo=UTC)
 PEOPLE: dict[str, dict[str, Any]] = {
     "anna": {f"{CLAIM}lis": {"person_sourcedid": "s01"}, "name": "Anna"},
     "oksana": {"email": "Oksana@Example.org"},
@@ -45,16 +44,6 @@ PEOPLE: dict[str, dict[str, Any]] = {
     "contrary": {f"{CLAIM}lis": {"person_sourcedid": "s01"}, "email": "oksana@example.org"},
     "ray": {"name": "Dr. Ray", f"{CLAIM}roles": [TEACHER]},
 }
-
-
-@dataclass(slots=True)
-class Clock:
-    """A clock that a test may move."""
-
-    now: datetime = BEGAN
-
-    def __call__(self) -> datetime:
-        return self.now
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,8 @@ from gripcourse.policy.model import Policy
 from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.lti import store_of
 from gripcourse.usecases.publish import publish, withdraw
-from support.lti_course import BEGAN, LtiCourse, on_its_first_day, open_lti_course
+from support.clock import BEGAN
+from support.lti_course import LtiCourse, on_its_first_day, open_lti_course
 from support.platform import CLAIM, LINE_ITEM, SCORE
 
 Run = Callable[..., str]

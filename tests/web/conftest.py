@@ -32,19 +32,8 @@ from gripcourse.web.checking import make_checkers
 from gripcourse.web.site import Site
 from gripcourse.workbook.write import write_answer_workbook
 from support.classroom import KEY, Classroom, forget_one_jaw, open_classroom
+from support.clock import BEGAN, Clock
 from support.databases import postgresql_server
-
-BEGAN = datetime(2026, 10, 1, 9, 30, tzinfo=UTC)
-
-
-@dataclass(slots=True)
-class Clock:
-    """A clock that a test may move."""
-
-    now: datetime = BEGAN
-
-    def __call__(self) -> datetime:
-        return self.now
 
 
 @dataclass(frozen=True, slots=True)

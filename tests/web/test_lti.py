@@ -20,7 +20,8 @@ from gripcourse.policy.model import Policy
 from gripcourse.usecases.links import revoke_links
 from gripcourse.usecases.lti import bind, store_of
 from gripcourse.web.serve import Serving, platform_routes
-from support.lti_course import BEGAN, LtiCourse, on_its_first_day, open_lti_course
+from support.clock import BEGAN
+from support.lti_course import LtiCourse, on_its_first_day, open_lti_course
 from support.platform import (
     CLAIM,
     ELSEWHERE_TEACHER,

@@ -1,35 +1,68 @@
-"""Settings of the whole process that are changed for a moment: one thread at a time, and put back.
+"""Settings of the whole process that are changed for a moment, and put back.
 
-What a thread changes, all threads see. So who changes something waits until nobody else has it
-changed: what is put back at the end is then what stood there before, never another's change.
+What a thread changes, all threads see. So what is put back at the end must be what stood there
+before anybody changed it, never another's change. How often garbage is collected is the same for
+all who want it rarely: they may be inside together, for as long as they like, and the last one to
+leave puts it back. Warnings are another's to hear: who silences them waits for who does already,
+and should not take long.
 """
 
 import gc
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from threading import RLock
+from dataclasses import dataclass, field
+from threading import Lock, RLock
 from typing import Final
 
-_CHANGING: Final = RLock()
 _COLLECTOR_THRESHOLD: Final = 100_000
+_SILENCING: Final = RLock()
+
+
+@dataclass(slots=True)
+class _Rarely:
+    """How many want few collections at the moment, and what stood there before the first of them.
+
+    The lock is held only while this changes, so that nobody ever waits for another's work. A
+    process that is forked meanwhile collects rarely for good: that costs memory, no time.
+    """
+
+    users: int = 0
+    before: tuple[int, int, int] = (0, 0, 0)
+    lock: Lock = field(default_factory=Lock)
+
+    def enter(self) -> None:
+        """Collect rarely from now on."""
+        with self.lock:
+            if self.users == 0:
+                self.before = gc.get_threshold()
+                gc.set_threshold(_COLLECTOR_THRESHOLD, *self.before[1:])
+            self.users += 1
+
+    def leave(self) -> None:
+        """Collect as before, unless somebody else still wants it rarely."""
+        with self.lock:
+            self.users -= 1
+            if self.users == 0:
+                gc.set_threshold(*self.before)
+
+
+_RARELY: Final = _Rarely()
 
 
 @contextmanager
 def few_collections() -> Iterator[None]:
     """Collect garbage rarely, where many objects are made that live: 15 % of the time otherwise."""
-    with _CHANGING:
-        before = gc.get_threshold()
-        gc.set_threshold(_COLLECTOR_THRESHOLD, *before[1:])
-        try:
-            yield
-        finally:
-            gc.set_threshold(*before)
+    _RARELY.enter()
+    try:
+        yield
+    finally:
+        _RARELY.leave()
 
 
 @contextmanager
 def without_warnings() -> Iterator[None]:
     """Let a library keep its warnings to itself."""
-    with _CHANGING, warnings.catch_warnings():
+    with _SILENCING, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield

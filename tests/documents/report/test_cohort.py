@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
+from functools import cache
 
 import pytest
 
@@ -20,7 +21,7 @@ from gripcourse.text.words import Words, message
 Change = Callable[..., Report]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def reports(
     perfect: Report, wrong: Change, blank: Change, rejected: Change, long_name: str
 ) -> list[Report]:
@@ -34,7 +35,7 @@ def reports(
     ]
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def printed(
     policy: Policy, course: Course, graded_on: date
 ) -> Callable[[list[Report], str], bytes]:
@@ -42,6 +43,12 @@ def printed(
         return cohort_report(reports, policy, course, Words(language), graded_on)
 
     return make
+
+
+@pytest.fixture(scope="module")
+def printed_in(reports: list[Report], printed: Callable[..., bytes]) -> Callable[[str], bytes]:
+    """The summary of all the reports in a language, laid out once."""
+    return cache(lambda language: printed(reports, language))
 
 
 def test_the_summary_counts_files(reports: list[Report], policy: Policy, course: Course) -> None:
@@ -52,12 +59,11 @@ def test_the_summary_counts_files(reports: list[Report], policy: Policy, course:
 
 
 def test_everybody_is_listed_with_what_was_noticed(
-    reports: list[Report],
-    printed: Callable[..., bytes],
+    printed_in: Callable[[str], bytes],
     text_of: Callable[[bytes], str],
     long_name: str,
 ) -> None:
-    written = text_of(printed(reports, "en"))
+    written = text_of(printed_in("en"))
     for name in ("Иванова Ольга", long_name, '<b>&"Иван', "Сидоров Сидор"):
         assert name.split()[-1] in written
     assert "Given values were changed in the workbook." in written
@@ -149,27 +155,26 @@ def test_what_a_likeness_rests_on_is_named_by_titles(
 
 
 def test_the_plots_can_be_read_as_text(
-    reports: list[Report], printed: Callable[..., bytes], text_of: Callable[[bytes], str]
+    printed_in: Callable[[str], bytes], text_of: Callable[[bytes], str]
 ) -> None:
-    written = text_of(printed(reports, "en"))
+    written = text_of(printed_in("en"))
     assert "score, %" in written
     assert "mean share of the points, %" in written
 
 
 def test_the_same_reports_give_the_same_bytes(
-    reports: list[Report], printed: Callable[..., bytes]
+    reports: list[Report], printed: Callable[..., bytes], printed_in: Callable[[str], bytes]
 ) -> None:
-    assert printed(reports, "uk") == printed(reports, "uk")
+    assert printed(reports, "uk") == printed_in("uk")
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])
 def test_its_fonts_are_in_the_file(
-    reports: list[Report],
-    printed: Callable[..., bytes],
+    printed_in: Callable[[str], bytes],
     embedded_fonts: Callable[[bytes], dict[str, bool]],
     language: str,
 ) -> None:
-    assert all(embedded_fonts(printed(reports, language)).values())
+    assert all(embedded_fonts(printed_in(language)).values())
 
 
 def test_a_cohort_of_which_nothing_could_be_judged_is_reported_too(

@@ -1,6 +1,5 @@
 """What stands in the title block and the parts list of a sheet, whatever it says."""
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
@@ -8,32 +7,20 @@ import pytest
 from gripcourse.drawing.paper.sheet import block_box
 from gripcourse.drawing.paper.strokes import Box, box_of
 from gripcourse.drawing.paper.text import Point, read_text, text_width
-from gripcourse.drawing.paper.title_block import variant_block
-from gripcourse.drawing.view.general_view import general_view
-from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.text.words import LANGUAGES
 
 if TYPE_CHECKING:
     from ezdxf.entities.text import Text
 
     from conftest import Draw
 
-LONG = "Константинопольская-Задунайская Александра Максимилиановна Я."
-GROUP = "Група РТ-41мп, Національний технічний університет «Київський політехнічний інститут»"
-
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_text_of_a_sheet_leaves_its_cell(
     draw: "Draw", small_variant: str, language: str
 ) -> None:
-    drawn = draw(small_variant)
-    view = drawn.plan.scheme.view
-    assert view is not None
-    assert len(LONG) >= 60
-    words = Words(language)
-    block = replace(
-        variant_block(drawn.plan, small_variant, LONG, words), checked=LONG, organisation=GROUP
-    )
-    made = general_view(drawn.plan, view, drawn.values, block, words)
+    """The names on it are as long as names are: of sixty letters and more."""
+    made = draw(small_variant, language).view
     sheet = made.arranged.sheet
     table = block_box(sheet, len(made.rows))
     space = made.document.modelspace()
