@@ -1,12 +1,13 @@
 """The odds that a submission's numbers are those of another student, of the pairs that matter.
 
-Of a cohort's pairs nearly all share nothing that tells. Which ones may reach the odds that are told
-is bounded from what tells alone; only these are weighed, some at a time, so that room is needed for
-the numbers and not for all pairs.
+Of a cohort's pairs nearly all share nothing that tells. Which ones may reach the odds that are
+told follows from what tells alone; only these are weighed, some at a time, so that room is needed
+for the numbers and not for all pairs.
 """
 
 import math
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,8 @@ from gripcourse.likeness.matches import Floats, Ints, Matches
 from gripcourse.likeness.pool import ComparisonPool, SharedMethods
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
+Bits: TypeAlias = NDArray[np.uint8]
+
 _SLACK = 1e-6  # of a logarithm: sums in another order
 _HITS_AT_ONCE = 500_000
 _PAIRS_AT_ONCE = 4_000
@@ -55,7 +58,7 @@ class _Hits:
 def likely_pairs(compared: Comparison, least: float, answers: int) -> Ints:
     """Return the pairs whose odds may reach some, and perhaps a few that do not.
 
-    No number can raise the odds by more than what tells, and what does not tell only lowers them.
+    What does not tell can only lower the odds, so what tells alone is a bound of them.
 
     Args:
         compared: what is compared.
@@ -65,16 +68,23 @@ def likely_pairs(compared: Comparison, least: float, answers: int) -> Ints:
     Returns:
         In their order: row of the submission times owners, plus row of the owner.
     """
+    row, least = compared.pooled.numbers.row, least - _SLACK
     weight = -np.log(compared.chance)
-    row = compared.pooled.numbers.row
     most = np.bincount(row, weight, len(compared.pooled.students))
-    telling = np.flatnonzero((weight > 0) & (most[row] >= least - _SLACK))
+    telling = np.flatnonzero((weight > 0) & (most[row] >= least))
+    mine = _told_bits(compared, np.flatnonzero(weight > 0))
+    theirs = _bits(np.isfinite(compared.found.others.values))
     found = [np.zeros(0, dtype=np.intp)]
     for chosen in _portions(compared, telling):
         number, owner = compared.found.owners(chosen)
         pairs, place = np.unique(row[number] * compared.owners + owner, return_inverse=True)
-        enough = np.bincount(place, weight[number], len(pairs)) >= least - _SLACK
-        found.append(pairs[enough & (np.bincount(place, minlength=len(pairs)) >= answers)])
+        likely = np.bincount(place, weight[number], len(pairs)) >= least
+        likely &= np.bincount(place, minlength=len(pairs)) >= answers
+        of_likely = likely[place]
+        place = (np.cumsum(likely) - 1)[place[of_likely]]
+        pairs, chance = pairs[likely], compared.chance[number[of_likely]]
+        known = _in_common(mine, theirs, *np.divmod(pairs, compared.owners))
+        found.append(pairs[_averaged(place, chance, known) >= least])
     return np.concatenate(found)
 
 
@@ -113,16 +123,49 @@ def _portions(compared: Comparison, numbers: Ints) -> list[Ints]:
     return np.split(numbers, np.flatnonzero(np.diff(portion)) + 1)
 
 
-def _weighed(compared: Comparison, pairs: Ints, answers: int) -> Floats:
-    hits, known = _hits(compared, pairs)
-    total = np.full(len(pairs), -np.inf)
+def _told_bits(compared: Comparison, numbers: Ints) -> Bits:
+    """Return which quantities of each submission have one of some numbers."""
+    pooled = compared.pooled
+    told = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
+    told[pooled.numbers.row[numbers], pooled.numbers.column[numbers]] = True
+    return _bits(told)
+
+
+def _bits(present: NDArray[np.bool_]) -> Bits:
+    """Return each row of truths as bits, eight to a byte."""
+    return np.packbits(present, axis=1)
+
+
+def _in_common(mine: Bits, theirs: Bits, row: Ints, owner: Ints) -> Floats:
+    """Count for pairs how many bits both have."""
+    total = np.zeros(len(row))
+    for byte in range(mine.shape[1]):
+        total += np.bitwise_count(mine[row, byte] & theirs[owner, byte])
+    return total
+
+
+def _averaged(pair: Ints, chance: Floats, known: Floats) -> Floats:
+    """Return the logarithm of the odds of pairs, over all shares that may have been taken.
+
+    Args:
+        pair: (hits,); the pair of each equal number.
+        chance: (hits,); of each without copying.
+        known: (pairs,); how many numbers could have been equal.
+    """
+    total = np.full(len(known), -np.inf)
     for taken in _TAKEN:
         # A number is taken, and then equal; or the student's own, and then equal by chance.
-        gain = np.log((1 - taken) + taken / hits.chance) - math.log(1 - taken)
-        sums = np.bincount(hits.pair, gain, len(pairs))
+        gain = np.log((1 - taken) + taken / chance) - math.log(1 - taken)
+        sums = np.bincount(pair, gain, len(known))
         total = np.logaddexp(total, sums + known * math.log(1 - taken))
+    return total - math.log(len(_TAKEN))
+
+
+def _weighed(compared: Comparison, pairs: Ints, answers: int) -> Floats:
+    hits, known = _hits(compared, pairs)
     telling = np.bincount(hits.pair[hits.chance < 1], minlength=len(pairs))
-    return np.where(telling >= answers, total - math.log(len(_TAKEN)), -np.inf)
+    total = _averaged(hits.pair, hits.chance, known)
+    return np.where(telling >= answers, total, -np.inf)
 
 
 def _hits(compared: Comparison, pairs: Ints) -> tuple[_Hits, Floats]:
