@@ -5,7 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.likeness.matches import ComparedNumbers, last_unit, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import (
+    ComparedNumbers,
+    in_order,
+    last_unit,
+    same_as_issued,
+    same_as_typed,
+)
 
 ROWS, COLUMNS = 6, 3
 SIZES = st.sampled_from([1.0, 1.01, 1.02, 9.99, 10.0, 12.3, -12.3, 250.0, 251.0, 0.05])
@@ -28,7 +34,7 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
     typed: list[list[float]], issued: list[list[float]]
 ) -> None:
     asked, values = numbers(typed), np.array(issued)
-    found = same_as_issued(asked, values)
+    found = same_as_issued(asked, in_order(values))
     expected = {
         (index, owner)
         for index, (column, value, unit) in enumerate(
@@ -37,16 +43,19 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
         for owner in range(ROWS)
         if abs(values[owner, column] - value) <= max(unit, 0.002 * abs(value)) * (1 + 1e-9)
     }
-    assert set(zip(found.number.tolist(), found.owner.tolist(), strict=True)) == expected
+    number, owner = found.owners(np.arange(len(asked.value)))
+    assert set(zip(number.tolist(), owner.tolist(), strict=True)) == expected
+    every, anybody = (one.ravel() for one in np.indices((len(asked.value), ROWS)))
+    same = found.are_same(every, anybody)
+    assert set(zip(every[same].tolist(), anybody[same].tolist(), strict=True)) == expected
 
 
 @given(typed=TABLES)
 def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) -> None:
     asked = numbers(typed)
     found = same_as_typed(asked, ROWS, COLUMNS)
-    pairs = set(zip(found.number.tolist(), found.owner.tolist(), strict=True))
-    for index, owner in pairs:
-        assert owner != asked.row[index]
+    number, owner = found.owners(np.arange(len(asked.value)))
+    pairs = set(zip(number.tolist(), owner.tolist(), strict=True))
     for one in range(len(asked.value)):
         for two in range(len(asked.value)):
             same = asked.column[one] == asked.column[two] and asked.value[one] == asked.value[two]

@@ -157,6 +157,26 @@ class TestResults:
         assert outcome.left_over == (old,)
         assert old.is_file()
 
+    def test_grades_alone_print_nothing_and_are_the_same(
+        self, issued: "Classroom", graded: Path, inbox: Path, tmp_path: Path
+    ) -> None:
+        (tmp_path / "cohort.pdf").write_bytes(b"%PDF-")
+        found = collect([inbox])
+        outcome = write_results(
+            grade(found.files, issued.context, 0, nothing),
+            issued.context,
+            tmp_path,
+            GRADED_ON,
+            0,
+            nothing,
+            passed_over=found.passed_over,
+            lay_out=None,
+        )
+        assert outcome.written == {}
+        assert outcome.left_over == (tmp_path / "cohort.pdf",)
+        for name in ("grades.csv", "grades.json", "files.csv"):
+            assert (tmp_path / name).read_bytes() == (graded / name).read_bytes()
+
     def test_grading_again_gives_the_same_bytes(
         self, issued: "Classroom", inbox: Path, graded: Path, tmp_path: Path
     ) -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import pytest
 from openpyxl import load_workbook
 
+from gripcourse.batch.run import Graded
 from gripcourse.exports.platforms.works import works_of
 from gripcourse.exports.report_result import grades_result
 from gripcourse.gradebook.checks import CheckLedger, take_one
@@ -30,7 +31,7 @@ from gripcourse.usecases.exporting import (
     outbox_folders,
     table_files,
 )
-from gripcourse.usecases.grade import write_grades
+from gripcourse.usecases.grade import write_results
 from gripcourse.usecases.links import PersonalLink, write_links
 from gripcourse.usecases.printing import joined, print_sheets
 from gripcourse.usecases.student_reports import Printing, write_reports
@@ -175,11 +176,14 @@ def test_what_has_names_or_marks_is_for_its_owner_alone(
     linked(issued.register["s01"], out)
     take_one(CheckLedger(out / "ledger", "s01"), 3)
     monkeypatch.setattr("gripcourse.usecases.grade.cohort_pdf", lambda *_: pdf)
-    write_grades([report], issued.context, out / "graded", NOW.date(), 0)
+    graded, day = [Graded(report, "")], NOW.date()
+    write_results(
+        graded, issued.context, out / "graded", day, 0, lambda _: None, lay_out=lambda *_: pdf
+    )
     monkeypatch.setattr("gripcourse.usecases.printing.handout_list", lambda *_: pdf)
     print_sheets([], issued.course, out, out / "print.pdf", NOW.date())
     files = [*files_below(out), *files_below(reports)]
-    assert len(files) == 24
+    assert len(files) == 25
     assert [one for one in files if one.stat().st_mode & EVERYBODY] == []
 
 

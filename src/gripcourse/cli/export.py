@@ -56,8 +56,9 @@ def moodle(
     results = open_results(course_folder(course), grades)
     filled, lacking = moodle_files(results, worksheet, out, feedback)
     said = message(
-        "{count} rows of {file} have a grade: so many Moodle should say that it updated.",
+        "{count} rows of {file} have a grade; Moodle should say that it updated {updates}.",
         count=filled.filled,
+        updates=filled.updates,
         file=str(out),
     )
     confirm(words.say(said))

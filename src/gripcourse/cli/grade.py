@@ -65,6 +65,10 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     ] = None,
     either_version: EitherVersionOption = None,
     afresh: AfreshOption = False,
+    grades_only: Annotated[
+        bool,
+        typer.Option("--grades-only", help="Print no reports: grades and findings alone."),
+    ] = False,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     cluster: ClusterOption = None,
@@ -82,6 +86,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.student_reports import student_pdf
     from gripcourse.usecases.unchanged import open_earlier, versions_of
     from gripcourse.usecases.whose import read_whose
 
@@ -116,6 +121,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             hands,
             lambda _: tick(),
             passed_over=found.passed_over,
+            lay_out=None if grades_only else student_pdf,
             earlier=earlier,
             pool=pool,
         )

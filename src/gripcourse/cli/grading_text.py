@@ -85,8 +85,10 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
             names=", ".join(path.name for path in outcome.left_over),
         )
         lines.append(words.say(said))
-    if outcome.cohort is None:
+    if outcome.cohort is None and not outcome.grades_only:
         lines.append(words.say(message("The report on the batch could not be laid out.")))
+    if outcome.grades_only:
+        lines.append(words.say(message("Nothing was printed, as you said.")))
     if outcome.taken_over.results or outcome.taken_over.reports:
         said = message(
             "Nothing changed for {results} of {files} files and {reports} of {written} reports: "
@@ -99,7 +101,7 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         lines.append(words.say(said))
     incidents = out / INCIDENTS
     for said, place in (
-        (message("Student reports"), out / REPORTS),
+        (message("Student reports"), None if outcome.grades_only else out / REPORTS),
         (message("Cohort summary"), outcome.cohort),
         (message("Grades"), out / GRADES_CSV),
         (message("What became of every file"), out / FILES_CSV),

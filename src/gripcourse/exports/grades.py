@@ -14,6 +14,7 @@ from gripcourse.documents.report.mistakes import mistakes_of
 from gripcourse.documents.report.standing import standing_of
 from gripcourse.documents.report.totals import section_totals
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
+from gripcourse.grading.folded import unfolded
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.scales import Scale, certain_grade
@@ -81,7 +82,7 @@ def grades_text(
         *("slips", "flags", "file"),
     )
     rows = [
-        _row(report, sections, students.get(report.student), called, timed=timed)
+        _row(unfolded(report), sections, students.get(report.student), called, timed=timed)
         for report in reports
     ]
     handed_in = {report.student for report in reports}

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
 from datetime import date, datetime
 from enum import StrEnum
+from functools import cache
 from types import NoneType, UnionType
 from typing import Any, Final, TypeVar, get_args, get_origin, get_type_hints
 
@@ -35,7 +36,7 @@ _ENTRY: Final = re.compile(r"^    (\w[\w, ]*): (.+(?:\n {8}.+)*)", re.MULTILINE)
 def to_plain(value: object) -> Any:  # noqa: ANN401 (whatever JSON can hold)
     """Return a result as dictionaries, lists, texts and numbers that JSON can hold."""
     if is_dataclass(value) and not isinstance(value, type):
-        named = {one.name: to_plain(getattr(value, one.name)) for one in fields(value)}
+        named = {name: to_plain(getattr(value, name)) for name in _names_of(type(value))}
         schema = getattr(value, "SCHEMA", "")
         return {KEY: schema, **named} if schema else named
     if isinstance(value, StrEnum):
@@ -47,6 +48,11 @@ def to_plain(value: object) -> Any:  # noqa: ANN401 (whatever JSON can hold)
     if isinstance(value, tuple):
         return [to_plain(one) for one in value]
     return value
+
+
+@cache
+def _names_of(kind: type[Any]) -> tuple[str, ...]:
+    return tuple(one.name for one in fields(kind))
 
 
 def from_plain(kind: type[Result], plain: object) -> Result:

@@ -3,7 +3,7 @@
 Entries are added, never changed: taking a regrade back is an entry, too.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from itertools import groupby
@@ -198,11 +198,25 @@ def published_works(book: Gradebook) -> frozenset[tuple[str, str]]:
         GradebookError: the database failed.
     """
     told = publications(book)
-    digests = {
-        (one.student, one.number): one.digest
-        for one in (book.attempts({one.student for one in told}) if told else ())
-    }
-    return frozenset((one.student, digests[one.student, one.attempt]) for one in told)
+    return told_works(told, book.attempts({one.student for one in told}) if told else ())
+
+
+def told_works(
+    told: Iterable[Published], attempts: Iterable[Attempt]
+) -> frozenset[tuple[str, str]]:
+    """Return student and digest of each of some students' works that its student was told about.
+
+    Args:
+        told: what students were told.
+        attempts: all attempts of these students.
+    """
+    digests = {(one.student, one.number): one.digest for one in attempts}
+    keys = ((one.student, one.attempt) for one in told)
+    return frozenset(
+        (student, digests[student, number])
+        for student, number in keys
+        if (student, number) in digests
+    )
 
 
 def waivers(book: Gradebook) -> dict[str, tuple[Waiver, ...]]:

@@ -50,11 +50,14 @@ class Gradebook:
         """Where it is, for a person."""
         return without_password(self.engine.url)
 
-    def add_attempts(self, attempts: Sequence[Attempt]) -> tuple[Attempt, ...]:
+    def add_attempts(
+        self, attempts: Sequence[Attempt], known: Sequence[Attempt] | None = None
+    ) -> tuple[Attempt, ...]:
         """Keep attempts; the same bytes with the same results again are no new attempt.
 
         Args:
             attempts: of any students, in the order in which they were graded.
+            known: all attempts of these students, where somebody has just read them.
 
         Returns:
             Those that are new, with their numbers.
@@ -63,9 +66,14 @@ class Gradebook:
             GradebookError: the database failed; nothing was kept.
         """
         students = {one.student for one in attempts}
-        return self.add(
-            lambda: new_attempts(attempts, self.attempts(students), self.undone()), attempt_rows
-        )
+        read = [] if known is None else [known]
+
+        def fresh() -> tuple[Attempt, ...]:
+            # Whoever was faster took the next number: then the primary key makes us read again.
+            before = read.pop() if read else self.attempts(students)
+            return new_attempts(attempts, before, self.undone())
+
+        return self.add(fresh, attempt_rows)
 
     def add_marks(self, marks: Sequence[Mark]) -> tuple[Mark, ...]:
         """Keep marks, all or none; what already counts just so is not kept twice.
@@ -107,8 +115,17 @@ class Gradebook:
                 for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
             )
 
-    def entries(self, students: Collection[str] | None = None) -> tuple[GradebookEntry, ...]:
-        """Return the marks of these students (all where None), oldest first for each item."""
+    def entries(
+        self,
+        students: Collection[str] | None = None,
+        known: Sequence[Attempt] | None = None,
+    ) -> tuple[GradebookEntry, ...]:
+        """Return the marks of these students (all where None), oldest first for each item.
+
+        Args:
+            students: ids.
+            known: all attempts of these students, where somebody has just read them.
+        """
         one, line = schema.marks.c, schema.mark_lines.c
         question = (
             select(schema.marks, line.line, line.credit.label("line_credit"))
@@ -130,8 +147,10 @@ class Gradebook:
                     found, key=lambda row: (row["student"], row["quantity"], row["number"])
                 )
             ]
-        marked = {mark.student for mark in marks}
-        kept = {(one.student, one.number): one for one in self.attempts(marked)}
+        kept = {(one.student, one.number): one for one in known or ()}
+        if any((mark.student, mark.attempt) not in kept for mark in marks):
+            attempts = self.attempts({mark.student for mark in marks})
+            kept = {(one.student, one.number): one for one in attempts}
         return tuple(GradebookEntry(mark, kept[mark.student, mark.attempt]) for mark in marks)
 
     def students_of_either_version(self) -> frozenset[str]:

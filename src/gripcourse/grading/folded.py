@@ -53,3 +53,8 @@ def folded(report: Report) -> Report:
         return report
     findings = tuple(report.findings)
     return replace(report, findings=Folded(zlib.compress(pickle.dumps(findings), 1), len(findings)))
+
+
+def unfolded(report: Report) -> Report:
+    """Return a report whose findings can be looked at many times; see `folded`."""
+    return replace(report, findings=tuple(report.findings))

@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import Floats, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import Floats, Ints, in_order, same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
-from gripcourse.likeness.odds import Compared, compare, rests_on
-from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, where_right_is_shared
+from gripcourse.likeness.odds import Comparison, likely_pairs, log_odds, rests_on
+from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, shared_methods
 from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
@@ -49,66 +49,75 @@ def find_evidence(
         return creators
     pooled = pool(usable, issued)
     chosen = chances or Chances()
-    fits = _fits(pooled, rule, chosen)
+    taken = taken_from_issued(pooled, rule, chosen)
     alike = tuple(same_answers(pooled, rule, chosen))
-    return (
-        *other_variants(pooled, rule, fits),
-        *owners_of_copies(pooled, rule, fits, alike),
-        *creators,
-    )
+    return (*other_variants(pooled, taken), *owners_of_copies(pooled, taken, alike), *creators)
 
 
 @dataclass(frozen=True, slots=True)
-class _Fit:
-    """How well each submission fits each other student's variant: exactly, and moved a little.
+class TakenNumbers:
+    """The submissions that fit another student's variant beyond chance.
 
     Attributes:
-        found: the comparisons of each reach.
-        logs: (submissions, owners); of the odds over both; −∞ for a student's own variant.
+        compared: how they were compared: exactly, and moved a little.
+        row, owner: of each pair, by submission.
+        each: (comparisons, pairs); logarithms of the odds.
+        logs: (pairs,); over all comparisons.
     """
 
-    found: tuple[Compared, ...]
+    compared: tuple[Comparison, ...]
+    row: Ints
+    owner: Ints
+    each: Floats
     logs: Floats
 
 
-def _fits(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> _Fit:
-    found = []
-    present = np.isfinite(pooled.issued.values)
-    for moved in chances.moved:
-        hits = same_as_issued(pooled.numbers, pooled.issued.values, moved)
-        chance = chance_of(pooled, hits, chances)
-        found.append(compare(pooled, hits, chance, present, rule.answers))
+def taken_from_issued(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> TakenNumbers:
+    """Compare all submissions with the right values of all other students' variants."""
+    least, answers = _least(pooled, rule), max(rule.answers, 1)
+    issued = in_order(pooled.issued.values)
+    found = [same_as_issued(pooled.numbers, issued, moved) for moved in chances.moved]
+    compared = tuple(Comparison(pooled, one, chance_of(pooled, one, chances)) for one in found)
+    likely = [likely_pairs(one, least, answers) for one in compared]
+    pairs = np.unique(np.concatenate(likely))
+    row, owner = np.divmod(pairs, len(pooled.issued.owners))
+    other = owner != pooled.own[row]
+    each = np.stack([log_odds(one, pairs[other], answers) for one in compared])
     # Nobody knows beforehand whether numbers were moved: both count alike.
-    logs = np.logaddexp.reduce([one.logs for one in found]) - math.log(len(found))
-    logs[np.arange(len(logs)), pooled.own] = -np.inf
-    return _Fit(tuple(found), logs)
+    logs = np.logaddexp.reduce(each) - math.log(len(compared))
+    told = logs >= least
+    return TakenNumbers(compared, row[other][told], owner[other][told], each[:, told], logs[told])
 
 
-def other_variants(pooled: ComparisonPool, rule: LikenessRule, fits: _Fit) -> Iterator[Evidence]:
+def other_variants(pooled: ComparisonPool, taken: TakenNumbers) -> Iterator[Evidence]:
     """Yield for each submission the variant of another student that it fits beyond chance."""
-    best = np.argmax(fits.logs, axis=1)
-    for row in np.flatnonzero(np.max(fits.logs, axis=1) >= _least(pooled, rule)):
-        students = (pooled.students[row], pooled.issued.owners[best[row]])
-        nearest = max(fits.found, key=lambda one: float(one.logs[row, best[row]]))
-        names = rests_on(pooled, nearest, int(row), int(best[row]))
-        odds = _odds(pooled, float(fits.logs[row, best[row]]))
+    for row in np.unique(taken.row):
+        mine = np.flatnonzero(taken.row == row)
+        best = int(mine[np.argmax(taken.logs[mine])])
+        owner = int(taken.owner[best])
+        nearest = taken.compared[int(np.argmax(taken.each[:, best]))]
+        names = rests_on(nearest, int(row) * nearest.owners + owner)
+        students = (pooled.students[row], pooled.issued.owners[owner])
+        odds = _odds(pooled, float(taken.logs[best]))
         yield Evidence(NumberKind.OTHER_VARIANT, students, odds, names)
 
 
 def owners_of_copies(
-    pooled: ComparisonPool, rule: LikenessRule, fits: _Fit, alike: Iterable[Evidence]
+    pooled: ComparisonPool, taken: TakenNumbers, alike: Iterable[Evidence]
 ) -> Iterator[Evidence]:
     """Tell who has the same answers as another, and whose own they are.
 
     Where the other's numbers are those of this student's variant, and not the other way round,
     this student is the owner and no suspect.
     """
-    told = np.argwhere(fits.logs >= _least(pooled, rule))
-    taken = {(pooled.students[row], pooled.issued.owners[owner]) for row, owner in told}
+    pairs = {
+        (pooled.students[row], pooled.issued.owners[owner])
+        for row, owner in zip(taken.row, taken.owner, strict=True)
+    }
     for one in alike:
         student, *others = one.students
         copies = [
-            other for other in others if (other, student) in taken and (student, other) not in taken
+            other for other in others if (other, student) in pairs and (student, other) not in pairs
         ]
         rest = [other for other in others if other not in copies]
         if copies:
@@ -121,23 +130,23 @@ def same_answers(
     pooled: ComparisonPool, rule: LikenessRule, chances: Chances
 ) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
-    numbers = pooled.numbers
-    present = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
-    present[numbers.row, numbers.column] = True
-    hits = same_as_typed(numbers, *present.shape)
-    alone = chance_of(pooled, hits, chances)
-    # What is explained stays so, whoever else has it.
-    chance = np.maximum(alone, where_right_is_shared(pooled, hits, chances))
-    found = compare(pooled, hits, chance, present, rule.answers)
-    students = np.array(pooled.students)
-    logs = np.where(students[:, None] == students[None, :], -np.inf, found.logs)
-    for row in np.flatnonzero(np.max(logs, axis=1) >= _least(pooled, rule)):
-        told = np.flatnonzero(logs[row] >= _least(pooled, rule))
-        strongest = told[np.argsort(-logs[row, told], kind="stable")]
-        others = dict.fromkeys(pooled.students[one] for one in strongest)
-        names = rests_on(pooled, found, int(row), int(strongest[0]))
-        odds = _odds(pooled, float(logs[row, strongest[0]]))
-        yield Evidence(NumberKind.SAME_ANSWERS, (pooled.students[row], *others), odds, names)
+    least, answers = _least(pooled, rule), max(rule.answers, 1)
+    found = same_as_typed(pooled.numbers, len(pooled.students), len(pooled.issued.quantities))
+    chance = chance_of(pooled, found, chances)
+    compared = Comparison(pooled, found, chance, shared_methods(pooled, chances))
+    pairs = likely_pairs(compared, least, answers)
+    row, other = np.divmod(pairs, len(pooled.students))
+    pairs = pairs[pooled.own[row] != pooled.own[other]]
+    logs = log_odds(compared, pairs, answers)
+    pairs, logs = pairs[logs >= least], logs[logs >= least]
+    row, other = np.divmod(pairs, len(pooled.students))
+    for one in np.unique(row):
+        mine = np.flatnonzero(row == one)
+        strongest = mine[np.argsort(-logs[mine], kind="stable")]
+        others = dict.fromkeys(pooled.students[place] for place in other[strongest])
+        names = rests_on(compared, int(pairs[strongest[0]]))
+        odds = _odds(pooled, float(logs[strongest[0]]))
+        yield Evidence(NumberKind.SAME_ANSWERS, (pooled.students[one], *others), odds, names)
 
 
 def same_creators(works: Sequence[ComparedWork], rule: LikenessRule) -> Iterator[Evidence]:

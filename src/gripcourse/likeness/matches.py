@@ -1,6 +1,7 @@
 """Equal numbers among many, found by sorting, and how likely chance makes each.
 
-Rows are submissions, columns quantities. Nothing here compares all with all.
+Rows are submissions, columns quantities. Nothing here compares all with all: what is kept of equal
+numbers is where their run begins and ends, which takes no more room than the numbers themselves.
 """
 
 import math
@@ -36,20 +37,53 @@ class ComparedNumbers:
 
 
 @dataclass(frozen=True, slots=True)
-class Matches:
-    """Pairs of a number and an owner that has the same.
+class OrderedValues:
+    """Numbers that others have, in the order of their size.
 
     Attributes:
-        number: index of the number.
-        owner: row of the owner.
-        share: part of all owners of the quantity that have the same, but for those it is about.
-        window: relative width in which a number counts as the same.
+        values: (owners, quantities); NaN where an owner has none.
+        order: (quantities, owners); owners from the smallest number up, those without one last.
     """
 
-    number: Ints
-    owner: Ints
+    values: Floats
+    order: NDArray[np.int32]
+
+
+@dataclass(frozen=True, slots=True)
+class Matches:
+    """For each typed number the owners that have the same: a run of them in the order of size.
+
+    Attributes:
+        numbers: what was typed.
+        others: where it was looked for.
+        reach: (numbers,); how far the same number may be.
+        first, after: (numbers,); where the run begins, and where it has ended.
+        share: (numbers,); part of all owners of the quantity that have the same, but for those
+            whom the number is about.
+        window: (numbers,); relative width in which a number counts as the same.
+    """
+
+    numbers: ComparedNumbers
+    others: OrderedValues
+    reach: Floats
+    first: Ints
+    after: Ints
     share: Floats
     window: Floats
+
+    def owners(self, chosen: Ints) -> tuple[Ints, Ints]:
+        """Return, for each hit of some numbers, the number and the owner."""
+        count = self.after[chosen] - self.first[chosen]
+        start = np.repeat(self.first[chosen] - np.concatenate(([0], np.cumsum(count)[:-1])), count)
+        number = np.repeat(chosen, count)
+        place = start + np.arange(len(number))
+        return number, self.others.order[self.numbers.column[number], place].astype(np.intp)
+
+    def are_same(self, number: Ints, owner: Ints) -> NDArray[np.bool_]:
+        """Tell of pairs of a number and an owner whether that owner has the same."""
+        theirs = self.others.values[owner, self.numbers.column[number]]
+        value, reach = self.numbers.value[number], self.reach[number]
+        return (theirs >= value - reach) & (theirs <= value + reach)
 
 
 def last_unit(value: Floats, half_unit: Floats) -> Floats:
@@ -58,31 +92,32 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
     return np.minimum(2 * half_unit, third)
 
 
+def in_order(values: Floats) -> OrderedValues:
+    """Order numbers by size: (owners, quantities), NaN where there is none."""
+    return OrderedValues(values, np.argsort(values.T, axis=1, kind="stable").astype(np.int32))
+
+
 def same_as_issued(
-    numbers: ComparedNumbers, values: Floats, moved: float = _OWN_ROUNDING
+    numbers: ComparedNumbers, issued: OrderedValues, moved: float = _OWN_ROUNDING
 ) -> Matches:
     """Find the variants whose right values the numbers are.
 
     Args:
         numbers: to find.
-        values: (owners, quantities), the right ones.
+        issued: the right ones.
         moved: relative; how far a taken number may be from the right one, where that is more than
             one unit of its last digit.
     """
     reach = np.maximum(numbers.unit, moved * np.abs(numbers.value))
-    return _matches(numbers, values, reach * (1 + _SAME), 1)
+    return _matches(numbers, issued, reach * (1 + _SAME), 1)
 
 
 def same_as_typed(numbers: ComparedNumbers, rows: int, columns: int) -> Matches:
-    """Find the submissions in which the same was typed, but for rounding."""
+    """Find the submissions in which the same was typed, but for rounding; its own is among them."""
     values = np.full((rows, columns), math.nan)
     values[numbers.row, numbers.column] = numbers.value
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    found = _matches(numbers, values, reach * (1 + _SAME), 2)  # the pair itself
-    other = numbers.row[found.number] != found.owner
-    return Matches(
-        *(part[other] for part in (found.number, found.owner, found.share, found.window))
-    )
+    return _matches(numbers, in_order(values), reach * (1 + _SAME), 2)  # the pair itself
 
 
 def density(numbers: ComparedNumbers, values: Floats) -> Floats:
@@ -103,30 +138,24 @@ def density(numbers: ComparedNumbers, values: Floats) -> Floats:
     return result
 
 
-def _matches(numbers: ComparedNumbers, values: Floats, reach: Floats, apart: int) -> Matches:
-    """Find for each number the rows of `values` within reach, by binary search.
+def _matches(numbers: ComparedNumbers, others: OrderedValues, reach: Floats, apart: int) -> Matches:
+    """Find for each number the run of owners within reach, by binary search.
 
     Args:
         numbers: to find.
-        values: (owners, quantities).
+        others: where.
         reach: (numbers,); how far a value may be.
         apart: how many of those found do not count as others.
     """
-    found: list[tuple[Ints, Ints, Floats]] = []
+    first = np.zeros(len(numbers.value), dtype=np.intp)
+    after, known = first.copy(), first.copy()
     for column in np.unique(numbers.column):
         mine = np.flatnonzero(numbers.column == column)
-        order = np.argsort(values[:, column], kind="stable")  # NaN last
-        ordered = values[order, column]
-        known = int(np.isfinite(ordered).sum())
-        low = np.searchsorted(ordered[:known], numbers.value[mine] - reach[mine], "left")
-        high = np.searchsorted(ordered[:known], numbers.value[mine] + reach[mine], "right")
-        count = high - low
-        first = np.repeat(low - np.concatenate(([0], np.cumsum(count)[:-1])), count)
-        owner = order[first + np.arange(count.sum())]
-        share = np.repeat(np.maximum(count - apart, 0) / max(known, 1), count)
-        found.append((np.repeat(mine, count), owner, share))
-    if not found:
-        nothing = np.zeros(0, dtype=np.intp)
-        return Matches(nothing, nothing, np.zeros(0), np.zeros(0))
-    number, owner, share = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    return Matches(number, owner, share, 2 * (reach / np.abs(numbers.value))[number])
+        ordered = others.values[others.order[column], column]
+        known[mine] = np.isfinite(ordered).sum()
+        ordered = ordered[: known[mine[0]]]
+        first[mine] = np.searchsorted(ordered, numbers.value[mine] - reach[mine], "left")
+        after[mine] = np.searchsorted(ordered, numbers.value[mine] + reach[mine], "right")
+    share = np.maximum(after - first - apart, 0) / np.maximum(known, 1)
+    window = 2 * (reach / np.abs(numbers.value))
+    return Matches(numbers, others, reach, first, after, share, window)

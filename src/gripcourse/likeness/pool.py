@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,7 +26,7 @@ class ComparisonPool:
         students: of the submissions.
         own: row of each submission's student in the table of issued values.
         issued: that table.
-        numbers: what was typed.
+        numbers: what was typed, by submission, then by quantity.
         explained: (numbers,); whether a number says nothing.
         slip: (numbers,); how common its slip is in the cohort; NaN where there is none.
     """
@@ -42,60 +42,89 @@ class ComparisonPool:
 def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values."""
     rows = {student: row for row, student in enumerate(issued.owners)}
+    columns = issued.columns
     kept = [
         (row, one)
         for row, work in enumerate(works)
-        for one in _without_filler(work.numbers)
-        if _is_comparable(one, issued)
+        for one in sorted(
+            (one for one in _without_filler(work.numbers) if _is_comparable(one, columns)),
+            key=lambda one: columns[one.quantity],
+        )
     ]
     typed = [one for _, one in kept]
     return ComparisonPool(
         students=tuple(work.student for work in works),
         own=np.array([rows[work.student] for work in works], dtype=np.intp),
         issued=issued,
-        numbers=_numbers([row for row, _ in kept], typed, issued),
+        numbers=_numbers([row for row, _ in kept], typed, columns),
         explained=np.array([one.explained for one in typed], dtype=np.bool_),
         slip=_slip_shares(typed),
     )
 
 
-def _is_comparable(one: Typed, issued: IssuedValues) -> bool:
+def _is_comparable(one: Typed, columns: Container[str]) -> bool:
     """Tell whether a number can say anything: a nought is nobody's."""
-    return one.quantity in issued.columns and one.value != 0 and math.isfinite(one.value)
+    return one.quantity in columns and one.value != 0 and math.isfinite(one.value)
 
 
-def _numbers(rows: Sequence[int], typed: Sequence[Typed], issued: IssuedValues) -> ComparedNumbers:
+def _numbers(
+    rows: Sequence[int], typed: Sequence[Typed], columns: Mapping[str, int]
+) -> ComparedNumbers:
     value = np.array([one.value for one in typed], dtype=np.float64)
     half = np.array([one.half_unit for one in typed], dtype=np.float64)
     return ComparedNumbers(
         row=np.array(rows, dtype=np.intp),
-        column=np.array([issued.columns[one.quantity] for one in typed], dtype=np.intp),
+        column=np.array([columns[one.quantity] for one in typed], dtype=np.intp),
         value=value,
         unit=last_unit(value, half),
     )
 
 
-def chance_of(pooled: ComparisonPool, hits: Matches, chances: Chances) -> Floats:
-    """Return the probability of each hit without copying: 1 for what is explained."""
-    near = density(pooled.numbers, pooled.issued.values)[hits.number] * hits.window
-    wrong = np.maximum(np.maximum(near, hits.share), chances.least)
-    discrete = pooled.issued.discrete[pooled.numbers.column[hits.number]]
+def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
+    """Return how likely each number meets a certain other one without copying.
+
+    Returns:
+        (numbers,); 1 for what is explained.
+    """
+    near = density(pooled.numbers, pooled.issued.values) * found.window
+    wrong = np.maximum(np.maximum(near, found.share), chances.least)
+    discrete = pooled.issued.discrete[pooled.numbers.column]
     wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)
-    slip = np.maximum(pooled.slip, chances.slip)[hits.number]
+    slip = np.maximum(pooled.slip, chances.slip)
     chance = np.where(np.isnan(slip), wrong, np.maximum(wrong, slip))
-    result: Floats = np.where(pooled.explained[hits.number], 1.0, np.minimum(chance, 1.0))
+    result: Floats = np.where(pooled.explained, 1.0, np.minimum(chance, 1.0))
     return result
 
 
-def where_right_is_shared(pooled: ComparisonPool, hits: Matches, chances: Chances) -> Floats:
-    """Return how likely the same wrong method is, where it gives two students the same number."""
+@dataclass(frozen=True, slots=True)
+class SharedMethods:
+    """How likely two students make the same mistake, where it gives them the same number.
+
+    Attributes:
+        pooled: the numbers.
+        right: (numbers,); the right value of each, for its own student.
+        likely: (numbers,); that another makes the same mistake.
+    """
+
+    pooled: ComparisonPool
+    right: Floats
+    likely: Floats
+
+    def chance(self, number: Ints, owner: Ints) -> Floats:
+        """Return it for pairs of a number and a submission; 0 where they would differ."""
+        pooled = self.pooled
+        theirs = pooled.issued.values[pooled.own[owner], pooled.numbers.column[number]]
+        shared = np.isclose(self.right[number], theirs, rtol=1e-6, atol=0.0)
+        return np.where(shared, self.likely[number], 0.0)
+
+
+def shared_methods(pooled: ComparisonPool, chances: Chances) -> SharedMethods:
+    """Find out how common each mistake is among those who answered its quantity."""
     numbers = pooled.numbers
     right = pooled.issued.values[pooled.own[numbers.row], numbers.column]
-    theirs = pooled.issued.values[pooled.own[hits.owner], numbers.column[hits.number]]
-    shared = np.isclose(right[hits.number], theirs, rtol=1e-6, atol=0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         common = _commonness(numbers.column, numbers.value / right)
-    return np.where(shared, np.maximum(common[hits.number], chances.shared), 0.0)
+    return SharedMethods(pooled, right, np.maximum(common, chances.shared))
 
 
 def _without_filler(numbers: Sequence[Typed]) -> Iterator[Typed]:

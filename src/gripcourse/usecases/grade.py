@@ -1,7 +1,7 @@
 """Grading a batch: files in; reports, grades and what a person must look at out."""
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
@@ -57,11 +57,12 @@ class GradingOutcome:
     Attributes:
         reports: one per file, in order.
         written: the student reports, by file.
-        cohort: the cohort report, None where it could not be laid out.
+        cohort: the cohort report, None where it could not be laid out or nobody wants it.
         needs_person: whether something waits for a person.
         passed_over: files that were found and not looked at.
         left_over: student reports of earlier runs that this one did not renew.
         taken_over: what was neither graded nor printed again.
+        grades_only: whether nobody wanted anything printed.
     """
 
     reports: tuple[Report, ...]
@@ -71,6 +72,7 @@ class GradingOutcome:
     passed_over: tuple[PassedOver, ...] = ()
     left_over: tuple[Path, ...] = ()
     taken_over: TakenOver = field(default_factory=TakenOver)
+    grades_only: bool = False
 
 
 def grade(
@@ -95,7 +97,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     on_done: Callable[[Path], None],
     *,
     passed_over: Sequence[PassedOver] = (),
-    lay_out: LayOut = student_pdf,
+    lay_out: LayOut | None = student_pdf,
     earlier: Earlier | None = None,
     pool: Pool = PROCESSES,
 ) -> GradingOutcome:
@@ -105,15 +107,29 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     is with the cohort report: grades are never lost for it.
 
     What an earlier run printed from the very same is left as it is.
+
+    Args:
+        graded: what is written.
+        context: the course, its policy and the register.
+        out: folder to write to.
+        graded_on: the day that is printed.
+        workers: how many processes lay out reports.
+        on_done: called with each file.
+        passed_over: files that were found and not looked at.
+        lay_out: lays out a student's report; None to print nothing.
+        earlier: what an earlier run left.
+        pool: kind of workers.
     """
     _discard_unfinished(out)
     plain = [one.report for one in graded]
     peers = tuple(shares(plain))
     printing = Printing(context.course, context.policy, graded_on, peers=peers)
     printed = None if earlier is None else earlier.printed
-    outcomes = write_reports(
-        plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
-    )
+    outcomes: Sequence[Written] = [None] * len(plain)
+    if lay_out is not None:
+        outcomes = write_reports(
+            plain, printing, out / REPORTS, workers, on_done, lay_out, printed=printed, pool=pool
+        )
     reports = [_with_incident(*pair) for pair in zip(plain, outcomes, strict=True)]
     written = {
         report.file: path
@@ -126,7 +142,10 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    failed = write_grades(reports, context, out, graded_on, workers, passed_over, printed=printed)
+    write_tables(reports, context, out, passed_over)
+    failed = None
+    if lay_out is not None:
+        failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
     if failed is not None:
         incidents.append(_told(failed, COHORT_PDF))
     if incidents:
@@ -134,67 +153,75 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     else:
         # Those of an earlier run into the same folder have been mended.
         (out / INCIDENTS).unlink(missing_ok=True)
-    cohort = None if failed is not None else out / COHORT_PDF
+    cohort = None if failed is not None or lay_out is None else out / COHORT_PDF
     return GradingOutcome(
         reports=tuple(reports),
         written=written,
         cohort=cohort,
-        needs_person=cohort is None
+        needs_person=failed is not None
         or any(one.flags for one in reports)
         or any(one.needs_person for one in passed_over),
         passed_over=tuple(passed_over),
-        left_over=left_over(out / REPORTS, written.values()),
+        left_over=left_over(out, {*written.values(), *([] if cohort is None else [cohort])}),
         taken_over=TakenOver(
             results=sum(one.taken_over for one in graded),
             reports=sum(isinstance(one, AsItWas) for one in outcomes),
         ),
+        grades_only=lay_out is None,
     )
 
 
-def left_over(folder: Path, written: Iterable[Path]) -> tuple[Path, ...]:
-    """Return the student reports in a folder that this run did not write.
+def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:
+    """Return the reports among the results that this run did not write.
 
     They stay: somebody may grade one student after the other into the same folder. But who is no
     longer in the batch still has a report there, and nobody should take it for today's.
     """
-    return tuple(sorted(set(folder.glob("*.pdf")) - set(written)))
+    found = {*(out / REPORTS).glob("*.pdf"), *out.glob(COHORT_PDF)}
+    return tuple(sorted(found - set(written)))
 
 
-def write_grades(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
+def write_tables(
     reports: Sequence[Report],
     context: GradingContext,
     out: Path,
-    graded_on: date,
-    workers: int = 1,
     passed_over: Sequence[PassedOver] = (),
-    *,
-    printed: PrintedBefore | None = None,
-) -> Lost | None:
-    """Write what concerns the whole batch: grades and all files as CSV and JSON, cohort report.
-
-    Returns:
-        Why the cohort report could not be laid out, None where it was.
-    """
+) -> None:
+    """Write what concerns the whole batch: grades and all files, as CSV and JSON."""
     students = {name: issued.student for name, issued in context.register.items()}
     words = Words(context.course.language)
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
     _write_json(out / GRADES_JSON, reports, words, passed_over)
+
+
+def _print_cohort(
+    reports: Sequence[Report],
+    printing: Printing,
+    path: Path,
+    workers: int,
+    printed: PrintedBefore | None,
+) -> Lost | None:
+    """Print the cohort report.
+
+    Returns:
+        Why it could not be laid out, None where it was.
+    """
     made_from = told_of(*reports) if printed else ""
-    if printed and printed.stands(out / COHORT_PDF, made_from):
+    if printed and printed.stands(path, made_from):
         return None
-    printing = Printing(context.course, context.policy, graded_on)
+    plain = Printing(printing.course, printing.policy, printing.graded_on)
     ((_, pdf),) = run_each(
-        cohort_pdf, [tuple(reports)], printing, workers=min(workers, 1), seconds=printing.seconds
+        cohort_pdf, [tuple(reports)], plain, workers=min(workers, 1), seconds=plain.seconds
     )
     if isinstance(pdf, Lost):
         # An earlier one would say something else than the grades.
-        (out / COHORT_PDF).unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
         return pdf
-    write_bytes(out / COHORT_PDF, pdf, private=True)
+    write_bytes(path, pdf, private=True)
     if printed:
-        printed.note(out / COHORT_PDF, made_from, pdf)
+        printed.note(path, made_from, pdf)
     return None
 
 

@@ -1,27 +1,37 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime
 from types import MappingProxyType
+from typing import Final
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
 from gripcourse.gradebook.apply import as_it_stands, with_marks
 from gripcourse.gradebook.deadlines import Deadline, deadline_of, deadlines_path, read_deadlines
 from gripcourse.gradebook.fingerprint import fingerprints
-from gripcourse.gradebook.journal import published_works, waivers
-from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks
+from gripcourse.gradebook.journal import Published, publications, told_works, waivers
+from gripcourse.gradebook.model import (
+    Attempt,
+    Fingerprints,
+    GradebookEntry,
+    attempt_of,
+    latest_marks,
+)
 from gripcourse.gradebook.store import Gradebook, open_gradebook
-from gripcourse.gradebook.timing import Rules, timings_of
-from gripcourse.gradebook.works import works_of
+from gripcourse.gradebook.timing import Rules, Waiver, timings_of
+from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.usecases.handed_in import HandingTime
 from gripcourse.variants.model import Issued
+
+# Their attempts take some ten kilobytes each.
+_STUDENTS_AT_ONCE: Final = 200
 
 _NO_TIMES: Mapping[str, HandingTime] = MappingProxyType({})
 
@@ -72,53 +82,102 @@ def keep(
         GradebookError: the gradebook cannot be used.
         TableError: the table of deadlines cannot be used.
     """
-    late = context.policy.late
-    deadlines = _deadlines(context)
-    of_course = fingerprints(context.course.root)
-    found = [attempt_of(one.report, now, of_course) for one in graded]
-    attempts = [_timed(one, times.get(one.file)) for one in found if one is not None]
-    if not attempts:
+    places: dict[str, list[int]] = {}
+    for number, one in enumerate(graded):
+        if one.report.student and one.report.digest:
+            places.setdefault(one.report.student, []).append(number)
+    if not places:
         # Nobody's file: a gradebook is not made for nothing.
         return tuple(graded)
+    deadlines = _deadlines(context)
     book = open_gradebook(place)
-    told = published_works(book)
-    students = {one.student for one in attempts}
-    book.add_attempts(_to_add(attempts, told, book))
+    keeping = _Keeping(
+        context=context,
+        book=book,
+        now=now,
+        fingerprints=fingerprints(context.course.root),
+        times=times,
+        deadlines=deadlines,
+        told=publications(book),
+        waived=waivers(book),
+    )
+    kept = list(graded)
+    for students in _portions(list(places)):
+        for student, reports in _kept(keeping, students, places, graded):
+            for number, report in zip(places[student], reports, strict=True):
+                kept[number] = replace(graded[number], report=folded(report))
+    return tuple(kept)
+
+
+@dataclass(frozen=True, slots=True)
+class _Keeping:
+    """What is the same for all students of a batch.
+
+    Attributes:
+        context: the course.
+        book: the gradebook.
+        now: when the batch was graded.
+        fingerprints: of what graded.
+        times: when files were handed in, by name.
+        deadlines: of the course's table.
+        told: what students were told so far.
+        waived: the waivers of each student.
+    """
+
+    context: GradingContext
+    book: Gradebook
+    now: datetime
+    fingerprints: Fingerprints
+    times: Mapping[str, HandingTime]
+    deadlines: tuple[Deadline, ...]
+    told: Sequence[Published]
+    waived: Mapping[str, tuple[Waiver, ...]]
+
+
+def _portions(students: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Part students: what the gradebook knows of all at once is large."""
+    for start in range(0, len(students), _STUDENTS_AT_ONCE):
+        yield students[start : start + _STUDENTS_AT_ONCE]
+
+
+def _kept(
+    keeping: _Keeping,
+    students: Sequence[str],
+    places: Mapping[str, Sequence[int]],
+    graded: Sequence[Graded],
+) -> Iterator[tuple[str, list[Report]]]:
+    """Keep the works of some students; yield their reports as the gradebook says."""
+    book, policy = keeping.book, keeping.context.policy
+    reports = {name: [graded[number].report for number in places[name]] for name in students}
+    found = (
+        attempt_of(report, keeping.now, keeping.fingerprints)
+        for mine in reports.values()
+        for report in mine
+    )
+    attempts = [_timed(one, keeping.times.get(one.file)) for one in found if one is not None]
+    known, undone = book.attempts(students), book.undone()
+    told = told_works(keeping.told, known)
+    before = works_of(one for one in known if one.regrade not in undone)
+    added = book.add_attempts(_to_add(attempts, told, before), known)
+    known = (*known, *added)
     entries: dict[str, list[GradebookEntry]] = defaultdict(list)
-    for entry in book.entries(students):
+    for entry in book.entries(students, known):
         entries[entry.mark.student].append(entry)
-    works = works_of(book.standing(students))
-    stands = {
-        (one.student, one.digest): one.attempt
-        for all_ in works.values()
-        for one in all_
-        if (one.student, one.digest) in told
-    }
-    entered = tuple(
-        replace(one, report=_entered(one.report, stands, entries[one.report.student]))
-        for one in graded
-    )
-    if late is None and context.policy.attempts is None:
-        return entered
-    waived = waivers(book)
-    timings = {
-        (student, digest): timing
-        for student, all_ in works.items()
-        for digest, timing in timings_of(
-            all_,
-            latest_marks(entries[student]),
-            _deadline(context.register.get(student), deadlines, late),
-            waived.get(student, (None,))[-1],
-            Rules(late, context.policy.attempts),
-        ).items()
-    }
-    return tuple(
-        replace(
-            one,
-            report=replace(one.report, timing=timings.get((one.report.student, one.report.digest))),
-        )
-        for one in entered
-    )
+    works = works_of(one for one in known if one.regrade not in undone)
+    for name in students:
+        stands = {one.digest: one.attempt for one in works[name] if (name, one.digest) in told}
+        entered = [_entered(one, stands.get(one.digest), entries[name]) for one in reports[name]]
+        if policy.late is not None or policy.attempts is not None:
+            issued = keeping.context.register.get(name)
+            timings = timings_of(
+                works[name],
+                latest_marks(entries[name]),
+                _deadline(issued, keeping.deadlines, policy.late),
+                keeping.waived.get(name, (None,))[-1],
+                Rules(policy.late, policy.attempts),
+            )
+            entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+        yield name, entered
 
 
 def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
@@ -128,15 +187,12 @@ def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
 
 
 def _to_add(
-    attempts: Sequence[Attempt], told: Container[tuple[str, str]], book: Gradebook
+    attempts: Sequence[Attempt],
+    told: Container[tuple[str, str]],
+    works: Mapping[str, Sequence[StudentWork]],
 ) -> list[Attempt]:
     """Return what is to be kept: of published works nothing but the time that a person says."""
-    published = {one.student for one in attempts if (one.student, one.digest) in told}
-    stands = {
-        (work.student, work.digest): work.attempt
-        for works in works_of(book.standing(published)).values()
-        for work in works
-    }
+    stands = {(one.student, one.digest): one.attempt for all_ in works.values() for one in all_}
     kept: list[Attempt] = []
     for one in attempts:
         key = one.student, one.digest
@@ -169,13 +225,8 @@ def _deadline(
     return deadline_of(issued, deadlines, late.time_zone)
 
 
-def _entered(
-    report: Report,
-    stands: Mapping[tuple[str, str], Attempt],
-    entries: Sequence[GradebookEntry],
-) -> Report:
+def _entered(report: Report, stands: Attempt | None, entries: Sequence[GradebookEntry]) -> Report:
     """Return a report as the gradebook says: what was published stands, marks of persons count."""
-    attempt = stands.get((report.student, report.digest))
-    if attempt is not None and report.judged:
-        report = as_it_stands(report, attempt)
-    return folded(with_marks(report, entries))
+    if stands is not None and report.judged:
+        report = as_it_stands(report, stands)
+    return with_marks(report, entries)

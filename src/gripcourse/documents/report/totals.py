@@ -61,9 +61,11 @@ class PointsSpread:
 
 def section_totals(report: Report) -> dict[str, SectionTotal]:
     """Add up the points of each section of a report, in the order of its findings."""
+    findings: dict[str, list[Finding]] = {}
+    for finding in report.findings:
+        findings.setdefault(finding.section, []).append(finding)
     totals: dict[str, SectionTotal] = {}
-    for section in dict.fromkeys(finding.section for finding in report.findings):
-        inside = [finding for finding in report.findings if finding.section == section]
+    for section, inside in findings.items():
         waiting = [finding for finding in inside if finding.is_open]
         scored = [finding for finding in inside if not finding.is_open]
         totals[section] = SectionTotal(

@@ -23,6 +23,8 @@ _KNOWN: Final = frozenset({*_PERSON, "SIS User ID", "SIS Login ID", "Integration
 _LAST: Final = "Section"
 _ASSIGNMENT: Final = re.compile(r"(?P<title>.*) \((?P<id>\d+)\)")
 _POSSIBLE: Final = "Points Possible"
+_READ_ONLY: Final = "read only"
+_BYTE_ORDER: Final = ("utf-8-sig", "utf-8")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +34,7 @@ class FilledGradebook:
     Attributes:
         content: the file.
         filled: how many rows have new points.
-        notes: works without a row, each with the reason.
+        notes: works without a row, each with the reason, and what Canvas will not take.
     """
 
     content: bytes
@@ -61,6 +63,7 @@ def fill_gradebook(
     people = tuple(_people(table, places))
     matching = match(works, [row for _, row in people], table.file)
     possible = _possible(table, column)
+    notes = (*_locked(table, column), *matching.notes)
     rows: list[list[str]] = []
     filled = 0
     for place, cells in enumerate(table.rows):
@@ -73,7 +76,7 @@ def fill_gradebook(
         if work is not None:
             cell, filled = f"{work.share * (possible or work.total):.2f}", filled + 1
         rows.append([*(text_cell(cells[at]) for at in kept), cell])
-    return FilledGradebook(_written(rows, table), filled, matching.notes)
+    return FilledGradebook(_written(rows, table), filled, notes)
 
 
 def _kept_columns(table: RawTable) -> list[int]:
@@ -88,7 +91,9 @@ def _kept_columns(table: RawTable) -> list[int]:
         )
         remedy = message("Export the gradebook from Canvas and name that file.")
         raise UsageError([Problem(table.file, "", what, remedy)])
-    kept = [*first, "ID", "SIS User ID", "SIS Login ID", _LAST]
+    # Canvas knows the ids of another system only where the login stands among them.
+    others = ["SIS User ID", "SIS Login ID"] if "SIS Login ID" in places else []
+    kept = [*first, "ID", *others, _LAST]
     return [places[one] for one in kept if one in places]
 
 
@@ -134,7 +139,19 @@ def _possible(table: RawTable, column: int) -> float | None:
     return None
 
 
+def _locked(table: RawTable, column: int) -> Iterator[Message]:
+    """Say where Canvas leaves the whole column alone without a word."""
+    if any(cells and _POSSIBLE in cells[0] and _READ_ONLY in cells[column] for cells in table.rows):
+        yield message(
+            "Canvas takes no points for {assignment}: it says that this column is read only.",
+            assignment=table.header[column].strip(),
+        )
+
+
 def _written(rows: Sequence[Sequence[str]], table: RawTable) -> bytes:
     stream = io.StringIO(newline="")
     csv.writer(stream, delimiter=table.separator, lineterminator="\n").writerows(rows)
-    return stream.getvalue().encode(table.encoding, errors="replace")
+    # Canvas knows the heading LastName only where no byte order mark stands before it.
+    marked, plain = _BYTE_ORDER
+    encoding = plain if table.encoding == marked else table.encoding
+    return stream.getvalue().encode(encoding, errors="replace")

@@ -73,7 +73,8 @@ class FilledWorksheet:
 
     Attributes:
         content: the file for Moodle.
-        filled: how many rows have a grade now: so many Moodle should say that it updated.
+        filled: how many rows have a grade now.
+        updates: in how many of them it is another one than before: Moodle counts only these.
         notes: works without a row and rows that were left alone, each with the reason.
         matching: which row is whose.
         worksheet: as it was.
@@ -81,6 +82,7 @@ class FilledWorksheet:
 
     content: bytes
     filled: int
+    updates: int
     notes: tuple[Message, ...]
     matching: Matching
     worksheet: Worksheet
@@ -120,6 +122,7 @@ def fill_worksheet(
     matching = match(works, [row for _, _, row in rows], worksheet.table.file)
     changed: dict[int, tuple[str, ...]] = {}
     notes = list(matching.notes)
+    grade = worksheet.columns[MoodleColumn.GRADE]
     for place, cells, row in rows:
         work = matching.works.get(row.line)
         if work is None:
@@ -131,8 +134,12 @@ def fill_worksheet(
         date = worksheet.columns[MoodleColumn.GRADED_AT]
         if changed[place][date].strip() not in _NONE and not _is_readable(changed[place][date]):
             notes.append(_odd_date(work, row, changed[place][date]))
+    updates = sum(
+        _number(worksheet.table.rows[place][grade]) != _number(cells[grade])
+        for place, cells in changed.items()
+    )
     content = worksheet.table.with_rows(changed)
-    return FilledWorksheet(content, len(changed), tuple(notes), matching, worksheet)
+    return FilledWorksheet(content, len(changed), updates, tuple(notes), matching, worksheet)
 
 
 def _all_columns(header: Sequence[str]) -> dict[str, dict[MoodleColumn, int]]:
@@ -165,13 +172,21 @@ def _maximum(
     written = worksheet.cell(cells, MoodleColumn.MAXIMUM)
     if not written and not worksheet.cell(cells, MoodleColumn.SCALE):
         return work.total
-    try:
-        return float("".join(written.split()).replace(",", "."))
-    except ValueError:
+    maximum = _number(written)
+    if maximum is None:
         what = message("The assignment has a scale of words there, no points.")
         remedy = message("Set the assignment to points in Moodle and export the worksheet again.")
         place = message("row {row}", row=row.line)
-        raise UsageError([Problem(worksheet.table.file, place, what, remedy)]) from None
+        raise UsageError([Problem(worksheet.table.file, place, what, remedy)])
+    return maximum
+
+
+def _number(written: str) -> float | None:
+    """Return a number as Moodle writes it in any language; None for none."""
+    try:
+        return float("".join(written.split()).replace(",", "."))
+    except ValueError:
+        return None
 
 
 def _readable_date(written: str, language: str) -> str:
