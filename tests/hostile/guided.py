@@ -1,4 +1,4 @@
-"""Spoil workbooks where that leads to code that ran for none before: `python guided.py FIRST COUNT`.
+"""Spoil workbooks where that leads to code that did not run before: `guided.py FIRST COUNT`.
 
 A file is told by the numbers that each of its changes was drawn from. One that reaches a new step
 of the reader, from one line to another, becomes a parent of others. Nothing of it is kept from one
@@ -114,14 +114,14 @@ def once_failed() -> tuple[Line, ...]:
 
 def main(first: int, count: int) -> int:
     """Try that many; the exit code tells whether any failed."""
-    failed, known = 0, 0
+    failed, steps = 0, 0
     for line, wrong, known in explore(first, count):
-        failed += bool(wrong)
+        steps, failed = known, failed + bool(wrong)
         if wrong and line not in once_failed():
             with FAILED.open("a", encoding="utf-8") as kept:
                 said = " ".join("; ".join(wrong).split())[:200]
                 kept.write(f"{' '.join(map(str, line))}: {said}\n")
-    sys.stdout.write(f"{count} workbooks by {known} steps of the reader, {failed} failed\n")
+    sys.stdout.write(f"{count} workbooks by {steps} steps of the reader, {failed} failed\n")
     return bool(failed)
 
 

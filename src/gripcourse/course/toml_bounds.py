@@ -1,4 +1,4 @@
-"""How long what a course says may be: a title of ten thousand letters keeps a page busy for long."""
+"""How long what a course says may be: a title of ten thousand letters keeps a page busy."""
 
 from collections.abc import Iterator
 from typing import Final
