@@ -1,7 +1,9 @@
 """A work whose formulas store no results is computed by LibreOffice, or judged by nobody."""
 
 import io
+import re
 import subprocess
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,8 +12,9 @@ from openpyxl import load_workbook
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files
-from gripcourse.batch.second_look import made_by_office
+from gripcourse.batch.second_look import made_by_office, needing
 from gripcourse.course.quantity import Kind
+from gripcourse.grading.model import FlagCode
 from gripcourse.grading.unjudged import rejected_report
 from gripcourse.machine.office import office_command
 from gripcourse.solver.plan import Plan
@@ -40,6 +43,16 @@ def linked(context: GradingContext, plan: Plan, student: str) -> bytes:
     return stream.getvalue()
 
 
+def forged(data: bytes) -> bytes:
+    """Store a seven beside every formula, whatever it comes to."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as source, zipfile.ZipFile(stream, "w") as target:
+        for name in source.namelist():
+            part = source.read(name)
+            target.writestr(name, re.sub(rb"(</f>)<v ?/?>(</v>)?", rb"\1<v>7</v>", part))
+    return stream.getvalue()
+
+
 @pytest.mark.office
 def test_what_stores_no_results_or_has_another_format_is_computed_and_judged(
     context: GradingContext, plan: Plan, tmp_path: Path
@@ -57,14 +70,35 @@ def test_what_stores_no_results_or_has_another_format_is_computed_and_judged(
         capture_output=True,
         timeout=120,
     )
-    graded = grade_files([path, other], replace(context, office=office), 1)
+    lying = tmp_path / "s03.xlsx"
+    lying.write_bytes(forged(linked(context, plan, "s03")))
+    asked = replace(context, office=office, recalculate=True)
+    *graded, forger = grade_files([path, other, lying], asked, 1)
+    [flag] = [one for one in forger.report.flags if one.code is FlagCode.RESULTS_DIFFER]
+    assert "7 → " in str(flag.message)
+    assert not forger.report.unverified
+    assert forger.report.score < forger.report.max_score / 2
     assert [one.report.file for one in graded] == [str(path), str(other)]
     for one in graded:
+        assert FlagCode.RESULTS_DIFFER not in {flag.code for flag in one.report.flags}
         assert one.report.judged
         assert one.report.score == one.report.max_score > 0
     said = [str(one.report.remarks) for one in graded]
     assert "LibreOffice computed" in said[0]
     assert "converted" in said[1]
+
+
+def test_a_work_that_cannot_be_recalculated_is_flagged_where_somebody_asked(
+    context: GradingContext, plan: Plan, tmp_path: Path
+) -> None:
+    path = tmp_path / "s01.xlsx"
+    path.write_bytes(forged(linked(context, plan, "s01")))
+    codes = []
+    for recalculate in (False, True):
+        asked = replace(context, office="true", recalculate=recalculate)
+        (one,) = grade_files([path], asked, 1)
+        codes.append({flag.code for flag in one.report.flags})
+    assert codes[1] - codes[0] == {FlagCode.NOT_RECALCULATED}
 
 
 def test_without_it_nobody_judges_them(context: GradingContext, plan: Plan, tmp_path: Path) -> None:
@@ -79,6 +113,6 @@ def test_without_it_nobody_judges_them(context: GradingContext, plan: Plan, tmp_
 def test_without_the_program_and_for_other_files_nothing_is_made(tmp_path: Path) -> None:
     old = rejected_report(Rejected.because("a.xls", "", WhyRefused.OLD_FORMAT), None)
     damaged = rejected_report(Rejected.because("a.xlsx", "", WhyRefused.DAMAGED), None)
-    files = [tmp_path / "a.xls", tmp_path / "b.xlsx"]
-    assert made_by_office(files, [old, damaged], None, "ru") == {}
+    files = {0: tmp_path / "a.xls"}
+    assert needing([old, damaged], recalculate=True) == (0,)
     assert made_by_office(files, [old, damaged], "true", "ru") == {}

@@ -56,19 +56,19 @@ def _read(box: Box) -> str:
 
 def test_a_symbol_is_italic_with_an_upright_index() -> None:
     assert html(symbol_box("F_тр")) == (
-        '<span class="formula"><i>F</i><sub><span>тр</span></sub></span>'
+        '<span class="formula"><i>F</i><sub>тр</sub></span>'
     )
 
 
-def test_neighbouring_upright_runs_share_one_element() -> None:
+def test_upright_runs_need_no_element_of_their_own() -> None:
     box = typeset(parse("g + g"), NUMBERS, "ru")
-    assert html(box).count("<span") == 2
+    assert html(box).count("<") == 2
 
 
 def test_a_number_never_parts_from_its_unit_nor_from_its_own_digits() -> None:
     written = html(NUMBERS["m"])
     assert "12\u00a0345\u00a0кг" in written
-    assert html(number_box("36,87", "°")) == '<span class="formula"><span>36,87°</span></span>'
+    assert html(number_box("36,87", "°")) == '<span class="formula">36,87°</span>'
 
 
 def test_a_line_breaks_before_a_sign_and_not_after_it() -> None:

@@ -22,6 +22,8 @@ from hostile.small_workbook import (
 )
 
 Parts: TypeAlias = dict[str, bytes]
+Line: TypeAlias = tuple[int, ...]
+"""The numbers from which the changes of a workbook are drawn, in their order."""
 Change: TypeAlias = Callable[[random.Random, Parts], None]
 
 _TAG: Final = re.compile(rb"<[^<>]+>")
@@ -62,6 +64,17 @@ def mutated(seed: int) -> bytes:
         draw.choice(_CHANGES)(draw, parts)
     data = archive(parts, draw.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
     return _spoiled(draw, data) if draw.random() < 0.15 else data
+
+
+def descended(line: Line) -> bytes:
+    """Return a workbook with a change for each number; the last one tells how it is packed, too."""
+    parts = dict(PARTS)
+    for number in line:
+        draw = random.Random(number)  # noqa: S311 (nothing secret)
+        draw.choice(_CHANGES)(draw, parts)
+    draw = random.Random(-line[-1])  # noqa: S311 (as above)
+    data = archive(parts, draw.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
+    return _spoiled(draw, data) if draw.random() < 0.05 else data
 
 
 def _spoiled(draw: random.Random, data: bytes) -> bytes:

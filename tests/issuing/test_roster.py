@@ -182,3 +182,29 @@ def test_an_address_or_a_group_of_two_lines_becomes_one() -> None:
     table = b'student,name,group,email\ns1,Anna,"G\n1","a@b\nBcc: x@y"\n'
     (student,) = read_roster(NamedBytes("roster.csv", table)).students
     assert (student.group, student.email) == ("G 1", "a@b Bcc: x@y")
+
+
+@pytest.mark.parametrize("second", ["\u0455\u043e1", "S\uff4f1", "s\u043e1"])
+def test_ids_that_look_alike_are_refused(tmp_path: Path, second: str) -> None:
+    [(place, said)] = problems_of(write(tmp_path, HEADER, "so1,A,,,,", f"{second},B,,,,"))
+    assert place == "row 3, column student"
+    assert "looks like 'so1' in row 2" in said
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "most"),
+    [
+        ("a,{long},,,,", "name", 200),
+        ("a,B,{long},,,", "group", 100),
+        ("a,B,,{long},,", "email", 254),
+        ("a,B,,,,{long}", "variant", 64),
+    ],
+)
+def test_what_no_page_has_room_for_is_refused(
+    tmp_path: Path, row: str, column: str, most: int
+) -> None:
+    longest = row.format(long="\u0416" * most)
+    assert read_roster(write(tmp_path, HEADER, longest)).students
+    [(place, said)] = problems_of(write(tmp_path, HEADER, row.format(long="\u0416" * 10_000)))
+    assert place == f"row 2, column {column}"
+    assert f"10000 signs; {most} at most" in said

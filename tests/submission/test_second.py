@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 
+import pytest
+
 from gripcourse.machine.content import NamedBytes
 from gripcourse.submission.model import Rejected
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.submission.second import lacks_results, read_again
-from hostile.small_workbook import SHEET, archive, holding, replaced, stored
+from hostile.small_workbook import PARTS, SHEET, archive, holding, replaced, stored
 
 BARE = holding('<c r="E5"><f>E13*2</f></c>')
 COMPUTED = holding('<c r="E5"><f>E13*2</f><v>80</v></c>')
@@ -34,6 +36,34 @@ def test_a_stored_result_is_preferred() -> None:
     again = read(BARE, other)
     assert isinstance(again, RawWorkbook)
     assert again.answers["ratio"].value == 22.9415
+
+
+@pytest.mark.parametrize(
+    ("computed", "others"),
+    [("<v>22.94150001</v>", 0), ("<v>22.95</v>", 1), ("<v>1e999</v>", 1), ("<v></v>", 1)],
+)
+def test_a_result_that_is_not_what_the_formula_gives_is_shown(computed: str, others: int) -> None:
+    sound = archive(PARTS)
+    again = read(sound, replaced(SHEET, "<v>22.9415</v>", computed))
+    assert isinstance(again, RawWorkbook)
+    assert [one.stored.cell for one in again.other_results] == ["1. Расчёт!E7"] * others
+    assert again.answers["ratio"].value == 22.9415
+
+
+def test_an_error_or_a_text_in_place_of_a_number_is_another_result() -> None:
+    old = '<c r="E7"><f>E5/1000</f><v>22.9415</v></c>'
+    for kind, value in (("e", "#DIV/0!"), ("str", "22.9415"), ("b", "1")):
+        made = replaced(SHEET, old, f'<c r="E7" t="{kind}"><v>{value}</v></c>')
+        again = read(archive(PARTS), made)
+        assert isinstance(again, RawWorkbook)
+        assert len(again.other_results) == 1
+    lost = read(replaced(SHEET, old, made_error(old)), archive(PARTS))
+    assert isinstance(lost, RawWorkbook)
+    assert lost.other_results == ()
+
+
+def made_error(cell: str) -> str:
+    return cell.replace("<v>22.9415</v>", "<v>#NAME?</v>").replace('r="E7"', 'r="E7" t="e"')
 
 
 def test_a_file_that_stores_all_is_what_it_was() -> None:

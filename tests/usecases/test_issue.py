@@ -45,6 +45,11 @@ class TestDocuments:
         expected |= {f"{one}/{one}.xlsx" for one in STUDENTS}
         assert set(contents(issued.order.out)) == expected
 
+    def test_what_is_handed_out_is_for_its_owner_alone(self, issued: Classroom) -> None:
+        written = [issued.order.out, *issued.order.out.rglob("*")]
+        assert len(written) == 1 + 3 * 3
+        assert [one for one in written if one.stat().st_mode & 0o077] == []
+
     def test_a_workbook_carries_its_student_the_variant_and_the_signature(
         self, issued: Classroom
     ) -> None:

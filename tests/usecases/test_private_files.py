@@ -57,8 +57,6 @@ FOR_EVERYBODY = {
     "usecases/tolerance.py": "numbers of a policy",
     "usecases/virtual.py": "mistakes of students who do not exist",
     "usecases/init.py": "a new course; its key is made elsewhere",
-    "usecases/handout.py": "what is handed out",
-    "workbook/write.py": "what is handed out",
     "variants/table.py": "a table of variants, without names",
     "simulation/record.py": "what students did who do not exist",
     "simulation/tolerance_policy.py": "a policy",

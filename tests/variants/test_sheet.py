@@ -75,6 +75,7 @@ def test_a_column_without_heading_has_its_letter(position: int) -> None:
         ("t.csv", b"\xff\xfei", "CSV UTF-8"),
         ("t.csv", b"", "is blank"),
         ("t.csv", b'id,m\n1,"60\n', "never closed"),
+        ("t.csv", b"a" + b",a" * 5000 + b"\nb" * 5000, "5001 columns wide"),
         ("t.xlsx", b"no spreadsheet", "save it again as .xlsx"),
         ("t.xlsx", b"", "save it again as .xlsx"),
     ],

@@ -280,6 +280,7 @@ class Course:
         whose: Mapping[str, str] | None = None,
         handed_in: Iterable[str] = (),
         either_version: bool | None = None,
+        recalculate: bool = False,
         workers: int = 0,
         on_done: Callable[[object], None] = nothing,
     ) -> GradesResult:
@@ -296,6 +297,8 @@ class Course:
                 files of which nothing is said have their own time, bytes none.
             either_version: of what was issued anew, whether the version counts that gives more;
                 None as the gradebook says, else the workbook's own version.
+            recalculate: whether LibreOffice computes all formulas, and results that differ are
+                flagged; it needs a worker and takes half a second for each work.
             workers: how many processes, each bounded in time and memory; 0 for none but this one,
                 where a hostile file can take the whole program along.
             on_done: called with each file when it is graded.
@@ -308,7 +311,7 @@ class Course:
         from gripcourse.usecases.grade import batch_result, grade, write_results
         from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
         from gripcourse.usecases.handed_in import handed_in_times
-        from gripcourse.usecases.opening import grading_of
+        from gripcourse.usecases.opening import grading_of, recalculating
         from gripcourse.usecases.whose import read_whose
 
         sources, others = workbooks(files)
@@ -316,6 +319,8 @@ class Course:
         pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
         decided = read_whose(pairs, sources, context.register)
         context = replace(context, whose=decided, either_version=either_version)
+        if recalculate:
+            context = recalculating(context, workers)
         if gradebook is not None:
             check_gradebook(str(gradebook))
             context = with_kept_versions(context, str(gradebook))

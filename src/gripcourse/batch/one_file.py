@@ -14,6 +14,7 @@ from gripcourse.grading.judge import judge
 from gripcourse.grading.made_for import said_of_both, said_of_version, versions_of
 from gripcourse.grading.model import FlagCode, Report
 from gripcourse.grading.path_pattern import PathPattern
+from gripcourse.grading.recalculated import results_flags
 from gripcourse.grading.unjudged import (
     disputed_report,
     is_unreadable,
@@ -31,7 +32,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Identity, Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.submission.second import lacks_results, read_again
+from gripcourse.submission.second import lacks_results, read_again, stores_results
 from gripcourse.variants.model import Issued, Variant
 
 # Compositions of a scheme and options that are remembered: about a megabyte each.
@@ -49,6 +50,7 @@ class GradingContext:
         register: entries by student id, of each student the last version.
         whose: by file, the id of the student who handed it in, where a person says so.
         office: the command that starts LibreOffice, for files that need it; None for none.
+        recalculate: whether it computes all formulas once more, to be compared with what is stored.
         pattern: how paths say whose a file is; None where only platforms' own ways count.
         earlier: what students were issued before that, by student id, oldest first.
         either_version: whether works are judged by every version and the best one counts; None
@@ -61,6 +63,7 @@ class GradingContext:
     register: Mapping[str, Issued]
     whose: Mapping[str, str] = field(default_factory=dict)
     office: str | None = None
+    recalculate: bool = False
     pattern: PathPattern | None = None
     earlier: Mapping[str, tuple[Issued, ...]] = field(default_factory=dict)
     either_version: bool | None = None
@@ -84,9 +87,15 @@ def grade_file(source: Readable, context: GradingContext, made: bytes | None = N
         raw = Rejected.because(file, "", WhyRefused.GONE)
     identity = None if isinstance(raw, Rejected) else raw.identity
     handed_in = handed_in_by(file, identity, context)
-    lacking = isinstance(raw, RawWorkbook) and lacks_results(raw)
-    report = _report(raw, handed_in, context)
-    return replace(report, known_by=handed_in.known_by, lacks_results=lacking)
+    report = replace(_report(raw, handed_in, context), known_by=handed_in.known_by)
+    if isinstance(raw, Rejected):
+        return report
+    return replace(
+        report,
+        flags=(*report.flags, *results_flags(raw.other_results)),
+        lacks_results=lacks_results(raw),
+        unverified=made is None and stores_results(raw),
+    )
 
 
 def handed_in_by(file: str, identity: Identity | None, context: GradingContext) -> HandedIn:

@@ -11,9 +11,10 @@ from gripcourse.batch.doubts import put_in_doubt
 from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
-from gripcourse.batch.second_look import made_by_office, needs_second_look
+from gripcourse.batch.second_look import made_by_office, needing, needs_second_look
 from gripcourse.grading.folded import folded
 from gripcourse.grading.model import Report
+from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, in_order, run_each
@@ -25,6 +26,9 @@ _log = logging.getLogger(__name__)
 
 # A real answer workbook takes 0.02 s and 60 MB; this is for files that are none.
 SECONDS_PER_FILE = 30.0
+# Files that LibreOffice opens in one call: a start for each hundred costs little, and what it makes
+# of ten thousand never lies in memory together.
+_OF_OFFICE = 100
 
 GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
@@ -111,20 +115,28 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
     jobs = run_each(
         _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
     )
-    alone = in_order(_keeping(jobs, files, kept), done)
+    recalculate = job.context.recalculate
+    alone = in_order(_keeping(jobs, files, kept, recalculate=recalculate), done)
     reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
     pairs = enumerate(reports)
     again = ((number, report) for number, report in pairs if report is not alone[number])
-    in_order(_keeping(again, files, kept))
+    in_order(_keeping(again, files, kept, recalculate=recalculate))
     return reports
 
 
 def _keeping(
-    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], kept: KeptReports | None
+    jobs: Iterable[tuple[int, Report | Lost]],
+    files: Sequence[Readable],
+    kept: KeptReports | None,
+    *,
+    recalculate: bool,
 ) -> Iterator[tuple[int, Report | Lost]]:
     """Keep what was found out of files; what failed or needs a second look is tried again."""
     for number, report in jobs:
-        if kept is not None and isinstance(report, Report) and not needs_second_look(report):
+        is_whole = isinstance(report, Report) and not needs_second_look(
+            report, recalculate=recalculate
+        )
+        if kept is not None and isinstance(report, Report) and is_whole:
             kept.keep(files[number], report)
         yield number, folded(report) if isinstance(report, Report) else report
 
@@ -146,20 +158,42 @@ def _looked_at_again(
     pool: Pool,
 ) -> Sequence[Report | Lost]:
     """Grade those files again of which LibreOffice could make more; none without workers."""
-    office = context.office if workers else None
-    made = made_by_office(files, reports, office, context.course.language)
-    pairs = [(files[number], data) for number, data in made.items()]
-    jobs = run_each(
-        _grade_again,
-        pairs,
-        context,
-        workers=min(workers, len(pairs)),
-        seconds=seconds,
-        pool=pool,
-        send=_pair_in_memory,
-    )
-    again = dict(zip(made, in_order(jobs), strict=True))
-    return [again.get(number, report) for number, report in enumerate(reports)]
+    if context.office is None or not workers:
+        return reports
+    numbers = needing(reports, recalculate=context.recalculate)
+    again: dict[int, Report | Lost] = {}
+    for start in range(0, len(numbers), _OF_OFFICE):
+        portion = {number: files[number] for number in numbers[start : start + _OF_OFFICE]}
+        made = made_by_office(portion, reports, context.office, context.course.language)
+        pairs = [(portion[number], data) for number, data in made.items()]
+        jobs = run_each(
+            _grade_again,
+            pairs,
+            context,
+            workers=min(workers, len(pairs)),
+            seconds=seconds,
+            pool=pool,
+            send=_pair_in_memory,
+        )
+        again |= zip(made, in_order(jobs), strict=True)
+    needed = set(numbers)
+    return [
+        _second(report, again.get(number)) if number in needed else report
+        for number, report in enumerate(reports)
+    ]
+
+
+def _second(first: Report | Lost, again: Report | Lost | None) -> Report | Lost:
+    """Choose the second report of a file, if it has one.
+
+    What LibreOffice made may be more than a worker can read: that is no fault of the first reading,
+    but somebody may have wanted it so.
+    """
+    if isinstance(again, Report) or not isinstance(first, Report):
+        return first if again is None else again
+    if first.unverified:
+        return replace(first, flags=(*first.flags, not_recalculated_flag()))
+    return first
 
 
 def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:

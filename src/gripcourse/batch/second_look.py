@@ -1,7 +1,7 @@
-"""Files that our reader alone cannot judge, through LibreOffice in one call for the whole batch."""
+"""Files that our reader alone cannot judge, through LibreOffice in one call for many of them."""
 
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from gripcourse.grading.model import Report
 from gripcourse.jobs.lost import Lost
@@ -12,40 +12,57 @@ from gripcourse.submission.second import OTHER_FORMATS
 Made: TypeAlias = Mapping[int, bytes]
 """What LibreOffice made of files, by their places in a batch."""
 
+_WORKBOOK: Final = ".xlsx"
 
-def made_by_office(
-    files: Sequence[Readable], reports: Sequence[Report | Lost], office: str | None, language: str
-) -> Made:
-    """Let LibreOffice compute or convert the files that need it.
+
+def needs_second_look(report: Report, *, recalculate: bool) -> bool:
+    """Tell whether LibreOffice could make more of a file than our reader alone did.
 
     Args:
-        files: of a batch.
-        reports: of each file, as our reader alone sees it.
-        office: the command that starts LibreOffice; None for none.
+        report: as our reader sees the file.
+        recalculate: whether stored results are to be compared with computed ones.
+    """
+    without = report.lacks_results or report.refusal in OTHER_FORMATS
+    return without or (recalculate and report.unverified)
+
+
+def needing(reports: Sequence[Report | Lost], *, recalculate: bool) -> tuple[int, ...]:
+    """Return the places of the files that LibreOffice is to open; see `needs_second_look`."""
+    return tuple(
+        number
+        for number, report in enumerate(reports)
+        if isinstance(report, Report) and needs_second_look(report, recalculate=recalculate)
+    )
+
+
+def made_by_office(
+    files: Mapping[int, Readable],
+    reports: Sequence[Report | Lost],
+    office: str,
+    language: str,
+) -> Made:
+    """Let LibreOffice compute or convert files.
+
+    Args:
+        files: that need it, by their places in the batch.
+        reports: of every file of the batch, as our reader alone sees it.
+        office: the command that starts LibreOffice.
         language: of the course.
 
     Returns:
-        A workbook for each file that needs it and that LibreOffice could open.
+        A workbook for each file that LibreOffice could open.
     """
-    needed = {
-        number: OTHER_FORMATS.get(report.refusal, ".xlsx")
-        for number, report in enumerate(reports)
-        if isinstance(report, Report) and needs_second_look(report)
-    }
-    if office is None or not needed:
-        return {}
     named = {
-        f"{number}{suffix}": data
-        for number, suffix in needed.items()
-        if (data := _content(files[number])) is not None
+        f"{number}{_suffix(reports[number])}": data
+        for number, file in files.items()
+        if (data := _content(file)) is not None
     }
-    made = converted(named, office, language)
+    made = converted(named, office, language) if named else {}
     return {int(name.partition(".")[0]): data for name, data in made.items()}
 
 
-def needs_second_look(report: Report) -> bool:
-    """Tell whether LibreOffice could make more of a file than our reader alone did."""
-    return report.lacks_results or report.refusal in OTHER_FORMATS
+def _suffix(report: Report | Lost) -> str:
+    return OTHER_FORMATS.get(report.refusal, _WORKBOOK) if isinstance(report, Report) else _WORKBOOK
 
 
 def _content(source: Readable) -> bytes | None:

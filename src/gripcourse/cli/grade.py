@@ -23,6 +23,7 @@ from gripcourse.cli.options import (
     GradebookOption,
     LanguageOption,
     OutOption,
+    RecalculateOption,
     WhoseOption,
     WorkersOption,
     course_folder,
@@ -64,6 +65,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         ),
     ] = None,
     either_version: EitherVersionOption = None,
+    recalculate: RecalculateOption = False,
     afresh: AfreshOption = False,
     grades_only: Annotated[
         bool,
@@ -85,7 +87,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
-    from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.opening import open_grading, recalculating
     from gripcourse.usecases.student_reports import student_pdf
     from gripcourse.usecases.unchanged import open_earlier, versions_of
     from gripcourse.usecases.whose import read_whose
@@ -99,6 +101,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     decided = read_whose(whose or (), files, context.register)
     order = None if pattern is None else path_pattern(pattern, context.register)
     context = replace(context, whose=decided, pattern=order, either_version=either_version)
+    if recalculate:
+        context = recalculating(context, workers)
     times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)

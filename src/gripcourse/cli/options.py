@@ -72,6 +72,12 @@ AfreshOption = Annotated[
     bool,
     typer.Option("--afresh", help="Grade and print also what has not changed since last time."),
 ]
+RecalculateOption = Annotated[
+    bool,
+    typer.Option(
+        "--recalculate", help="Let LibreOffice compute all formulas; flag results that differ."
+    ),
+]
 WhoseOption = Annotated[
     list[str] | None,
     typer.Option(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from gripcourse.course.toml_bounds import shorten_long
 from gripcourse.errors import Problem
 from gripcourse.text.words import Message, message
 
@@ -82,15 +83,18 @@ def toml_values(path: Path, file: str, problems: list[Problem]) -> dict[str, obj
     """
     try:
         text = path.read_text(encoding="utf-8-sig")
-        return tomllib.loads(text)
+        values = tomllib.loads(text)
     except FileNotFoundError:
         what, remedy = message("The file is missing."), message("Write it or restore it.")
         problems.append(Problem(file, "", what, remedy))
     except UnicodeDecodeError:
         what, remedy = message("The file is not UTF-8."), message("Save it as UTF-8.")
         problems.append(Problem(file, "", what, remedy))
-    except tomllib.TOMLDecodeError as fault:
+    except (ValueError, RecursionError) as fault:  # digits or brackets without end, too
         problems.append(toml_problem(file, text, str(fault)))
+    else:
+        shorten_long(values, file, problems)
+        return values
     return None
 
 

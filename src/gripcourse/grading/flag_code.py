@@ -16,10 +16,12 @@ class FlagCode(StrEnum):
     CELLS_MOVED = "cells_moved"  # rows were sorted or inserted; answers were found by their titles
     MARK_OUTDATED = "mark_outdated"
     NOT_JUDGED = "not_judged"
+    NOT_RECALCULATED = "not_recalculated"  # asked for, and LibreOffice could not open the file
     OTHER_VARIANT = "other_variant"
     REGRADE_WAITS = "regrade_waits"  # published; today's course or policy would say otherwise
     REJECTED = "rejected"
     REPORT_INCIDENT = "report_incident"  # the report of a judged submission failed on our side
+    RESULTS_DIFFER = "results_differ"  # formulas store what LibreOffice does not come to
     SAME_ANSWERS = "same_answers"
     SAME_BYTES = "same_bytes"
     SAME_CREATOR = "same_creator"

@@ -198,6 +198,7 @@ class Report:
         refusal: code of the reason why the file cannot be read; empty for none.
         timing: attempts and lateness; None where the policy has no rule for them.
         lacks_results: whether answers are formulas whose results the file does not store.
+        unverified: whether formulas store results that nobody computed once more.
         version: of the student's assignment, that the work was judged by.
         made_for: version that the workbook was made for.
         either_version: whether several versions were tried, of which the best one counts.
@@ -225,6 +226,7 @@ class Report:
     refusal: str = ""
     timing: Timing | None = None
     lacks_results: bool = False
+    unverified: bool = False
     version: int = 1
     made_for: int = 1
     either_version: bool = False

@@ -27,6 +27,11 @@ from gripcourse.variants.model import Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _ID = re.compile(r"[\w-][\w.-]*")
+# Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
+# thousand letters takes half a minute to lay out.
+_LONGEST = {"name": 200, "group": 100, "email": 254, "variant": LONGEST_NAME}
+# Cyrillic letters that look like Latin ones, in small or in capital letters.
+_ALIKE = str.maketrans("авсенһіјкмоԛрѕтухԝԁѵ", "abcehhijkmoqpstyxwdv")
 _PARTS_OF_NAME = ("surname", "first", "patronymic")
 """In the order in which they are printed."""
 
@@ -107,6 +112,7 @@ class _Reader:
         )
         if student.id:
             self._check_id(row, student.id)
+        self._check_lengths(row, student)
         if not student.name:
             column = next(one for one in ("name", *_PARTS_OF_NAME) if one in self.columns)
             self._add(
@@ -122,19 +128,12 @@ class _Reader:
 
     def refuse_doubles(self, students: tuple[Student, ...]) -> None:
         """Record ids and fixed variants that stand in two rows."""
-        ids: dict[str, int] = {}
+        ids: dict[str, tuple[int, str]] = {}
         variants: dict[str, int] = {}
         for row, student in zip(self.sheet.rows, students, strict=True):
-            # Windows and macOS take names that differ in capitals for one folder.
-            key = student.id.casefold()
-            if key and ids.setdefault(key, row.number) != row.number:
-                self._add(
-                    row,
-                    "student",
-                    message("The student '{student}' is in row {row} already.",
-                            student=student.id, row=ids[key]),
-                    message("Give each student one row and an id of their own."),
-                )  # fmt: skip
+            first, other = ids.setdefault(_seen(student.id), (row.number, student.id))
+            if student.id and first != row.number:
+                self._add(row, "student", *_taken(student.id, other, first))
             if student.variant and variants.setdefault(student.variant, row.number) != row.number:
                 self._add(
                     row,
@@ -143,6 +142,22 @@ class _Reader:
                             variant=student.variant, row=variants[student.variant]),
                     message("Fix another one, or leave the cell blank for the next free one."),
                 )  # fmt: skip
+
+    def _check_lengths(self, row: SheetRow, student: Student) -> None:
+        for what, most in _LONGEST.items():
+            count = len(getattr(student, what))
+            if count > most:
+                column = next(one for one in (what, *_PARTS_OF_NAME) if one in self.columns)
+                self._add(
+                    row,
+                    column,
+                    message(
+                        "The cell has {count} signs; {most} at most are read.",
+                        count=count,
+                        most=most,
+                    ),
+                    message("Shorten it."),
+                )
 
     def _check_id(self, row: SheetRow, id_: str) -> None:
         if not _ID.fullmatch(id_) or not is_file_name(id_):
@@ -172,3 +187,33 @@ class _Reader:
     def _add(self, row: SheetRow, id_: str, what: Message, remedy: Message) -> None:
         place = cell_place(row.number, self.columns[id_].name)
         self.problems.append(Problem(self.sheet.file, place, what, remedy))
+
+
+def _seen(id_: str) -> str:
+    """Return what a person or a system sees of an id.
+
+    Windows and macOS take names that differ in capitals for one folder, and nobody tells a Cyrillic
+    letter from a Latin one of the same look.
+    """
+    return unicodedata.normalize("NFKC", id_).casefold().translate(_ALIKE)
+
+
+def _taken(id_: str, other: str, row: int) -> tuple[Message, Message]:
+    """Say that an id is another's already, or looks so."""
+    if id_.casefold() == other.casefold():
+        return (
+            message("The student '{student}' is in row {row} already.", student=id_, row=row),
+            message("Give each student one row and an id of their own."),
+        )
+    return (
+        message(
+            "The id '{student}' looks like '{other}' in row {row}.",
+            student=id_,
+            other=other,
+            row=row,
+        ),
+        message(
+            "Give each student an id that nobody takes for another's; write all ids with Latin "
+            "letters, or all with Cyrillic ones."
+        ),
+    )

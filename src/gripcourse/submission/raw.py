@@ -7,7 +7,7 @@ from gripcourse.machine.spreadsheet.cell_value import CellValue
 from gripcourse.submission.model import Identity
 from gripcourse.text.words import Message
 
-__all__ = ["CellValue", "RawCell", "RawWorkbook"]
+__all__ = ["CellValue", "OtherResult", "RawCell", "RawWorkbook"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +33,19 @@ class RawCell:
 
 
 @dataclass(frozen=True, slots=True)
+class OtherResult:
+    """A formula whose stored result is not what another program computes.
+
+    Attributes:
+        stored: the cell as the file has it.
+        computed: the same cell as the other program saved it.
+    """
+
+    stored: RawCell
+    computed: RawCell
+
+
+@dataclass(frozen=True, slots=True)
 class RawWorkbook:
     """The named cells of a workbook.
 
@@ -45,6 +58,7 @@ class RawWorkbook:
         answers: answer cells, likewise.
         remarks: about the workbook as a whole.
         beside: cells of the columns of answers that no name points to, in rows with a label.
+        other_results: formulas that another program computes otherwise; none where nobody asked.
     """
 
     file: str
@@ -55,3 +69,4 @@ class RawWorkbook:
     answers: Mapping[str, RawCell]
     remarks: tuple[Message, ...]
     beside: tuple[RawCell, ...] = ()
+    other_results: tuple[OtherResult, ...] = ()

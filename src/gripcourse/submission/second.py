@@ -3,13 +3,15 @@
 What the file stores is always preferred: another program may compute otherwise than the student's.
 """
 
+import math
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import PurePath
 from typing import Final
 
 from gripcourse.machine.content import NamedBytes, Readable, shown_name
 from gripcourse.submission.model import Rejected, WhyRefused
-from gripcourse.submission.raw import RawCell, RawWorkbook
+from gripcourse.submission.raw import CellValue, OtherResult, RawCell, RawWorkbook
 from gripcourse.submission.read import read_workbook
 from gripcourse.text.words import message
 
@@ -18,6 +20,9 @@ OTHER_FORMATS: Final = {
     WhyRefused.OPEN_DOCUMENT.value: ".ods",
 }
 """Refused by us, and read by LibreOffice: the code of the refusal and how such files end."""
+
+_ROUNDING: Final = 1e-6
+"""By which share of itself a result may differ between two programs that compute the same."""
 
 _CONVERTED: Final = message(
     "The file is no .xlsx workbook; LibreOffice converted it. Hand in an .xlsx workbook next time."
@@ -31,6 +36,11 @@ _COMPUTED: Final = message(
 def lacks_results(raw: RawWorkbook) -> bool:
     """Tell whether answers are formulas whose results are not stored."""
     return any(_lacks_result(one) for one in (*raw.answers.values(), *raw.beside))
+
+
+def stores_results(raw: RawWorkbook) -> bool:
+    """Tell whether cells that count are formulas whose results are stored: any text can be one."""
+    return any(one.formula and one.value is not None for one in _counting(raw).values())
 
 
 def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
@@ -48,7 +58,8 @@ def read_again(source: Readable, made: bytes) -> RawWorkbook | Rejected:
     if isinstance(again, Rejected):
         return first
     if isinstance(first, RawWorkbook):
-        return _with_results(first, again)
+        others = tuple(_other_results(first, again))
+        return replace(_with_results(first, again), other_results=others)
     if first.code not in OTHER_FORMATS:
         return first
     remarks = (*again.remarks, _CONVERTED)
@@ -70,6 +81,37 @@ def _with_results(first: RawWorkbook, again: RawWorkbook) -> RawWorkbook:
     if (answers, beside) == (first.answers, first.beside):
         return first
     return replace(first, answers=answers, beside=beside, remarks=(*first.remarks, _COMPUTED))
+
+
+def _counting(raw: RawWorkbook) -> dict[str, RawCell]:
+    """Return by their places the cells that a work is judged by."""
+    cells = (*raw.answers.values(), *raw.givens.values(), *raw.beside)
+    return {one.cell: one for one in cells}
+
+
+def _other_results(first: RawWorkbook, again: RawWorkbook) -> Iterator[OtherResult]:
+    """Yield the formulas whose stored results another program does not come to.
+
+    An error that is stored gains nobody anything: programs know different functions.
+    """
+    computed = _counting(again)
+    for place, stored in _counting(first).items():
+        other = computed.get(place)
+        if other is None or not stored.formula or stored.value is None or stored.error:
+            continue
+        if other.error or not _same(stored.value, other.value):
+            yield OtherResult(stored, other)
+
+
+def _same(stored: CellValue, computed: CellValue) -> bool:
+    if isinstance(stored, int | float) and isinstance(computed, int | float):
+        try:
+            return math.isclose(stored, computed, rel_tol=_ROUNDING, abs_tol=_ROUNDING**2)
+        except OverflowError:
+            return stored == computed
+    if isinstance(stored, str) and isinstance(computed, str):
+        return stored.strip() == computed.strip()
+    return stored == computed
 
 
 def _lacks_result(cell: RawCell) -> bool:

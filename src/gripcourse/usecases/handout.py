@@ -11,7 +11,7 @@ from gripcourse.course.model import Course
 from gripcourse.documents.assignment_sheet import assignment_sheet
 from gripcourse.errors import GripcourseError, Problem, system_problem
 from gripcourse.machine.enclosed import file_below
-from gripcourse.machine.files import replacing, write_bytes
+from gripcourse.machine.files import make_private_folder, replacing, write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Message, Words, message
@@ -108,9 +108,12 @@ def issue_one(context: IssuingContext, entry: Issued) -> Handout:
     sheet, workbook = sheet_path(context.out, student), workbook_path(context.out, student)
 
     def write_sheet() -> None:
-        write_bytes(sheet, assignment_sheet(entry, plan, context.policy, context.course, words))
+        make_private_folder(sheet.parent)
+        pdf = assignment_sheet(entry, plan, context.policy, context.course, words)
+        write_bytes(sheet, pdf, private=True)
 
     def write_workbook() -> None:
+        make_private_folder(workbook.parent)
         with replacing(workbook) as temporary:
             write_answer_workbook(temporary, plan, entry, context.course, words)
 

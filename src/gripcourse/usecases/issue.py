@@ -18,7 +18,7 @@ from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.issuing.store import extend_register, read_register
 from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
-from gripcourse.machine.files import discard_unfinished
+from gripcourse.machine.files import discard_unfinished, make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
@@ -114,7 +114,7 @@ def issue_order(
     )
     extend(before, students, variants, terms)  # what is refused makes neither key nor folder
     # Before anything is kept: a folder that cannot be written must not cost a variant.
-    order.out.mkdir(parents=True, exist_ok=True)
+    make_private_folder(order.out)
     if known is None:
         terms = replace(terms, key=make_key(place, terms.key))
     extended = extend_register(

@@ -15,6 +15,7 @@ from gripcourse.issuing.reissue import Correction, reissue
 from gripcourse.issuing.signature import key_of, key_path
 from gripcourse.issuing.store import extend_register, read_register
 from gripcourse.machine.content import Readable
+from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
@@ -81,7 +82,7 @@ def reissue_order(
 
     _refuse_infeasible(course, _fresh(change(before).register, order))
     # Before anything is kept: a folder that cannot be written must not cost a version.
-    order.out.mkdir(parents=True, exist_ok=True)
+    make_private_folder(order.out)
     extended = extend_register(course.root, course.id, change)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
     entries = _fresh(extended.register, order)

@@ -142,7 +142,7 @@ def open_earlier(
     pattern = context.pattern and context.pattern.expression.pattern
     people = sorted(context.register.items()), sorted(context.earlier.items())
     judged_by = context.either_version, sorted(context.either_for)
-    office = context.office if workers else None
+    office = (context.office, context.recalculate) if workers else None
     results = folder / _digest([versions, *map(repr, (people, judged_by, pattern, office))])
     for old in folder.iterdir():
         if old not in {results, folder / _PRINTED}:

@@ -27,6 +27,8 @@ _DELIMITERS = ("\t", ";", ",")
 _ENCODINGS = ("cp1251", "cp866", "koi8_u")
 """In which offices of the course's languages still save text."""
 
+# One far cell makes every row as wide; a table of 100 000 rows has some 50 columns.
+_MOST_CELLS = 10_000_000
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
 _WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
@@ -152,6 +154,16 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
         )
     rows = rows[_heading_row(rows, is_heading) :]
     width = max(_width(row.cells) for row in rows)
+    if width * len(rows) > _MOST_CELLS:
+        raise _failure(
+            source,
+            message(
+                "The table is {width} columns wide and has {count} rows.",
+                width=width,
+                count=len(rows),
+            ),
+            message("Delete the cells that lie far to the right or below of what you need."),
+        )
     padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
     return Sheet(shown_name(source), padded[0].cells, tuple(padded[1:]), decimal_comma=True)
 

@@ -30,7 +30,7 @@ def write_answer_workbook(
     """Write the workbook that a student fills in.
 
     Args:
-        path: of the .xlsx file to make or to replace.
+        path: of the .xlsx file to make or to replace; only its owner may read it.
         plan: of the variant's scheme and options.
         issued: the student, the frozen values and the signature.
         course: its title.
@@ -39,7 +39,7 @@ def write_answer_workbook(
     Raises:
         OSError: the file cannot be written.
     """
-    write_bytes(path, answer_workbook(plan, issued, course, words))
+    write_bytes(path, answer_workbook(plan, issued, course, words), private=True)
 
 
 def answer_workbook(plan: Plan, issued: Issued, course: Course, words: Words) -> bytes:
