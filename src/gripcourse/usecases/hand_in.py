@@ -104,6 +104,8 @@ def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
         suffix = PurePath(one.name).suffix.lower()
         path = out / f"{student}{suffix if suffix.isascii() else ''}"
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
+        # Lateness is counted from when it was handed in, not from when it was collected.
+        os.utime(path, (one.at.timestamp(),) * 2)
         written.append(path)
     return tuple(written)
 
