@@ -65,7 +65,7 @@ def read_register(root: Path, course_id: str) -> Register:
 
 @dataclass(slots=True, eq=False)
 class VerifiedRegister:
-    """The register for who asks for it all the time: verified again whenever anything of it changed.
+    """The register for who asks all the time: verified again whenever anything of it changed.
 
     The rows are read each time and compared with those that were verified last, and so is the key;
     only the signatures of what is exactly the same are not computed again. Safe between threads.

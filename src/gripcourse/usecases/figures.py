@@ -94,9 +94,7 @@ def group_figures(context: DeskContext) -> GroupFigures:
         scores=tuple(_binned(scores)),
         mean=mean(scores) if scores else None,
         median=median(scores) if scores else None,
-        sections=tuple(
-            sections[one.id] for one in context.course.sections if one.id in sections
-        ),
+        sections=tuple(sections[one.id] for one in context.course.sections if one.id in sections),
         items=tuple(sorted(items, key=lambda one: (one.share, one.id))),
     )
 

@@ -88,12 +88,12 @@ def kept_path(context: DeskContext, digest: str) -> Path:
 
 
 def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
-    """Return the last file of each student."""
-    return {one.student: one for one in hand_ins}
+    """Return the last workbook of each student; drawings are looked at by persons."""
+    return {one.student: one for one in hand_ins if not one.is_drawing}
 
 
 def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
-    """Write the last file of each student into a folder, called like the student, for grading.
+    """Write the last workbook of each student into a folder, called like the student, for grading.
 
     Raises:
         OSError: a file cannot be read or written.

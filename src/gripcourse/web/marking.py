@@ -22,12 +22,14 @@ from gripcourse.usecases.hand_in import receipt_of
 from gripcourse.usecases.mark import enter_mark, what_waits
 from gripcourse.usecases.opening import grading_of
 from gripcourse.variants.model import Issued
-from gripcourse.web.instructor import Seat, desk_route
+from gripcourse.web.drawings import drawings_of, shown_drawing
 from gripcourse.web.refusals import NOT_FOUND
+from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
 _LINE: Final = "line:"
 _LONGEST_COMMENT: Final = 2000
+_LONGEST_NUMBER: Final = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +116,12 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
     if item is None:
         return seat.refuse(NOT_FOUND)
     context = seat.site.context
+    drawings = drawings_of(context.desk.hand_ins(here[0]))
+    asked = seat.request.query_params
+    chosen = next((one for one in drawings if str(one.number) == asked.get("drawing")), None)
+    chosen = chosen or (drawings[0] if drawings else None)
+    number = asked.get("page", "")
+    on_page = int(number) if number.isdecimal() and len(number) < _LONGEST_NUMBER else 1
     neighbours = {step: _neighbour(waits, here, step) for step in (-1, 1)}
     values: dict[str, object] = {
         "student": item.issued.student,
@@ -129,6 +137,8 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "hand_ins": [
             receipt_of(context, item.issued, one) for one in context.desk.hand_ins(here[0])
         ],
+        "drawings": drawings,
+        "drawing": None if chosen is None else shown_drawing(seat, chosen, on_page),
         "requests": [one for one in context.desk.requests(here[0]) if one.item == here[1]],
         "credit": typed.get("credit", ""),
         "comment": typed.get("comment", ""),
