@@ -71,7 +71,6 @@ def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetim
 
 def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
     """Return the receipt of a file, the same whenever it is asked for."""
-    late = issued.deadline is not None and kept.at.astimezone().date() > issued.deadline
     signed = "\n".join(
         (
             *(context.course.id, kept.student, str(kept.number), kept.digest, str(kept.size)),
@@ -79,7 +78,12 @@ def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
         )
     )
     made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
-    return Receipt(kept, late, made.hexdigest()[:32])
+    return Receipt(kept, is_late(issued, kept.at), made.hexdigest()[:32])
+
+
+def is_late(issued: Issued, at: datetime) -> bool:
+    """Tell whether the last day for handing in was over at a time, by the clock of this place."""
+    return issued.deadline is not None and at.astimezone().date() > issued.deadline
 
 
 def kept_path(context: DeskContext, digest: str) -> Path:
