@@ -46,7 +46,9 @@ def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
     }
     tried = {("GET", one) for one in PAGES} | {("POST", one) for one in FORMS}
     places = {
-        **{"s01": "{student}", "general_view_drawing": "{item}", "file/1": "file/{number:int}"},
+        "s01": "{student}",
+        "general_view_drawing": "{item}",
+        "file/1": "file/{number:int}",
         "drawing/1/1.png": "drawing/{number:int}/{page:int}.png",
     }
     for value, place in places.items():

@@ -8,6 +8,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 LARGEST_BODY: Final = 20_000_000
 """Bytes of one request: a workbook with pictures has a few million."""
+LARGEST_DRAINED: Final = 64_000_000
+"""Bytes of a refused request that are still taken, and thrown away."""
 
 _POLICY: Final = "Content-Security-Policy"
 _FRAMES: Final = "X-Frame-Options"
@@ -51,18 +53,27 @@ class Guard:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        left = LARGEST_BODY
+        taken, ended = 0, not _has_body(Headers(scope=scope))
+
+        async def counted() -> Message:
+            nonlocal taken, ended
+            received = await receive()
+            taken += len(received.get("body", b""))
+            ended = received["type"] != "http.request" or not received.get("more_body", False)
+            return received
 
         async def bounded() -> Message:
-            nonlocal left
-            received = await receive()
-            left -= len(received.get("body", b""))
-            if left < 0:
+            received = await counted()
+            if taken > LARGEST_BODY:
                 raise TooMuchError
             return received
 
         async def marked(sent: Message) -> None:
             if sent["type"] == "http.response.start":
+                # A browser that is still sending when we close sees a broken connection, and never
+                # the sentence that says why.
+                while not ended and taken < LARGEST_DRAINED:
+                    await counted()
                 headers = MutableHeaders(scope=sent)
                 for name, value in _HEADERS.items():
                     headers[name] = value
@@ -75,6 +86,10 @@ class Guard:
             await send(sent)
 
         await self.app(scope, bounded, marked)
+
+
+def _has_body(headers: Headers) -> bool:
+    return headers.get("content-length", "0") != "0" or "transfer-encoding" in headers
 
 
 def declares_too_much(headers: Headers) -> bool:
