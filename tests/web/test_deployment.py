@@ -32,10 +32,10 @@ def test_units_are_as_systemd_wants_them_and_give_few_rights(tmp_path: Path) -> 
         text = (DEPLOY / name).read_text(encoding="utf-8")
         (tmp_path / name).write_text(text.replace("/srv/venv/bin/gripcourse", "/bin/true"))
     units = [str(tmp_path / name) for name in UNITS]
-    found = subprocess.run([analyze, "verify", *units], capture_output=True, text=True, check=False)
+    found = subprocess.run([analyze, "verify", *units], capture_output=True, text=True, check=False)  # noqa: S603 (of this machine)
     assert (found.returncode, found.stderr) == (0, "")
     rated = [analyze, "security", "--offline=true", "--threshold=25", units[0]]
-    assert subprocess.run(rated, capture_output=True, check=False).returncode == 0
+    assert subprocess.run(rated, capture_output=True, check=False).returncode == 0  # noqa: S603 (of this machine)
 
 
 def test_a_service_names_only_options_that_there_are() -> None:

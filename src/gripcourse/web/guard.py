@@ -41,6 +41,42 @@ class TooMuchError(Exception):
     """More was sent than a request may hold."""
 
 
+class Incoming:
+    """What a request sends: counted, bounded, and heard out before it is answered."""
+
+    def __init__(self, scope: Scope, receive: Receive) -> None:
+        self._receive = receive
+        self._taken = 0
+        self._ended = not _has_body(Headers(scope=scope))
+
+    async def bounded(self) -> Message:
+        """Take the next part.
+
+        Raises:
+            TooMuchError: it is more than a request may hold.
+        """
+        received = await self._next()
+        if self._taken > LARGEST_BODY:
+            raise TooMuchError
+        return received
+
+    async def hear_out(self) -> None:
+        """Take the rest and throw it away.
+
+        A browser that is still sending when we close sees a broken connection, and never the
+        sentence that says why.
+        """
+        while not self._ended and self._taken < LARGEST_DRAINED:
+            await self._next()
+
+    async def _next(self) -> Message:
+        received = await self._receive()
+        self._taken += len(received.get("body", b""))
+        goes_on = received["type"] == "http.request" and received.get("more_body", False)
+        self._ended = not goes_on
+        return received
+
+
 class Guard:
     """Bounds what comes in and marks what goes out; wraps the whole application."""
 
@@ -53,39 +89,26 @@ class Guard:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        taken, ended = 0, not _has_body(Headers(scope=scope))
-
-        async def counted() -> Message:
-            nonlocal taken, ended
-            received = await receive()
-            taken += len(received.get("body", b""))
-            ended = received["type"] != "http.request" or not received.get("more_body", False)
-            return received
-
-        async def bounded() -> Message:
-            received = await counted()
-            if taken > LARGEST_BODY:
-                raise TooMuchError
-            return received
+        incoming = Incoming(scope, receive)
 
         async def marked(sent: Message) -> None:
             if sent["type"] == "http.response.start":
-                # A browser that is still sending when we close sees a broken connection, and never
-                # the sentence that says why.
-                while not ended and taken < LARGEST_DRAINED:
-                    await counted()
-                headers = MutableHeaders(scope=sent)
-                for name, value in _HEADERS.items():
-                    headers[name] = value
-                if _POLICY not in headers:
-                    headers[_POLICY] = content_policy()
-                    headers[_FRAMES] = "DENY"
-                headers.setdefault("Cache-Control", "no-store")
-                if self.secure:
-                    headers["Strict-Transport-Security"] = _HTTPS_ONLY
+                await incoming.hear_out()
+                self._mark(MutableHeaders(scope=sent))
             await send(sent)
 
-        await self.app(scope, bounded, marked)
+        await self.app(scope, incoming.bounded, marked)
+
+    def _mark(self, headers: MutableHeaders) -> None:
+        """Say what a browser is to refuse."""
+        for name, value in _HEADERS.items():
+            headers[name] = value
+        if _POLICY not in headers:
+            headers[_POLICY] = content_policy()
+            headers[_FRAMES] = "DENY"
+        headers.setdefault("Cache-Control", "no-store")
+        if self.secure:
+            headers["Strict-Transport-Security"] = _HTTPS_ONLY
 
 
 def _has_body(headers: Headers) -> bool:

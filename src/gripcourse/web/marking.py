@@ -13,23 +13,27 @@ from starlette.routing import Route
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.waiting import Waiting
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import Words
+from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import receipt_of
 from gripcourse.usecases.mark import enter_mark, what_waits
 from gripcourse.usecases.opening import grading_of
 from gripcourse.variants.model import Issued
 from gripcourse.web.drawings import drawings_of, shown_drawing
-from gripcourse.web.refusals import NOT_FOUND
+from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
 _LINE: Final = "line:"
 _LONGEST_COMMENT: Final = 2000
 _LONGEST_NUMBER: Final = 5
+_MARKED_MEANWHILE: Final = WebRefusal(
+    Code.CONFLICT, message("Somebody marked this item since you opened it. Look at it again.")
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +89,8 @@ def mark(seat: Seat) -> Response:
     here = _place(seat)
     following = _neighbour(_waiting(seat), here, 1)
     texts = seat.sent.texts
+    if texts.get("seen") != _seen(seat):
+        return seat.refuse(_MARKED_MEANWHILE)
     lines = {
         name.removeprefix(_LINE): _number(text)
         for name, text in texts.items()
@@ -130,6 +136,7 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "again": item.again,
         "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
         "place": _address(seat, *here),
+        "seen": _seen(seat),
         "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
         "count": len(waits),
         "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
@@ -178,6 +185,13 @@ def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:
     by_rubric = waits.outcome.traits.by_rubric
     rubric = context.policy.rubrics[quantity.rubric] if by_rubric else None
     return ItemToMark(issued, quantity, rubric, waits.again)
+
+
+def _seen(seat: Seat) -> str:
+    """Say which marks of the item there are: who marks in another tab changes it."""
+    student, item = _place(seat)
+    entries = Gradebook(seat.site.context.desk.engine).entries({student})
+    return str(sum(one.mark.quantity == item for one in entries))
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:
