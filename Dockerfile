@@ -1,4 +1,5 @@
-# gripcourse with everything it needs to lay out documents; a course is mounted at /course.
+# gripcourse with everything it needs to lay out documents and to serve a course, which is mounted
+# at /course.
 #
 #   docker build --tag gripcourse .
 #   docker run --rm --user "$(id -u)" --volume "$PWD:/course" gripcourse validate
@@ -15,7 +16,8 @@ RUN /usr/local/bin/system-packages run \
  && rm -rf /var/lib/apt/lists/* /usr/local/bin/system-packages
 COPY constraints.txt /tmp/constraints.txt
 COPY --from=wheel /wheels /tmp/wheels
-RUN pip install --no-cache-dir --constraint /tmp/constraints.txt /tmp/wheels/*.whl \
+RUN wheel=$(echo /tmp/wheels/*.whl) \
+ && pip install --no-cache-dir --constraint /tmp/constraints.txt "$wheel[web,lti,postgresql]" \
  && rm -rf /tmp/wheels /tmp/constraints.txt \
  && useradd --create-home teacher
 USER teacher

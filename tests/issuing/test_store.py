@@ -17,7 +17,7 @@ from gripcourse.issuing.allotment import Extended, Terms, extend
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.register_file import old_register_path, write_register_file
 from gripcourse.issuing.signature import key_path, make_key, sign
-from gripcourse.issuing.store import extend_register, read_register
+from gripcourse.issuing.store import VerifiedRegister, extend_register, read_register
 from gripcourse.machine.database.home import address_path, gradebook_path, home_of
 from gripcourse.machine.database.opening import open_engine
 from gripcourse.variants.model import Issued, Student, Variant
@@ -159,6 +159,27 @@ class TestVerifying:
         spoil(root, f"UPDATE register_issued SET {change}")  # noqa: S608 (of this test)
         with pytest.raises(RegisterError, match="student anna: The entry is damaged"):
             read_register(root, "small")
+
+    def test_who_asks_all_the_time_sees_every_change_and_no_lie(self, root: Path) -> None:
+        issued = issue(root, ANNA)
+        asked = VerifiedRegister(root, "small", open_engine(home_of(root)))
+        assert asked.read() == issued
+        assert asked.read() is asked.read()
+        longer = issue(root, ANNA, BORIS)
+        assert asked.read() == longer
+        issue(root, replace(ANNA, name="Иванова-Петрова Анна"))
+        assert asked.read().entries[0].student.name == "Иванова-Петрова Анна"
+        was = key_path(root).read_text(encoding="utf-8")
+        key_path(root).write_text("0" * 64 + "\n", encoding="utf-8")
+        with pytest.raises(RegisterError):
+            asked.read()
+        key_path(root).write_text(was, encoding="utf-8")
+        assert len(asked.read().entries) == 2
+        spoil(
+            root, """UPDATE register_issued SET given = '{"mass": 1.0}' WHERE student = 'boris'"""
+        )
+        with pytest.raises(RegisterError):
+            asked.read()
 
     def test_without_its_key_nothing_is_believed(self, root: Path) -> None:
         issue(root, ANNA)

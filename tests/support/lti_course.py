@@ -24,6 +24,7 @@ from gripcourse.usecases.lti import register_platform
 from gripcourse.web.app import make_app
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.lti import lti_routes
+from gripcourse.web.platform_people import people_routes
 from gripcourse.web.site import Site
 from support.classroom import KEY, open_classroom
 from support.clock import BEGAN, Clock
@@ -65,7 +66,7 @@ class LtiCourse:
     def app(self, **changes: object) -> ASGIApp:
         """Return a server."""
         site = self.site(**changes)
-        return make_app(site, lti_routes(site, TOOL))
+        return make_app(site, [*lti_routes(site, TOOL), *people_routes(site)])
 
     def site(self, **changes: object) -> Site:
         """Return what its pages are made from."""

@@ -3,6 +3,7 @@
 The server is a real one, in a process of its own, with real workers.
 """
 
+import json
 import os
 import re
 import socket
@@ -25,6 +26,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.usecases.grade import GRADES_JSON
 from gripcourse.usecases.hand_in import hand_in
 from gripcourse.usecases.publish import publish, withdraw
 from gripcourse.usecases.sign_in import offer_sign_in
@@ -46,6 +48,7 @@ FLAGS = (
     "--disable-dev-shm-usage",
 )
 SECONDS = 60.0
+DRAWING = b'<svg xmlns="http://www.w3.org/2000/svg"><rect width="9" height="9"/></svg>'
 AXE = files("axe_playwright_python").joinpath("axe.min.js").read_text(encoding="utf-8")
 
 
@@ -58,8 +61,9 @@ def address(opened: "Server") -> Iterator[str]:
     command = [
         *(sys.executable, "-m", "gripcourse", "serve", "--port", str(port), "--workers", "1"),
         *("--course", str(opened.classroom.course.root)),
-        *("--assignments", str(opened.classroom.order.out)),
+        *("--assignments", str(opened.classroom.order.out), "--graded", str(opened.graded)),
     ]
+    opened.graded.mkdir(exist_ok=True)
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL)  # noqa: S603 (ourselves)
     url = f"http://127.0.0.1:{port}"
     ends = time.monotonic() + SECONDS
@@ -124,8 +128,8 @@ def tab_to(browser: "WebDriver", wanted: str) -> None:
 @pytest.mark.parametrize(
     ("student", "language", "check", "hand_in", "understood"),
     [
-        ("s01", "ru", "Проверить книгу", "Сдать книгу", "Понято как"),
-        ("s02", "uk", "Перевірити книгу", "Здати книгу", "Зрозуміло як"),
+        ("s01", "ru", "Проверить файл", "Сдать файл", "Понято как"),
+        ("s02", "uk", "Перевірити файл", "Здати файл", "Зрозуміло як"),
         ("s03", "en", "Check it", "Hand it in", "Understood as"),
     ],
 )
@@ -180,7 +184,7 @@ def test_nothing_is_wider_than_a_telephone(
         assert size["cssContentSize"]["width"] <= 360
         if name == "phone-assignment":
             browser.find_element(By.ID, "file").send_keys(str(work))
-            tab_to(browser, "Проверить книгу")
+            tab_to(browser, "Проверить файл")
             ActionChains(browser).send_keys(Keys.ENTER).perform()
     browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})  # type: ignore[attr-defined]
 
@@ -194,13 +198,24 @@ def test_every_field_has_a_name_and_every_page_one_heading(
         assert one.accessible_name, one.get_attribute("outerHTML")
 
 
+def flag_first(path: Path) -> None:
+    """Let the first work of a batch have a flag with evidence."""
+    grades = json.loads(path.read_text(encoding="utf-8"))
+    flag = {"code": "same_answers", "message": "Числа те же.", "others": ["s01"]}
+    grades["reports"][0]["flags"].append({**flag, "rests_on": ["grip_force", "drive_force"]})
+    path.write_text(json.dumps(grades), encoding="utf-8")
+
+
 @pytest.fixture(scope="module")
 def published(opened: "Server", tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """The first student has handed in and sees results; somebody asks for another look."""
     folder, context, now = tmp_path_factory.mktemp("published"), opened.context, opened.clock.now
-    file = NamedBytes("work.xlsx", opened.filled("s01", folder))
-    hand_in(context, opened.classroom.register["s01"], file, now)
+    issued = opened.classroom.register["s01"]
+    files = {"work.xlsx": opened.filled("s01", folder), "view.svg": DRAWING}
+    for name, data in files.items():
+        hand_in(context, issued, NamedBytes(name, data), now)
     opened.grade(folder)
+    flag_first(opened.graded / GRADES_JSON)
     publish(context, opened.graded, "Dr. Ray", "term over", now)
     context.desk.add_request("s01", "grip_force", "Please look again.", now)
     yield
@@ -289,7 +304,8 @@ def test_no_page_of_a_student_breaks_a_rule_of_accessibility(
 def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "WebDriver") -> None:
     broken = {}
     pages = ("", "student/s01", "student/s03", "?state=asks", "student/nobody", "marking")
-    for page in (*pages, "marking/s01/general_view_drawing", "regrading"):
+    more = ("marking/s01/general_view_drawing", "regrading", "figures", "flags", "grading")
+    for page in (*pages, *more):
         sized.get(f"{desk}{page}")
         show(
             sized, f"axe-desk-{page.replace('/', '-')}-{sized.execute_script('return innerWidth')}"

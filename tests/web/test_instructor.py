@@ -8,8 +8,10 @@ from starlette.testclient import TestClient
 
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
 from gripcourse.web.checking import make_checkers
+from gripcourse.web.drawings import drawing_routes
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.marking import marking_routes
+from gripcourse.web.overview import overview_routes
 from gripcourse.web.regrading import regrading_routes
 from gripcourse.web.site import Site
 from web.conftest import form_key
@@ -22,16 +24,20 @@ if TYPE_CHECKING:
 PAGES = (
     *("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv"),
     *("marking", "marking/s01/general_view_drawing", "regrading"),
+    *("figures", "flags", "grading", "student/s01/drawing/1/1.png"),
 )
 FORMS = (
     *("publish", "withdraw", "sign-out", "marking/s01/general_view_drawing"),
-    *("regrading", "regrading/apply", "regrading/undo"),
+    *("regrading", "regrading/apply", "regrading/undo", "grading"),
 )
 
 
 def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
     site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
-    routes = (*instructor_routes(site), *marking_routes(site), *regrading_routes(site))
+    routes = (
+        *(*instructor_routes(site), *marking_routes(site), *regrading_routes(site)),
+        *(*drawing_routes(site), *overview_routes(site)),
+    )
     paths = {
         (method, route.path.removeprefix("/desk/"))
         for route in routes
@@ -39,7 +45,12 @@ def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
         if "sign-in" not in route.path
     }
     tried = {("GET", one) for one in PAGES} | {("POST", one) for one in FORMS}
-    places = {"s01": "{student}", "general_view_drawing": "{item}", "file/1": "file/{number:int}"}
+    places = {
+        "s01": "{student}",
+        "general_view_drawing": "{item}",
+        "file/1": "file/{number:int}",
+        "drawing/1/1.png": "drawing/{number:int}/{page:int}.png",
+    }
     for value, place in places.items():
         tried = {(method, path.replace(value, place)) for method, path in tried}
     assert paths == tried

@@ -4,6 +4,7 @@ import hashlib
 import hmac
 import json
 import logging
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import timedelta
@@ -18,7 +19,7 @@ from gripcourse.lti.platforms import add_platform, load_platforms
 from gripcourse.lti.states import MINUTES
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.links import revoke_links
-from gripcourse.usecases.lti import bind, store_of
+from gripcourse.usecases.lti import bind, store_of, user_key
 from gripcourse.web.serve import Serving, platform_routes
 from support.clock import BEGAN
 from support.lti_course import LtiCourse, on_its_first_day, open_lti_course
@@ -112,6 +113,31 @@ def test_an_instructor_comes_to_the_desk(school: LtiCourse) -> None:
     assert door.startswith("/desk/sign-in/")
     assert client.post(door).headers["location"] == "/desk/"
     assert "Dr. Ray (moodle)" in client.get("/desk/").text
+
+
+def test_who_is_unknown_waits_at_the_desk_until_an_instructor_says_who_it_is(
+    school: LtiCourse,
+) -> None:
+    stranger, client = school.client(), school.client()
+    assert school.come(stranger, "nobody").status_code == 403
+    client.post(school.come(client, "ray").headers["location"])
+    page = client.get("/desk/people").text
+    key = re.search(r'name="form_key" value="([0-9a-f]{64})"', page)
+    assert key is not None
+    assert 'href="/desk/people" aria-current="page"' in page
+    assert "Nobody Known" in page
+    declared = school.declared
+    form = {"form_key": key[1], "issuer": declared.issuer, "client": declared.client_id}
+    form |= {"user": "user-nobody", "student": "s03"}
+    for wrong in ({"user": "somebody"}, {"issuer": "https://other"}, {"student": ""}):
+        assert client.post("/desk/people", data=form | wrong).status_code == 404
+    assert client.post("/desk/people", data=form | {"student": "s99"}).status_code == 409
+    assert client.post("/desk/people", data=form | {"form_key": "0"}).status_code == 403
+    assert client.post("/desk/people", data=form).headers["location"] == "/desk/people"
+    assert "Nobody Known" not in client.get("/desk/people").text
+    assert school.come(stranger, "nobody").headers["location"].startswith("/s/s03~")
+    bond = store_of(school.context).bonds()[user_key(declared, "user-nobody")]
+    assert (bond.student, bond.by) == ("s03", "Dr. Ray (moodle)")
 
 
 def test_a_launch_may_be_begun_by_a_form(school: LtiCourse) -> None:

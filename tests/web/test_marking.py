@@ -50,13 +50,17 @@ def test_an_item_is_marked_by_its_rubric_and_the_next_one_is_a_key_away(
     assert page.count('name="line:') == 3
     assert 'accesskey="p"' in page or 'accesskey="n"' in page
     assert "<script" not in page
-    draft = {"form_key": key, "comment": "<b>well</b> drawn", **LINES}
+    seen = re.search(r'name="seen" value="(\d+)"', page)
+    assert seen is not None
+    draft = {"form_key": key, "comment": "<b>well</b> drawn", "seen": seen[1], **LINES}
     for wrong, value in (("line:sizes", "1.5"), ("line:sizes", "much")):
         refused = signed_in.post(PAGE, data={**draft, wrong: value}).text
         assert 'role="alert"' in refused
         assert "&lt;b&gt;well&lt;/b&gt; drawn" in refused
         assert f'value="{value}"' in refused
-    signed_in.post(PAGE, data=draft)
+    assert signed_in.post(PAGE, data=draft).status_code == 200
+    # The same page in another tab: it would silently take the place of this mark.
+    assert signed_in.post(PAGE, data=draft | {"line:sizes": "0"}).status_code == 409
     mark = book(graded).entries({"s01"})[-1].mark
     assert (mark.quantity, mark.marker, mark.comment) == (DRAWING, "Dr. Ноль", "<b>well</b> drawn")
     assert mark.credit == pytest.approx(0.55)

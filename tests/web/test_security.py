@@ -1,5 +1,6 @@
 """A link opens one student's things alone; nothing of the server's own gets out."""
 
+import asyncio
 import logging
 from collections.abc import Iterator
 from datetime import UTC, datetime
@@ -8,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 from starlette.routing import Route
+from starlette.types import Message, Receive, Scope, Send
 
 from gripcourse.desk.links import SignedLink, link_text
 from gripcourse.web.checking import make_checkers
-from gripcourse.web.guard import LARGEST_BODY
+from gripcourse.web.guard import LARGEST_BODY, Guard
 from gripcourse.web.rates import HAND_INS
 from gripcourse.web.site import Site
 from gripcourse.web.student import student_routes
@@ -155,6 +157,26 @@ def test_more_than_a_workbook_is_refused_before_and_while_it_is_read(server: "Se
     assert client.post(path, content=b"", headers=declared).status_code == 413
     assert client.post(path, content=flood(), headers=head).status_code == 413
     assert server.context.desk.hand_ins() == before
+
+
+@pytest.mark.parametrize("declared", ["content-length", "transfer-encoding"])
+def test_who_still_sends_is_heard_out_before_a_refusal_is_said(declared: str) -> None:
+    sent = [{"type": "http.request", "body": b"x", "more_body": left > 0} for left in (2, 1, 0)]
+    said: list[str] = []
+
+    async def receive() -> Message:
+        said.append("heard")
+        return sent.pop(0)
+
+    async def send(message: Message) -> None:
+        said.append(str(message["type"]))
+
+    async def refuse(_: Scope, _receive: Receive, send: Send) -> None:
+        await send({"type": "http.response.start", "status": 404, "headers": []})
+
+    scope = {"type": "http", "headers": [(declared.encode(), b"3")]}
+    asyncio.run(Guard(refuse, secure=False)(scope, receive, send))
+    assert said == ["heard"] * 3 + ["http.response.start"]
 
 
 def test_who_hands_in_all_the_time_has_to_wait(server: "Server") -> None:

@@ -1,8 +1,9 @@
 """A student's way: open the link, check, hand in, see the result, ask for another look."""
 
+import asyncio
 import hashlib
 import re
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from html import unescape
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,9 +12,12 @@ import pytest
 
 from gripcourse.documents.pdf import template_environment
 from gripcourse.gradebook.checks import CheckLedger, left_of
-from gripcourse.usecases.hand_in import kept_path
+from gripcourse.usecases.hand_in import kept_path, latest
+from web.conftest import BEGAN
 
 if TYPE_CHECKING:
+    from starlette.types import Message
+
     from web.conftest import Server
 
 
@@ -96,6 +100,57 @@ def test_a_file_after_the_last_day_is_kept_and_called_late(server: "Server") -> 
     server.clock.now = datetime(2026, 12, 2, 12, tzinfo=UTC)
     client, home = server.client(), server.home("s03")
     assert "after the last day" in client.post(f"{home}hand-in", files=upload(b"late")).text
+
+
+def test_the_page_says_that_the_last_day_is_over_before_anything_is_sent(server: "Server") -> None:
+    client, home = server.client(), server.home("s03", days=90)
+    assert "is over" not in client.get(home).text
+    server.clock.now = datetime(2026, 12, 2, 12, tzinfo=UTC)
+    assert "is over" in client.get(home).text
+
+
+def test_a_clock_that_goes_back_and_two_tabs_lose_nothing_and_keep_the_order(
+    server: "Server",
+) -> None:
+    tabs, home = [server.client(), server.client()], server.home("s03", days=90)
+    before = len(server.context.desk.hand_ins("s03"))
+    for number, hours in enumerate((50, 2, 1)):
+        server.clock.now = BEGAN + timedelta(hours=hours)
+        answer = tabs[number % 2].post(f"{home}hand-in", files=upload(b"tab %d" % number))
+        assert answer.status_code == 200
+    kept = server.context.desk.hand_ins("s03")[before:]
+    assert [one.number for one in kept] == [before + 1, before + 2, before + 3]
+    assert latest(kept)["s03"].digest == hashlib.sha256(b"tab 2").hexdigest()
+    page = tabs[0].get(home).text
+    assert all(f"receipt/{one.number}" in page for one in kept)
+
+
+def test_who_closes_in_the_middle_of_an_upload_has_handed_in_nothing(server: "Server") -> None:
+    client, home = server.client(), server.home("s02")
+    before = server.context.desk.hand_ins(), server.context.desk.checks()
+    head = b'--x\r\ncontent-disposition: form-data; name="file"; filename="a.xlsx"\r\n\r\nPK'
+    begun = {"type": "http.request", "body": head, "more_body": True}
+    parts = [begun, {"type": "http.disconnect"}]
+    statuses: list[int] = []
+
+    async def receive() -> "Message":
+        return parts.pop(0) if len(parts) > 1 else parts[0]
+
+    async def send(message: "Message") -> None:
+        if message["type"] == "http.response.start":
+            statuses.append(message["status"])
+
+    for action in ("hand-in", "check"):
+        headers = [
+            (b"content-type", b"multipart/form-data; boundary=x"),
+            (b"content-length", b"999"),
+        ]
+        scope = {"type": "http", "method": "POST", "path": f"{home}{action}", "headers": headers}
+        scope |= {"query_string": b"", "root_path": "", "http_version": "1.1", "server": ("t", 80)}
+        asyncio.run(client.app({**scope, "client": ("t", 1), "scheme": "http"}, receive, send))
+        parts.insert(0, begun)
+    assert statuses == [499, 499]
+    assert (server.context.desk.hand_ins(), server.context.desk.checks()) == before
 
 
 def test_a_form_without_a_file_is_answered_with_a_sentence(server: "Server") -> None:

@@ -209,6 +209,7 @@ class Course:
         table: FileLike | None = None,
         deadline: date | None = None,
         today: date | None = None,
+        link_days: int = 0,
         workers: int = 0,
         on_done: Callable[[str], None] = nothing,
     ) -> IssueResult:
@@ -220,6 +221,7 @@ class Course:
             table: of variants; None for the course's main one.
             deadline: last day for handing in.
             today: day of the issue; None for today.
+            link_days: how long the personal link on each sheet is good for; 0 for none.
             workers: how many processes lay out documents; 0 for none but this one.
             on_done: called with each student's id.
 
@@ -234,6 +236,7 @@ class Course:
             out=Path(out),
             today=today or _today(),
             deadline=deadline,
+            link_days=link_days,
         )
         issuing = issue_order(self.definition, self.policy, order, workers, on_done)
         return issue_result(issuing, self.words)

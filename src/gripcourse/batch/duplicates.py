@@ -47,11 +47,13 @@ def _flags(
                 "them, not to the owner.",
                 students=", ".join(students),
             ),
+            tuple(students),
         )
         return
     yield Flag(
         FlagCode.SAME_BYTES,
         message("The same file came from: {students}.", students=", ".join(students)),
+        tuple(students),
     )
 
 

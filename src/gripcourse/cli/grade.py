@@ -88,6 +88,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading, recalculating
+    from gripcourse.usecases.progress import progress_noted
     from gripcourse.usecases.student_reports import student_pdf
     from gripcourse.usecases.unchanged import open_earlier, versions_of
     from gripcourse.usecases.whose import read_whose
@@ -112,7 +113,11 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     stated = None if on is None else day_of(on)
     earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
     say_limits(words)
-    with open_workers(workers, cluster) as (hands, pool), cli_text.progress() as step:
+    with (
+        open_workers(workers, cluster) as (hands, pool),
+        cli_text.progress() as shown,
+        progress_noted(out, shown) as step,
+    ):
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
         graded = keep(graded, context, place, datetime.now(UTC), times)

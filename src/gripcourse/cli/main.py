@@ -40,6 +40,7 @@ from gripcourse.cli.options import (
     CourseOption,
     DateOption,
     LanguageOption,
+    LinkDaysOption,
     OutFileOption,
     OutOption,
     TableOption,
@@ -169,6 +170,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         Path | None,
         typer.Option("--print", help="File for a printer: a list and all sheets, on both sides."),
     ] = None,
+    link_days: LinkDaysOption = 0,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     course: CourseOption = None,
@@ -187,6 +189,7 @@ def issue(  # noqa: PLR0913 (one parameter per option)
         out=out,
         today=day_of(on),
         deadline=deadline.date() if deadline else None,
+        link_days=link_days,
     )
     say_limits(words)
     with cli_text.progress() as step:

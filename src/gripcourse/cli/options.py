@@ -49,6 +49,15 @@ SeedOption = Annotated[
     int, typer.Option("--seed", min=0, help="The same seed gives the same variants and students.")
 ]
 CountOption = Annotated[int, typer.Option("--count", min=1, max=100_000, help="How many.")]
+LinkDaysOption = Annotated[
+    int,
+    typer.Option(
+        "--link-days",
+        min=0,
+        max=1000,
+        help="Print each student's personal link on the sheet, good for so many days; 0: none.",
+    ),
+]
 DateOption = Annotated[
     datetime | None,
     typer.Option("--date", formats=["%Y-%m-%d"], help="Day to print; default: today."),

@@ -2,6 +2,11 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from pathlib import PurePath
+from typing import Final
+
+DRAWINGS: Final = frozenset({".pdf", ".png", ".jpg", ".jpeg", ".svg", ".dxf"})
+"""Suffixes of what is handed in beside the workbook."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +28,11 @@ class HandIn:
     size: int
     name: str
     at: datetime
+
+    @property
+    def is_drawing(self) -> bool:
+        """Whether a person looks at it; everything else is meant as the workbook."""
+        return PurePath(self.name).suffix.lower() in DRAWINGS
 
 
 @dataclass(frozen=True, slots=True)

@@ -95,7 +95,7 @@ class SheetTask:
 
 
 def assignment_sheet(
-    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
+    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words, link: str = ""
 ) -> bytes:
     """Make the assignment sheet of a student as a PDF file.
 
@@ -108,13 +108,14 @@ def assignment_sheet(
         policy: points, bands and credits that the sheet announces.
         course: titles, tasks and constants.
         words: the language of the sheet.
+        link: the student's own page; empty for none on the sheet.
     """
-    values = sheet_values(issued, plan, policy, course, words)
+    values = sheet_values(issued, plan, policy, course, words, link)
     return render_pdf(Document(TEMPLATE, STYLES, values), course.root / "templates", words)
 
 
 def sheet_values(
-    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words
+    issued: Issued, plan: Plan, policy: Policy, course: Course, words: Words, link: str = ""
 ) -> dict[str, object]:
     """Return what the template of the sheet needs; see `assignment_sheet` for the arguments."""
     listed = sum(map(len, (plan.givens, plan.constants, plan.answered, plan.manual)))
@@ -129,8 +130,9 @@ def sheet_values(
         "student": issued.student.name,
         "variant": variant_text(issued, words),
         "control": issued.signature[:_CONTROL_LETTERS],
-        "seal": picture(seal_svg(seal_of(issued, course.id), course.address)),
-        "address": course.address,
+        "seal": picture(seal_svg(seal_of(issued, course.id), link or course.address)),
+        "address": link or course.address,
+        "link": link,
         "diagram": diagram,
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),

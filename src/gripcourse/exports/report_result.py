@@ -100,10 +100,14 @@ class FlagResult:
     Attributes:
         code: the same in every language.
         message: a sentence.
+        others: ids of other students whom it concerns, the likeliest first.
+        rests_on: ids of the quantities that are the evidence, the strongest first.
     """
 
     code: str
     message: str
+    others: tuple[str, ...] = ()
+    rests_on: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -252,7 +256,10 @@ def report_result(report: Report, words: Words) -> ReportResult:
         score=report.score if report.judged else None,
         max_score=report.max_score if report.judged else None,
         open_points=report.open_points,
-        flags=tuple(FlagResult(one.code, words.say(one.message)) for one in report.flags),
+        flags=tuple(
+            FlagResult(one.code, words.say(one.message), one.others, one.rests_on)
+            for one in report.flags
+        ),
         remarks=_said(report.remarks, words),
         causes=tuple(
             CauseResult(one.quantity, one.explains, words.say(one.message)) for one in report.causes

@@ -51,6 +51,7 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
                 other=identity.student,
                 student=issued.student.id,
             ),
+            (identity.student,),
         )
     elif not hmac.compare_digest(identity.signature.encode(), issued.signature.encode()):
         yield Flag(

@@ -143,10 +143,19 @@ class Cause:
 
 @dataclass(frozen=True, slots=True)
 class Flag:
-    """Something a person should look at before the marks are published."""
+    """Something a person should look at before the marks are published.
+
+    Attributes:
+        code: why.
+        message: the same in a sentence.
+        others: other students whom it concerns, by id, the likeliest first.
+        rests_on: ids of the quantities that are the evidence, the strongest first.
+    """
 
     code: FlagCode
     message: Message
+    others: tuple[str, ...] = ()
+    rests_on: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

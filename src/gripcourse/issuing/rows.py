@@ -2,11 +2,13 @@
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from datetime import date
 from typing import Any, TypeAlias
 
-from sqlalchemy import Connection, RowMapping, func, insert, select
+from sqlalchemy import Connection, func, insert, select
+from sqlalchemy import Row as SqlRow
 
 from gripcourse.errors import Problem, RegisterError
 from gripcourse.issuing import schema
@@ -16,26 +18,47 @@ from gripcourse.text.words import message
 from gripcourse.variants.model import Issued, Student, Variant
 
 _Row: TypeAlias = dict[str, object]
+RowOfTable: TypeAlias = SqlRow[Any]
+
+
+@dataclass(frozen=True, slots=True)
+class RegisterRows:
+    """The rows of a register as they stand in the database; equal where nothing has changed."""
+
+    issued: Sequence[RowOfTable]
+    persons: Sequence[RowOfTable]
+
+
+def fetch_rows(connection: Connection, course_id: str) -> RegisterRows:
+    """Return the rows of a course."""
+    one, person = schema.issued, schema.persons
+    question = select(one).where(one.c.course == course_id).order_by(one.c.id)
+    found = connection.execute(question).all()
+    # After them: whoever is issued to in between is a person more, never one too few.
+    question = select(person).where(person.c.course == course_id).order_by(person.c.number)
+    return RegisterRows(found, connection.execute(question).all())
 
 
 def read_rows(connection: Connection, course_id: str, place: str) -> Register:
-    """Return what was issued in a course: of each student the last version counts.
+    """Return what was issued in a course; see `register_of_rows`."""
+    return register_of_rows(fetch_rows(connection, course_id), course_id, place)
+
+
+def register_of_rows(found: RegisterRows, course_id: str, place: str) -> Register:
+    """Put a register together: of each student the last version counts.
 
     Args:
-        connection: to the database.
+        found: the rows of the course.
         course_id: of the course.
         place: where the database is, for a person.
 
     Raises:
         RegisterError: a row cannot be read.
     """
-    question = select(schema.issued).where(schema.issued.c.course == course_id)
-    found = connection.execute(question.order_by(schema.issued.c.id)).mappings().all()
-    # After them: whoever is issued to in between is a person more, never one too few.
-    persons = _last(connection, schema.persons, course_id, schema.persons.c.number)
+    persons = {row.student: row._asdict() for row in found.persons}
     entries: dict[str, Issued] = {}
     earlier: list[Issued] = []
-    for row in found:
+    for row in (one._asdict() for one in found.issued):
         student = row["student"]
         try:
             entry = _entry(row, persons[student])
@@ -77,12 +100,6 @@ def add_rows(connection: Connection, before: Register, after: Register) -> None:
     for table, rows in ((schema.issued, issued), (schema.persons, persons)):
         if rows:
             connection.execute(insert(table), rows)
-
-
-def _last(connection: Connection, table: Any, course_id: str, order: Any) -> dict[str, RowMapping]:  # noqa: ANN401 (columns have no common name)
-    """Return the last row of each student, in the order of their first ones."""
-    question = select(table).where(table.c.course == course_id).order_by(order)
-    return {row["student"]: row for row in connection.execute(question).mappings()}
 
 
 def _person_numbers(connection: Connection, course_id: str) -> dict[str, int]:
@@ -128,7 +145,7 @@ def _person_row(course: str, number: int, student: Student) -> _Row:
     }
 
 
-def _entry(row: RowMapping, person: RowMapping) -> Issued:
+def _entry(row: Mapping[str, Any], person: Mapping[str, Any]) -> Issued:
     """Put an entry together.
 
     Raises:

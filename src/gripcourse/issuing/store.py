@@ -7,6 +7,7 @@ no entry is lost and no variant given twice.
 
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from sqlalchemy import Connection, Engine
@@ -15,7 +16,14 @@ from gripcourse.errors import GradebookError, Problem, RegisterError
 from gripcourse.issuing.allotment import Extended
 from gripcourse.issuing.register import Register, verified
 from gripcourse.issuing.register_file import old_register_path, read_register_file
-from gripcourse.issuing.rows import add_rows, other_courses, read_rows
+from gripcourse.issuing.rows import (
+    RegisterRows,
+    add_rows,
+    fetch_rows,
+    other_courses,
+    read_rows,
+    register_of_rows,
+)
 from gripcourse.issuing.signature import key_path, read_keys
 from gripcourse.machine.database.home import exists, gradebook_path, home_of
 from gripcourse.machine.database.opening import (
@@ -53,6 +61,45 @@ def read_register(root: Path, course_id: str) -> Register:
     engine = open_engine(place)
     with refusals_named(without_password(engine.url)), engine.connect() as connection:
         return _read(connection, engine, root, course_id)
+
+
+@dataclass(slots=True, eq=False)
+class VerifiedRegister:
+    """The register for who asks all the time: verified again whenever anything of it changed.
+
+    The rows are read each time and compared with those that were verified last, and so is the key;
+    only the signatures of what is exactly the same are not computed again. Safe between threads.
+
+    Attributes:
+        root: folder of the course, with its key.
+        course_id: of the course.
+        engine: of the database.
+    """
+
+    root: Path
+    course_id: str
+    engine: Engine
+    _last: tuple[RegisterRows, tuple[bytes, ...], Register] | None = field(default=None, init=False)
+
+    def read(self) -> Register:
+        """Return the register as it is now.
+
+        Raises:
+            RegisterError: an entry was changed or is damaged, or the key is missing.
+            GradebookError: the database cannot be used.
+        """
+        place = without_password(self.engine.url)
+        with refusals_named(place), self.engine.connect() as connection:
+            rows = fetch_rows(connection, self.course_id)
+        if not rows.issued:
+            return read_register(self.root, self.course_id)
+        keys, last = tuple(read_keys(key_path(self.root))), self._last
+        if last is not None and last[:2] == (rows, keys):
+            return last[2]
+        key, *former = keys
+        register = register_of_rows(rows, self.course_id, place)
+        self._last = (rows, keys, verified(register, key, place, former))
+        return register
 
 
 def extend_register(root: Path, course_id: str, change: Callable[[Register], Extended]) -> Extended:

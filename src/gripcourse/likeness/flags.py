@@ -29,7 +29,10 @@ def odds_in_words(odds: float) -> Message:
 
 def flag_of(evidence: Evidence) -> Flag:
     """Return the flag of evidence, for the submission of its first student."""
-    return Flag(FlagCode(evidence.kind.value), _said(evidence))
+    numbers = () if evidence.kind is NumberKind.SAME_CREATOR else evidence.rests_on
+    return Flag(
+        FlagCode(evidence.kind.value), _said(evidence), evidence.students[1:], rests_on=numbers
+    )
 
 
 def flags_by_student(found: Iterable[Evidence]) -> dict[str, tuple[Flag, ...]]:

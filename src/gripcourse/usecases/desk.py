@@ -1,14 +1,14 @@
 """The desk of a course, opened: what links, hand-ins and publications need."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.desk.store import Desk, open_desk
 from gripcourse.issuing.signature import key_path, read_key
-from gripcourse.issuing.store import read_register
+from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
@@ -23,12 +23,19 @@ class DeskContext:
         course, policy: loaded.
         key: of the signatures; it is never shown, logged or sent anywhere.
         desk: its part of the database.
+        issued: what was issued, verified whenever it changed.
     """
 
     course: Course
     policy: Policy
     key: bytes
     desk: Desk
+    issued: VerifiedRegister = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Prepare to read the register, which is read when it is asked for."""
+        issued = VerifiedRegister(self.course.root, self.course.id, self.desk.engine)
+        object.__setattr__(self, "issued", issued)
 
     def __repr__(self) -> str:
         """Leave the key out: this may stand in a log."""
@@ -36,7 +43,7 @@ class DeskContext:
 
     def register(self) -> Mapping[str, Issued]:
         """Return what was issued up to now, by student."""
-        return read_register(self.course.root, self.course.id).by_student()
+        return self.issued.read().by_student()
 
     @property
     def private(self) -> Path:

@@ -71,7 +71,6 @@ def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetim
 
 def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
     """Return the receipt of a file, the same whenever it is asked for."""
-    late = issued.deadline is not None and kept.at.astimezone().date() > issued.deadline
     signed = "\n".join(
         (
             *(context.course.id, kept.student, str(kept.number), kept.digest, str(kept.size)),
@@ -79,7 +78,12 @@ def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
         )
     )
     made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
-    return Receipt(kept, late, made.hexdigest()[:32])
+    return Receipt(kept, is_late(issued, kept.at), made.hexdigest()[:32])
+
+
+def is_late(issued: Issued, at: datetime) -> bool:
+    """Tell whether the last day for handing in was over at a time, by the clock of this place."""
+    return issued.deadline is not None and at.astimezone().date() > issued.deadline
 
 
 def kept_path(context: DeskContext, digest: str) -> Path:
@@ -88,12 +92,12 @@ def kept_path(context: DeskContext, digest: str) -> Path:
 
 
 def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
-    """Return the last file of each student."""
-    return {one.student: one for one in hand_ins}
+    """Return the last workbook of each student; drawings are looked at by persons."""
+    return {one.student: one for one in hand_ins if not one.is_drawing}
 
 
 def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
-    """Write the last file of each student into a folder, called like the student, for grading.
+    """Write the last workbook of each student into a folder, called like the student, for grading.
 
     Raises:
         OSError: a file cannot be read or written.
@@ -104,6 +108,8 @@ def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
         suffix = PurePath(one.name).suffix.lower()
         path = out / f"{student}{suffix if suffix.isascii() else ''}"
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
+        # Lateness is counted from when it was handed in, not from when it was collected.
+        os.utime(path, (one.at.timestamp(),) * 2)
         written.append(path)
     return tuple(written)
 

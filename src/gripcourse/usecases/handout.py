@@ -1,8 +1,8 @@
 """Writing what students get: a folder each, with the assignment sheet and the answer workbook."""
 
 import logging
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
 
@@ -51,12 +51,14 @@ class IssuingContext:
         course, policy: printed in the documents.
         plan: of a composition.
         out: the folder with one folder per student.
+        links: by student, what is printed on the sheet for its owner; empty for none.
     """
 
     course: Course
     policy: Policy
     plan: PlanFactory
     out: Path
+    links: Mapping[str, str] = field(default_factory=dict)
 
 
 def sheet_path(out: Path, student: str) -> Path:
@@ -109,7 +111,8 @@ def issue_one(context: IssuingContext, entry: Issued) -> Handout:
 
     def write_sheet() -> None:
         make_private_folder(sheet.parent)
-        pdf = assignment_sheet(entry, plan, context.policy, context.course, words)
+        link = context.links.get(student, "")
+        pdf = assignment_sheet(entry, plan, context.policy, context.course, words, link)
         write_bytes(sheet, pdf, private=True)
 
     def write_workbook() -> None:

@@ -2,14 +2,15 @@
 
 import logging
 import secrets
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import date
+from datetime import UTC, date, datetime, time
 from functools import partial
 from pathlib import Path
 from typing import TypeAlias
 
 from gripcourse.course.model import Course
+from gripcourse.desk.store import open_desk
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
@@ -18,10 +19,12 @@ from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.issuing.store import extend_register, read_register
 from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
+from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import discard_unfinished, make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.handout import (
     Handout,
     IssuingContext,
@@ -29,6 +32,7 @@ from gripcourse.usecases.handout import (
     sheet_path,
     workbook_path,
 )
+from gripcourse.usecases.links import address_of, make_links
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 
@@ -50,6 +54,8 @@ class Order:
         out: folder to write the students' folders to.
         today: day of the issue.
         deadline: last day for handing in, None for none.
+        link_days: how many days from `today` the personal link on each sheet is good for; 0 for
+            sheets without one.
     """
 
     roster: Readable
@@ -57,6 +63,7 @@ class Order:
     out: Path
     today: date
     deadline: date | None
+    link_days: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +109,8 @@ def issue_order(
             used; nothing was written.
     """
     refuse_past(order.deadline, order.today)
+    if order.link_days:
+        address_of(course)
     before = read_register(course.root, course.id)
     roster = read_roster(order.roster, (entry.student for entry in before.entries))
     students = roster.students
@@ -122,11 +131,20 @@ def issue_order(
     )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
-    context = IssuingContext(course, policy, partial(plan_of, course), order.out)
+    links = _links(course, policy, terms.key, order) if order.link_days else {}
+    context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     made_key = _key_notes(course) if known is None else ()
     notes = (*made_key, *roster.notes, *extended.notes)
     handouts = write_handouts(context, entries, workers, on_done, issue_one)
     return Issuing(handouts, notes, extended.outdated)
+
+
+def _links(course: Course, policy: Policy, key: bytes, order: Order) -> Mapping[str, str]:
+    """Return the personal links that stand on the sheets; the same for the same day."""
+    context = DeskContext(course, policy, key, open_desk(home_of(course.root), course.id))
+    issued_at = datetime.combine(order.today, time(), UTC)
+    links = make_links(context, "", order.link_days, issued_at)
+    return {one.issued.student.id: one.address for one in links}
 
 
 def refuse_past(deadline: date | None, today: date) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from pathlib import Path
 
+from gripcourse.course.model import Course
 from gripcourse.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
@@ -37,16 +38,26 @@ def make_links(
     Raises:
         UsageError: there is no address.
     """
-    base = (address or context.course.address).rstrip("/")
-    if not base:
-        what = message("Nobody knows at which address the server is found.")
-        remedy = message("Name it, or write `address` into the course.")
-        raise UsageError([Problem("", "", what, remedy, parameter="address")])
+    base = address_of(context.course, address)
     expires = (now + timedelta(days=days)).replace(microsecond=0)
     return tuple(
         PersonalLink(issued, f"{base}/s/{token_of(context, student, expires)}/", expires)
         for student, issued in context.register().items()
     )
+
+
+def address_of(course: Course, address: str = "") -> str:
+    """Return where the server is found, as somebody says or the course declares.
+
+    Raises:
+        UsageError: neither says it.
+    """
+    base = (address or course.address).rstrip("/")
+    if not base:
+        what = message("Nobody knows at which address the server is found.")
+        remedy = message("Name it, or write `address` into the course.")
+        raise UsageError([Problem("", "", what, remedy, parameter="address")])
+    return base
 
 
 def token_of(context: DeskContext, student: str, expires: datetime) -> str:

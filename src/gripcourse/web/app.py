@@ -15,9 +15,11 @@ from starlette.types import ASGIApp
 from gripcourse.errors import GradebookError
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
+from gripcourse.web.drawings import drawing_routes
 from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.marking import marking_routes
+from gripcourse.web.overview import overview_routes
 from gripcourse.web.pages import notice, visitor_words
 from gripcourse.web.refusals import (
     WebRefusal,
@@ -71,6 +73,7 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
     @asynccontextmanager
     async def alive(_: Starlette) -> AsyncIterator[None]:
         yield
+        site.own_batch.close()
         site.checkers.close()
 
     routes = [
@@ -80,6 +83,8 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         *instructor_routes(site),
         *marking_routes(site),
         *regrading_routes(site),
+        *drawing_routes(site),
+        *overview_routes(site),
         Mount(REST, rest_app(site)),
         *further,
     ]

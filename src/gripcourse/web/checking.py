@@ -1,4 +1,4 @@
-"""A self-check in a worker: what students upload is never opened by the server itself."""
+"""What is done in a worker: what students upload is never opened by the server itself."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +16,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.check import check_file
 from gripcourse.usecases.desk import DeskContext
+from gripcourse.web.pictures import Picture, picture_of
 
 SECONDS: Final = 20.0
 """A workbook takes a tenth of a second; what preflight lets through takes two."""
@@ -29,6 +30,21 @@ class CheckJob:
     who: str
     ledger: Path
     language: str
+
+
+@dataclass(frozen=True, slots=True)
+class PaintJob:
+    """A drawing of which a page is to be seen."""
+
+    file: NamedBytes
+    page: int
+
+
+def work(job: CheckJob | PaintJob, shared: tuple[Course, Policy]) -> CheckResult | Picture:
+    """Do what is asked of a worker of the server."""
+    if isinstance(job, PaintJob):
+        return picture_of(job.file.data, job.file.name, job.page)
+    return check(job, shared)
 
 
 def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckResult:
@@ -47,4 +63,4 @@ def make_checkers(
 ) -> StandingWorkers:
     """Make the workers of a server; see `StandingWorkers`."""
     shared = (context.course, context.policy)
-    return StandingWorkers(check, shared, workers=workers, seconds=SECONDS, pool=pool)
+    return StandingWorkers(work, shared, workers=workers, seconds=SECONDS, pool=pool)

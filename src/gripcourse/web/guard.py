@@ -8,6 +8,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 LARGEST_BODY: Final = 20_000_000
 """Bytes of one request: a workbook with pictures has a few million."""
+LARGEST_DRAINED: Final = 64_000_000
+"""Bytes of a refused request that are still taken, and thrown away."""
 
 _POLICY: Final = "Content-Security-Policy"
 _FRAMES: Final = "X-Frame-Options"
@@ -39,6 +41,42 @@ class TooMuchError(Exception):
     """More was sent than a request may hold."""
 
 
+class Incoming:
+    """What a request sends: counted, bounded, and heard out before it is answered."""
+
+    def __init__(self, scope: Scope, receive: Receive) -> None:
+        self._receive = receive
+        self._taken = 0
+        self._ended = not _has_body(Headers(scope=scope))
+
+    async def bounded(self) -> Message:
+        """Take the next part.
+
+        Raises:
+            TooMuchError: it is more than a request may hold.
+        """
+        received = await self._next()
+        if self._taken > LARGEST_BODY:
+            raise TooMuchError
+        return received
+
+    async def hear_out(self) -> None:
+        """Take the rest and throw it away.
+
+        A browser that is still sending when we close sees a broken connection, and never the
+        sentence that says why.
+        """
+        while not self._ended and self._taken < LARGEST_DRAINED:
+            await self._next()
+
+    async def _next(self) -> Message:
+        received = await self._receive()
+        self._taken += len(received.get("body", b""))
+        goes_on = received["type"] == "http.request" and received.get("more_body", False)
+        self._ended = not goes_on
+        return received
+
+
 class Guard:
     """Bounds what comes in and marks what goes out; wraps the whole application."""
 
@@ -51,30 +89,30 @@ class Guard:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        left = LARGEST_BODY
-
-        async def bounded() -> Message:
-            nonlocal left
-            received = await receive()
-            left -= len(received.get("body", b""))
-            if left < 0:
-                raise TooMuchError
-            return received
+        incoming = Incoming(scope, receive)
 
         async def marked(sent: Message) -> None:
             if sent["type"] == "http.response.start":
-                headers = MutableHeaders(scope=sent)
-                for name, value in _HEADERS.items():
-                    headers[name] = value
-                if _POLICY not in headers:
-                    headers[_POLICY] = content_policy()
-                    headers[_FRAMES] = "DENY"
-                headers.setdefault("Cache-Control", "no-store")
-                if self.secure:
-                    headers["Strict-Transport-Security"] = _HTTPS_ONLY
+                await incoming.hear_out()
+                self._mark(MutableHeaders(scope=sent))
             await send(sent)
 
-        await self.app(scope, bounded, marked)
+        await self.app(scope, incoming.bounded, marked)
+
+    def _mark(self, headers: MutableHeaders) -> None:
+        """Say what a browser is to refuse."""
+        for name, value in _HEADERS.items():
+            headers[name] = value
+        if _POLICY not in headers:
+            headers[_POLICY] = content_policy()
+            headers[_FRAMES] = "DENY"
+        headers.setdefault("Cache-Control", "no-store")
+        if self.secure:
+            headers["Strict-Transport-Security"] = _HTTPS_ONLY
+
+
+def _has_body(headers: Headers) -> bool:
+    return headers.get("content-length", "0") != "0" or "transfer-encoding" in headers
 
 
 def declares_too_much(headers: Headers) -> bool:

@@ -1,11 +1,7 @@
 """The instructor's desk: the group, a student's history, downloads, publishing."""
 
-import hashlib
-import hmac
-from collections.abc import Awaitable, Callable
-from dataclasses import dataclass
 from http import HTTPStatus
-from typing import Final, TypeAlias
+from typing import Final
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -13,62 +9,21 @@ from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import message
 from gripcourse.usecases.hand_in import kept_path, receipt_of
 from gripcourse.usecases.publish import current, published_grades, published_to
 from gripcourse.usecases.sign_in import SESSION_HOURS, sign_in
 from gripcourse.web import acts
 from gripcourse.web.group import GroupMember, GroupState, Wish, row_of, rows_of
+from gripcourse.web.overview import flags_of, titles_of
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import SIGN_INS
 from gripcourse.web.refusals import NOT_FOUND, SIGN_IN, WebRefusal
+from gripcourse.web.seat import COOKIE, Answer, Seat, desk_route
 from gripcourse.web.site import Site
-from gripcourse.web.uploads import Sent, address_of, count, read_form
+from gripcourse.web.uploads import address_of, count
 
-_COOKIE: Final = "gripcourse-desk"
-_PURPOSE: Final = b"gripcourse form 1"
 _BINARY: Final = "application/octet-stream"
-
-
-@dataclass(frozen=True, slots=True)
-class Seat:
-    """An instructor who is signed in.
-
-    Attributes:
-        site: the server.
-        request: what is asked.
-        name: who it is.
-        form_key: that every form of this session carries, so that no other site can send one.
-        sent: the form that came.
-    """
-
-    site: Site
-    request: Request
-    name: str
-    form_key: str
-    sent: Sent
-
-    @property
-    def words(self) -> Words:
-        """The language of the desk."""
-        return visitor_words(self.site, self.request)
-
-    @property
-    def home(self) -> str:
-        """The path of the desk."""
-        return f"{self.request.scope.get('root_path', '')}/desk/"
-
-    def refuse(self, why: WebRefusal) -> Response:
-        """Say why something is not done, with a way back."""
-        return notice(self.site, self.request, self.words, why.said, why.status, self.home)
-
-    def page(self, name: str, values: dict[str, object]) -> Response:
-        """Show a page with what all pages of the desk have."""
-        all_have = {"home": self.home, "who": self.name, "form_key": self.form_key}
-        return page(self.site, self.request, name, self.words, all_have | values)
-
-
-Answer: TypeAlias = Callable[[Seat], Response]
 
 
 def instructor_routes(site: Site) -> list[Route]:
@@ -91,7 +46,7 @@ def instructor_routes(site: Site) -> list[Route]:
         root = str(request.scope.get("root_path", ""))
         response = RedirectResponse(f"{root}/desk/", HTTPStatus.SEE_OTHER)
         response.set_cookie(
-            _COOKIE,
+            COOKIE,
             session,
             max_age=SESSION_HOURS * 3600,
             path=f"{root}/desk",
@@ -115,32 +70,6 @@ def instructor_routes(site: Site) -> list[Route]:
     ]
 
 
-def desk_route(site: Site, path: str, answer: Answer, method: str = "GET") -> Route:
-    """Return a route of the desk: whoever asks is signed in, and every form of this session."""
-    endpoint = _seated(site, answer)
-    return Route(f"/desk/{path}", endpoint, methods=[method], name=answer.__name__)
-
-
-def _seated(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Response]]:
-    async def endpoint(request: Request) -> Response:
-        session = request.cookies.get(_COOKIE, "")
-        name = await run_in_threadpool(site.context.desk.session_name, session, site.clock())
-        words = visitor_words(site, request)
-        if name is None:
-            return notice(site, request, words, SIGN_IN.said, HTTPStatus.FORBIDDEN)
-        form_key = hmac.new(session.encode(), _PURPOSE, hashlib.sha256).hexdigest()
-        sent = Sent({}, None)
-        if request.method == "POST":
-            sent = await read_form(request)
-            given = sent.texts.get("form_key", "")
-            if not hmac.compare_digest(given.encode(), form_key.encode()):
-                said = message("This form is not of this session. Open the page again.")
-                return notice(site, request, words, said, HTTPStatus.FORBIDDEN)
-        return await run_in_threadpool(answer, Seat(site, request, name, form_key, sent))
-
-    return endpoint
-
-
 def group(seat: Seat) -> Response:
     """Show everybody, or those who are looked for."""
     asked = seat.request.query_params
@@ -151,6 +80,7 @@ def group(seat: Seat) -> Response:
         GroupState(state) if state in list(GroupState) else GroupState.ANY,
     )
     everybody = rows_of(seat.site.context)
+    batch = seat.site.batches.read(seat.site.graded)
     values: dict[str, object] = {
         "rows": [row for row in everybody if wish.meets(row)],
         "everybody": len(everybody),
@@ -159,6 +89,7 @@ def group(seat: Seat) -> Response:
         "wish": wish,
         "published": current(seat.site.context),
         "can_publish": seat.site.graded is not None,
+        "flagged": [] if batch is None else sorted({one.student for one in batch.flagged}),
     }
     return seat.page("group", values)
 
@@ -179,6 +110,8 @@ def student(seat: Seat) -> Response:
         "marks": [entry.mark for entry in book.entries({id_})],
         "requests": context.desk.requests(id_),
         "report": published is not None and published.pdf is not None,
+        "flags": flags_of(seat, id_),
+        "titles": titles_of(context, seat.words),
     }
     return seat.page("student", values)
 
@@ -223,10 +156,10 @@ def withdrawing(seat: Seat) -> Response:
 
 def signing_out(seat: Seat) -> Response:
     """End the session."""
-    seat.site.context.desk.end_session(seat.request.cookies[_COOKIE], seat.site.clock())
+    seat.site.context.desk.end_session(seat.request.cookies[COOKIE], seat.site.clock())
     said = message("You are signed out.")
     response = notice(seat.site, seat.request, seat.words, said, HTTPStatus.OK)
-    response.delete_cookie(_COOKIE, path=f"{seat.request.scope.get('root_path', '')}/desk")
+    response.delete_cookie(COOKIE, path=f"{seat.request.scope.get('root_path', '')}/desk")
     return response
 
 

@@ -81,15 +81,17 @@ _OTHER_COURSE: Final = message(
 _NOT_TOLD: Final[Mapping[NotTold, Message]] = {
     NotTold.UNKNOWN: message(
         "Nobody on the list of this course is known by what your learning platform says of you."
-        " Ask your instructor, and name your number there: {user}"
+        " Your instructor sees that you wait and will say who you are; then open it again. Your"
+        " number there: {user}"
     ),
     NotTold.AMBIGUOUS: message(
         "What your learning platform says of you fits several students on the list of this course."
-        " Ask your instructor, and name your number there: {user}"
+        " Your instructor sees that you wait and will say who you are; then open it again. Your"
+        " number there: {user}"
     ),
     NotTold.TAKEN: message(
         "Somebody else of your learning platform is the student that you would be here. Ask your"
-        " instructor, and name your number there: {user}"
+        " instructor, who sees that you wait. Your number there: {user}"
     ),
 }
 

@@ -13,21 +13,27 @@ from starlette.routing import Route
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.waiting import Waiting
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import Words
+from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import receipt_of
 from gripcourse.usecases.mark import enter_mark, what_waits
 from gripcourse.usecases.opening import grading_of
 from gripcourse.variants.model import Issued
-from gripcourse.web.instructor import Seat, desk_route
-from gripcourse.web.refusals import NOT_FOUND
+from gripcourse.web.drawings import drawings_of, shown_drawing
+from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
+from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
 _LINE: Final = "line:"
 _LONGEST_COMMENT: Final = 2000
+_LONGEST_NUMBER: Final = 5
+_MARKED_MEANWHILE: Final = WebRefusal(
+    Code.CONFLICT, message("Somebody marked this item since you opened it. Look at it again.")
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +89,8 @@ def mark(seat: Seat) -> Response:
     here = _place(seat)
     following = _neighbour(_waiting(seat), here, 1)
     texts = seat.sent.texts
+    if texts.get("seen") != _seen(seat):
+        return seat.refuse(_MARKED_MEANWHILE)
     lines = {
         name.removeprefix(_LINE): _number(text)
         for name, text in texts.items()
@@ -114,6 +122,12 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
     if item is None:
         return seat.refuse(NOT_FOUND)
     context = seat.site.context
+    drawings = drawings_of(context.desk.hand_ins(here[0]))
+    asked = seat.request.query_params
+    chosen = next((one for one in drawings if str(one.number) == asked.get("drawing")), None)
+    chosen = chosen or (drawings[0] if drawings else None)
+    number = asked.get("page", "")
+    on_page = int(number) if number.isdecimal() and len(number) < _LONGEST_NUMBER else 1
     neighbours = {step: _neighbour(waits, here, step) for step in (-1, 1)}
     values: dict[str, object] = {
         "student": item.issued.student,
@@ -122,6 +136,7 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "again": item.again,
         "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
         "place": _address(seat, *here),
+        "seen": _seen(seat),
         "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
         "count": len(waits),
         "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
@@ -129,6 +144,8 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "hand_ins": [
             receipt_of(context, item.issued, one) for one in context.desk.hand_ins(here[0])
         ],
+        "drawings": drawings,
+        "drawing": None if chosen is None else shown_drawing(seat, chosen, on_page),
         "requests": [one for one in context.desk.requests(here[0]) if one.item == here[1]],
         "credit": typed.get("credit", ""),
         "comment": typed.get("comment", ""),
@@ -168,6 +185,13 @@ def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:
     by_rubric = waits.outcome.traits.by_rubric
     rubric = context.policy.rubrics[quantity.rubric] if by_rubric else None
     return ItemToMark(issued, quantity, rubric, waits.again)
+
+
+def _seen(seat: Seat) -> str:
+    """Say which marks of the item there are: who marks in another tab changes it."""
+    student, item = _place(seat)
+    entries = Gradebook(seat.site.context.desk.engine).entries({student})
+    return str(sum(one.mark.quantity == item for one in entries))
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:

@@ -20,8 +20,8 @@ from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.hand_in import kept_path
 from gripcourse.usecases.opening import grading_of
 from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
-from gripcourse.web.instructor import Seat, desk_route
 from gripcourse.web.refusals import Code, WebRefusal, refusal_of_problem
+from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
 
@@ -70,12 +70,13 @@ def digest_of_changes(found: Regrading) -> str:
 
 
 def works_handed_in(context: DeskContext) -> list[NamedBytes]:
-    """Return every file that was handed in, called like its student, each once.
+    """Return every workbook that was handed in, called like its student, each once.
 
     Raises:
         OSError: one cannot be read.
     """
-    files = {(one.student, one.digest): one for one in context.desk.hand_ins()}
+    works = (one for one in context.desk.hand_ins() if not one.is_drawing)
+    files = {(one.student, one.digest): one for one in works}
     return [
         NamedBytes(
             f"{student}{PurePath(one.name).suffix.lower()}", kept_path(context, digest).read_bytes()

@@ -73,11 +73,12 @@ def platform_routes(site: Site, serving: Serving) -> list[Route]:
         return []
     try:
         from gripcourse.web.lti import lti_routes  # noqa: PLC0415 (only who declares one pays)
+        from gripcourse.web.platform_people import people_routes  # noqa: PLC0415 (likewise)
     except ModuleNotFoundError as missing:
         what = message("Learning platforms need the package {name}.", name=str(missing.name))
         remedy = message("Install gripcourse with its extra 'lti'.")
         raise UsageError([Problem(str(declared), "", what, remedy)]) from missing
-    return lti_routes(site, serving.address)
+    return [*lti_routes(site, serving.address), *people_routes(site)]
 
 
 def serve(context: DeskContext, serving: Serving) -> None:

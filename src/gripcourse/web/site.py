@@ -10,6 +10,7 @@ from anyio import CapacityLimiter
 
 from gripcourse.jobs.standing import StandingWorkers
 from gripcourse.usecases.desk import DeskContext
+from gripcourse.web.batch import BatchReader, OwnBatch
 from gripcourse.web.rates import Counter
 
 _MOST_WAITING: Final = 10  # of the forty threads that answer requests
@@ -27,6 +28,8 @@ class Site:
         graded: the folder that grading writes, which may be published; None for none.
         secure: whether browsers reach it by https alone.
         counter: of what is done how often.
+        batches: what was graded last, read when it changed.
+        own_batch: what this server itself began to grade.
         waiting: how many may wait for a worker at once; who hands in never stands behind them.
     """
 
@@ -37,6 +40,8 @@ class Site:
     graded: Path | None = None
     secure: bool = False
     counter: Counter = field(default_factory=Counter)
+    batches: BatchReader = field(default_factory=BatchReader)
+    own_batch: OwnBatch = field(default_factory=OwnBatch)
     waiting: CapacityLimiter = field(default_factory=lambda: CapacityLimiter(_MOST_WAITING))
 
     @property

@@ -14,13 +14,13 @@ from starlette.routing import Route
 
 from gripcourse.api.results import CheckResult
 from gripcourse.desk.links import Refused
-from gripcourse.desk.model import HandIn
+from gripcourse.desk.model import DRAWINGS, HandIn
 from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Words
-from gripcourse.usecases.hand_in import kept_path, receipt_of
+from gripcourse.usecases.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
 from gripcourse.usecases.links import open_link
 from gripcourse.usecases.publish import ShownResult, published_to
@@ -133,7 +133,8 @@ def home(visit: Visit) -> Response:
         "task": plan.scheme.task.of(words.language),
         "deadline": issued.deadline,
         "data": given_data(plan.givens, issued.variant.given, words),
-        "asked": len(plan.answered),
+        "over": is_late(issued, visit.site.clock()),
+        "drawings": sorted(DRAWINGS) if plan.manual else (),
         "sheet": _issued_file(visit, sheet_path) is not None,
         "workbook": _issued_file(visit, workbook_path) is not None,
         "compares": rule.tells is not Tells.READING,

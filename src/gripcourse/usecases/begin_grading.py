@@ -1,0 +1,44 @@
+"""Grading what was handed in, begun by a server: the command of the command line, by itself."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Final
+
+from gripcourse.errors import Problem, UsageError
+from gripcourse.text.words import message
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.hand_in import collect_hand_ins
+
+# Hidden: no backup carries what was only collected.
+_WORK: Final = ".grading"
+_LOG: Final = "grading.log"
+
+
+def begin_grading(context: DeskContext, graded: Path, workers: int) -> "subprocess.Popen[bytes]":
+    """Collect the last workbook of everybody, and begin to grade them.
+
+    Args:
+        context: of the course.
+        graded: folder of the results; what an earlier run found out there is taken over.
+        workers: processes that open the workbooks.
+
+    Raises:
+        UsageError: nobody has handed in a workbook.
+        OSError: something cannot be written.
+    """
+    work = context.private / _WORK
+    shutil.rmtree(work, ignore_errors=True)
+    if not collect_hand_ins(context, work):
+        what = message("Nobody has handed in a workbook yet.")
+        raise UsageError([Problem("", "", what, message("There is nothing to grade."))])
+    command = [
+        *(sys.executable, "-m", "gripcourse", "grade", str(work), "--quiet"),
+        *("--course", str(context.course.root), "--out", str(graded)),
+        *("--workers", str(workers)),
+    ]
+    with (context.private / _LOG).open("wb") as log:
+        return subprocess.Popen(  # noqa: S603 (ourselves, and paths of our own)
+            command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT
+        )

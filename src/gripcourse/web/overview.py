@@ -1,0 +1,179 @@
+"""The desk's pages about everybody: figures, flags, and the batch that is being graded."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from http import HTTPStatus
+from typing import Final
+
+from starlette.responses import RedirectResponse, Response
+from starlette.routing import Route
+
+from gripcourse.errors import GradebookError, GripcourseError
+from gripcourse.solver.plan import plan_of
+from gripcourse.text.words import Words, message
+from gripcourse.usecases.begin_grading import begin_grading
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.figures import Facility, group_figures
+from gripcourse.usecases.progress import batch_progress
+from gripcourse.web.batch import FoundFlag, GradedWork
+from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.seat import Seat, desk_route
+from gripcourse.web.site import Site
+
+_HARDEST: Final = 12
+_OTHERS: Final = 3  # works that one flag lays beside
+_NUMBERS: Final = 12
+_SECONDS: Final = 3
+_FIGURES: Final = 7
+
+
+@dataclass(frozen=True, slots=True)
+class LaidBeside:
+    """Another student's work beside the flagged one.
+
+    Attributes:
+        student: id; he may be in the register no longer.
+        name: as the roster writes it; empty where he is not there.
+        rows: title of a quantity, what stands here and there, what would be right here and there.
+    """
+
+    student: str
+    name: str
+    rows: tuple[tuple[str, str, str, str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ShownFlag:
+    """A flag with its evidence."""
+
+    message: str
+    beside: tuple[LaidBeside, ...]
+
+
+def overview_routes(site: Site) -> list[Route]:
+    """Return the routes of these pages."""
+    return [
+        desk_route(site, "figures", figures),
+        desk_route(site, "flags", flags),
+        desk_route(site, "grading", grading),
+        desk_route(site, "grading", grading_begun, "POST"),
+    ]
+
+
+def figures(seat: Seat) -> Response:
+    """Show how scores are spread, and what was hard."""
+    context, found = seat.site.context, group_figures(seat.site.context)
+    language = seat.words.language
+    sections = {one.id: one.title.of(language) for one in context.course.sections}
+    titles = titles_of(context, seat.words)
+    values: dict[str, object] = {
+        "found": found,
+        "most": max(found.scores, default=0),
+        "sections": list(_named(found.sections, sections)),
+        "items": list(_named(found.items[:_HARDEST], titles)),
+    }
+    return seat.page("figures", values)
+
+
+def flags(seat: Seat) -> Response:
+    """Show whose work somebody should look at."""
+    batch, register = seat.site.batches.read(seat.site.graded), seat.site.context.register()
+    works = () if batch is None else batch.flagged
+    names = {id_: issued.student.name or id_ for id_, issued in register.items()}
+    return seat.page("flags", {"batch": batch, "works": works, "names": names})
+
+
+def grading(seat: Seat) -> Response:
+    """Show how far a batch is; the page renews itself where the instructor wants it to."""
+    site, live = seat.site, seat.request.query_params.get("live") == "yes"
+    if site.graded is None:
+        return seat.refuse(NOT_FOUND)
+    progress, batch = batch_progress(site.graded), site.batches.read(site.graded)
+    hand_ins = site.context.desk.hand_ins()
+    runs = progress is not None or site.own_batch.runs
+    values: dict[str, object] = {
+        "progress": progress,
+        "silent": progress is not None and progress.is_silent(site.clock()),
+        "runs": runs,
+        "failed": site.own_batch.failed,
+        "live": live,
+        "last": None if batch is None else batch.at,
+        "graded": 0 if batch is None else len(batch.works),
+        "waiting": len({one.student for one in hand_ins if not one.is_drawing}),
+    }
+    response = seat.page("grading", values)
+    if runs and live:
+        response.headers["Refresh"] = str(_SECONDS)
+    return response
+
+
+def grading_begun(seat: Seat) -> Response:
+    """Begin to grade what was handed in."""
+    site = seat.site
+    if site.graded is None:
+        return seat.refuse(NOT_FOUND)
+    with site.own_batch.lock:
+        progress = batch_progress(site.graded)
+        running = progress is not None and not progress.is_silent(site.clock())
+        if running or site.own_batch.runs:
+            said = message("A batch is being graded already. Wait until it has ended.")
+            return seat.refuse(WebRefusal(Code.CONFLICT, said))
+        try:
+            site.own_batch.began(begin_grading(site.context, site.graded, site.checkers.workers))
+        except GradebookError:
+            raise
+        except GripcourseError as error:
+            return seat.refuse(refusal_of_problem(error, Code.CONFLICT))
+    return RedirectResponse(f"{seat.home}grading?live=yes", HTTPStatus.SEE_OTHER)
+
+
+def flags_of(seat: Seat, student: str) -> tuple[ShownFlag, ...]:
+    """Return the flags of a student with their evidence."""
+    batch = seat.site.batches.read(seat.site.graded)
+    if batch is None:
+        return ()
+    return tuple(
+        _shown(seat, work, flag, batch.works) for work in batch.of(student) for flag in work.flags
+    )
+
+
+def _shown(
+    seat: Seat, work: GradedWork, flag: FoundFlag, works: tuple[GradedWork, ...]
+) -> ShownFlag:
+    register = seat.site.context.register()
+    titles = titles_of(seat.site.context, seat.words)
+    others = {one.student: one for one in works}
+    beside = []
+    for id_ in flag.others[:_OTHERS]:
+        issued, other = register.get(id_), others.get(id_)
+        rows = () if other is None else tuple(_rows(work, other, flag.rests_on, titles, seat.words))
+        beside.append(LaidBeside(id_, "" if issued is None else issued.student.name or id_, rows))
+    return ShownFlag(flag.message, tuple(beside))
+
+
+def _rows(
+    work: GradedWork, other: GradedWork, ids: Iterable[str], titles: dict[str, str], words: Words
+) -> Iterator[tuple[str, str, str, str, str]]:
+    for id_ in tuple(ids)[:_NUMBERS]:
+        here, there = work.numbers.get(id_), other.numbers.get(id_)
+        right = [
+            "" if one is None or one.reference is None else words.number(one.reference, _FIGURES)
+            for one in (here, there)
+        ]
+        typed = ["" if one is None else one.typed for one in (here, there)]
+        yield titles.get(id_, id_), typed[0], typed[1], right[0], right[1]
+
+
+def titles_of(context: DeskContext, words: Words) -> dict[str, str]:
+    """Return the titles of everything that was asked of anybody."""
+    compositions = {one.variant.composition for one in context.register().values()}
+    return {
+        quantity.id: quantity.title.of(words.language)
+        for composition in compositions
+        for quantity in plan_of(context.course, composition).quantities.values()
+    }
+
+
+def _named(found: Iterable[Facility], titles: dict[str, str]) -> Iterator[tuple[str, Facility]]:
+    for one in found:
+        yield titles.get(one.id, one.id), one

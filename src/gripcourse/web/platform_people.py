@@ -1,0 +1,69 @@
+"""Who came from a learning platform and waits at the desk to be told which student that is."""
+
+from http import HTTPStatus
+from typing import Final
+
+from starlette.responses import RedirectResponse, Response
+from starlette.routing import Route
+
+from gripcourse.errors import GradebookError, GripcourseError
+from gripcourse.lti.model import Stranger
+from gripcourse.lti.platforms import load_platforms
+from gripcourse.text.words import Message, message
+from gripcourse.usecases.lti import bind, chosen_platform, platform_names, store_of
+from gripcourse.web.refusals import NOT_FOUND, Code, refusal_of_problem
+from gripcourse.web.seat import Seat, desk_route
+from gripcourse.web.site import Site
+
+_WHY: Final = {
+    "unknown": message("nobody on the list"),
+    "ambiguous": message("several on the list"),
+    "taken": message("somebody else is that student"),
+}
+_OTHER: Final = message("cannot be told")
+
+
+def people_routes(site: Site) -> list[Route]:
+    """Return the routes of this page."""
+    return [desk_route(site, "people", people), desk_route(site, "people", known, "POST")]
+
+
+def people(seat: Seat) -> Response:
+    """Show who waits, and the students that nobody of the platform is yet."""
+    context = seat.site.context
+    names, store = platform_names(context.course.root), store_of(context)
+    taken = {one.student for one in store.bonds().values()}
+    students = [issued.student for id_, issued in context.register().items() if id_ not in taken]
+    values: dict[str, object] = {
+        "strangers": [
+            (one, names.get((one.issuer, one.client), one.issuer), seat.words.say(_why(one)))
+            for one in store.strangers()
+        ],
+        "students": sorted(students, key=lambda one: (one.group, one.name)),
+    }
+    return seat.page("people", values)
+
+
+def known(seat: Seat) -> Response:
+    """Keep that somebody of a platform is a student."""
+    context, texts = seat.site.context, seat.sent.texts
+    wanted = texts.get("issuer", ""), texts.get("client", "")
+    name = platform_names(context.course.root).get(wanted)
+    if name is None or name not in load_platforms(context.course.root):
+        return seat.refuse(NOT_FOUND)
+    waits = {(one.issuer, one.client, one.user) for one in store_of(context).strangers()}
+    user = texts.get("user", "")
+    if (*wanted, user) not in waits or not texts.get("student"):
+        return seat.refuse(NOT_FOUND)
+    platform = chosen_platform(context.course.root, name)
+    try:
+        bind(context, platform, user, texts["student"], seat.name, seat.site.clock())
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return seat.refuse(refusal_of_problem(error, Code.CONFLICT))
+    return RedirectResponse(f"{seat.home}people", HTTPStatus.SEE_OTHER)
+
+
+def _why(stranger: Stranger) -> Message:
+    return _WHY.get(stranger.reason, _OTHER)

@@ -1,0 +1,98 @@
+"""Drawings beside the rubric: pictures of our own making, whatever a student sends."""
+
+import io
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import ezdxf
+import pytest
+from PIL import Image
+from pypdf import PdfWriter
+
+from gripcourse.machine.content import NamedBytes
+from gripcourse.usecases.hand_in import hand_in, latest
+from gripcourse.web.pictures import PAINTED, picture_of
+
+if TYPE_CHECKING:
+    from starlette.testclient import TestClient
+
+    from web.conftest import Server
+
+PAGE = "/desk/marking/s01/general_view_drawing"
+
+
+def pdf(pages: int) -> bytes:
+    writer, stream = PdfWriter(), io.BytesIO()
+    for _ in range(pages):
+        writer.add_blank_page(420, 297)
+    writer.write(stream)
+    return stream.getvalue()
+
+
+def dxf() -> bytes:
+    drawing, stream = ezdxf.new(), io.StringIO()
+    drawing.modelspace().add_line((0, 0), (10, 5))
+    drawing.write(stream)
+    return stream.getvalue().encode()
+
+
+def raster(kind: str) -> bytes:
+    stream = io.BytesIO()
+    Image.new("RGBA" if kind == "png" else "L", (3000, 1000), "black").save(stream, kind)
+    return stream.getvalue()
+
+
+SVG = b"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10" onload="alert(1)">
+<script>alert(1)</script><image href="file:///etc/passwd"/><rect width="9" height="9"/></svg>"""
+FILES = {
+    ".pdf": (pdf(3), 3),
+    ".png": (raster("png"), 1),
+    ".jpg": (raster("jpeg"), 1),
+    ".jpeg": (raster("jpeg"), 1),
+    ".svg": (SVG, 1),
+    ".dxf": (dxf(), 1),
+}
+
+
+@pytest.mark.parametrize("suffix", sorted(PAINTED))
+def test_every_kind_of_drawing_is_painted(suffix: str) -> None:
+    data, pages = FILES[suffix]
+    made = picture_of(data, f"чертёж{suffix.upper()}", 1)
+    assert made.pages == pages
+    with Image.open(io.BytesIO(made.png), formats=("PNG",)) as image:
+        assert 500 < max(image.size) <= 2200
+        darkest = image.convert("L").getextrema()[0]
+    assert (darkest < 100) == (suffix != ".pdf")  # the pages of ours are blank
+
+
+def send(server: "Server", name: str, data: bytes) -> int:
+    issued = server.classroom.register["s01"]
+    return hand_in(server.context, issued, NamedBytes(name, data), server.clock.now).hand_in.number
+
+
+def test_a_drawing_is_shown_beside_the_rubric_and_never_as_it_was_sent(
+    server: "Server", signed_in: "TestClient", filled: bytes, tmp_path: Path
+) -> None:
+    work = send(server, "work.xlsx", filled)
+    server.grade(tmp_path)
+    old, new = send(server, "view.svg", SVG), send(server, "view.pdf", pdf(2))
+    broken = send(server, "broken.dxf", b"no drawing")
+    assert latest(server.context.desk.hand_ins("s01"))["s01"].number == work
+    page = signed_in.get(f"{PAGE}?drawing={new}&page=2").text
+    picture = f"/desk/student/s01/drawing/{new}/2.png"
+    assert f'<img src="{picture}"' in page
+    shown = signed_in.get(picture)
+    assert shown.headers["content-type"] == "image/png"
+    assert shown.content.startswith(b"\x89PNG")
+    assert "default-src 'none'" in shown.headers["content-security-policy"]
+    assert f"?drawing={old}" in page
+    assert "<script" not in signed_in.get(f"{PAGE}?drawing={old}").text
+    assert "<img" not in signed_in.get(f"{PAGE}?drawing={broken}").text
+    for path in (f"s01/drawing/{broken}/1.png", f"s01/drawing/{work}/1.png", "s02/drawing/1/1.png"):
+        assert signed_in.get(f"/desk/student/{path}").status_code in {404, 422}
+    sent = signed_in.get(f"/desk/student/s01/file/{old}")
+    assert sent.headers["content-type"] == "application/octet-stream"
+    assert re.match("attachment", sent.headers["content-disposition"])
+    for page_text in ("0", "9", "x", "99999999"):
+        assert signed_in.get(f"{PAGE}?drawing={new}&page={page_text}").status_code == 200
