@@ -183,24 +183,26 @@ class Comparison:
         return evaluate_sound(formula, self.quantity.unit, values, self.plan.columns)
 
 
-def conclude(
+def conclude(  # noqa: PLR0913 (the parts of a conclusion)
     comparison: Comparison,
     outcome: Outcome,
     against: Against,
     credit: float,
     said: Message,
     *,
+    reach: float = 0.0,
+    slip: SlipId | None = None,
     remarks: tuple[Message, ...] = (),
 ) -> Judgement:
-    """Conclude about an answer, as yet without a band, a slip or a root."""
+    """Conclude about an answer, as yet without a root; `reach` is its band."""
     expected = comparison.expected
     return Judgement(
         outcome=outcome,
         against=against,
         expected=expected if math.isfinite(expected) else None,
-        band=0.0,
+        band=reach,
         credit=credit,
-        slip=None,
+        slip=slip,
         tied=(),
         roots=(),
         message=said,

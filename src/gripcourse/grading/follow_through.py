@@ -200,7 +200,9 @@ def _bridge(
         lost = [
             name
             for name, value in numbers.values.items()
-            if math.isnan(value) and name not in stand_in and math.isfinite(reference.get(name, math.nan))
+            if math.isnan(value)
+            and name not in stand_in
+            and math.isfinite(reference.get(name, math.nan))
         ]
         if not lost:
             return numbers, stand_in

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Final
 
 from gripcourse.course.quantity import Alternative, Kind
@@ -150,5 +149,6 @@ def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
 ) -> Judgement:
     target = comparison.expected
     reach = comparison.band_round(target) if math.isfinite(target) else 0.0
-    judgement = conclude(comparison, outcome, against, credit, said, remarks=remarks)
-    return replace(judgement, band=reach, slip=slip)
+    return conclude(
+        comparison, outcome, against, credit, said, reach=reach, slip=slip, remarks=remarks
+    )

@@ -43,7 +43,7 @@ class Ground:
     apart: float
 
 
-def make_ground(  # noqa: PLR0913 (all that effects are measured on)
+def make_ground(
     plan: Plan,
     policy: Policy,
     candidates_of: CandidatesOf,
