@@ -18,7 +18,7 @@ from gripcourse.formula.functions import Array, Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor
 
-__all__ = ["Array", "Column", "evaluate", "evaluate_sound", "finite"]
+__all__ = ["Array", "Column", "evaluate", "evaluate_number", "evaluate_sound", "finite"]
 
 
 def evaluate(
@@ -63,3 +63,18 @@ def evaluate_sound(
             used = {name: one / factor(formula.units[name]) for name, one in used.items()}
         result = formula.made["arrays"](used, columns)
         return np.asarray(result * back if formula.units else result, np.float64)
+
+
+def evaluate_number(
+    formula: Formula, unit: str, values: Mapping[str, float], columns: Mapping[str, Column]
+) -> float:
+    """Compute a formula from single numbers that are finite or NaN already; see `evaluate`.
+
+    It is what `evaluate_sound` gives for them, without making an array of each number.
+    """
+    if "numbers" not in formula.made:
+        formula.made["numbers"] = of_numbers(formula.tree)
+    if not formula.units:
+        return float(formula.made["numbers"](values, columns))
+    known = {name: values[name] / factor(formula.units[name]) for name in formula.names}
+    return float(formula.made["numbers"](known, columns) * factor(unit))

@@ -3,16 +3,16 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final, TypeAlias
+from typing import Final, SupportsFloat, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.quantity import Choice, Quantity, Rounding
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.comparison import Comparison
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Values, choose
+from gripcourse.solver.solve import choose
 from gripcourse.text.words import Message, message
 
 Array: TypeAlias = NDArray[np.float64]
@@ -31,7 +31,11 @@ class ChoiceVerdict:
 
 
 def judge_choice(
-    plan: Plan, quantity: Quantity, chosen: float, required: float, values: Values
+    plan: Plan,
+    quantity: Quantity,
+    chosen: float,
+    required: float,
+    values: Mapping[str, SupportsFloat],
 ) -> ChoiceVerdict:
     """Judge a decision against the rule of its quantity.
 
@@ -65,8 +69,8 @@ def sound_sizes(comparison: Comparison, name: str) -> list[float]:
     formula = comparison.plan.reference_formula(name)
     if quantity.choice is None or formula is None:
         return []
-    values = comparison.follow_through.evaluation.values
-    required = float(evaluate_formula(formula, quantity.unit, values, comparison.plan.columns))
+    values = comparison.follow_through.numbers.values
+    required = evaluate_number(formula, quantity.unit, values, comparison.plan.columns)
     columns = (quantity.choice.column, *quantity.choice.also)
     entries = np.unique(np.concatenate([comparison.plan.columns[one].sizes for one in columns]))
     # A last digit of what is required may decide between two neighbours.
@@ -99,7 +103,7 @@ def same_size(one: float, other: float) -> bool:
 
 def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
     entries = np.concatenate([plan.columns[name].sizes for name in (choice.column, *choice.also)])
-    return bool(np.any(np.isclose(entries, chosen, rtol=_SAME, atol=0.0)))
+    return bool(np.any(np.abs(entries - chosen) <= _SAME * abs(chosen)))
 
 
 def _fault_up(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
@@ -143,10 +147,11 @@ _FAULTS: Final[Mapping[Rounding, _Fault]] = {
 }
 
 
-def _condition_holds(plan: Plan, quantity: Quantity, chosen: float, values: Values) -> bool:
+def _condition_holds(
+    plan: Plan, quantity: Quantity, chosen: float, values: Mapping[str, SupportsFloat]
+) -> bool:
     if quantity.choice is None or quantity.choice.condition is None:
         return True
-    follow_through = {**values, quantity.id: np.asarray(chosen)}
-    return bool(
-        evaluate_formula(quantity.choice.condition, "", follow_through, plan.columns) == 1.0
-    )
+    condition = quantity.choice.condition
+    known = {name: float(values[name]) for name in condition.names if name != quantity.id}
+    return evaluate_number(condition, "", {**known, quantity.id: chosen}, plan.columns) == 1.0

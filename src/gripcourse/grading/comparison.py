@@ -2,17 +2,17 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.quantity import Kind, Quantity
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.evaluate import evaluate_number, evaluate_sound
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.policy.bands import band, computed_band, within
+from gripcourse.policy.bands import BandRule, band_rule, computed_band_rule, within
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -76,7 +76,10 @@ class Comparison:
     Attributes:
         value: the answer, in the declared unit.
         reference_values: of every quantity, SI.
-        own: the calculation at the student's own numbers.
+        follow_through: the calculation at the student's own numbers.
+        reference: the reference value, in the declared unit; NaN where there is none.
+        follows: what follows from the student's own inputs, in the declared unit.
+        bands, widest: how far an answer may be from a value, and how wide a range counts.
     """
 
     plan: Plan
@@ -87,10 +90,23 @@ class Comparison:
     reference_values: Mapping[str, float]
     follow_through: FollowThrough
 
-    @property
-    def reference(self) -> float:
-        """The reference value, in the declared unit; NaN where there is none."""
-        return self.reference_values.get(self.quantity.id, math.nan) / factor(self.quantity.unit)
+    reference: float = field(init=False)
+    follows: ExpectedRange = field(init=False)
+    bands: BandRule = field(init=False)
+    widest: BandRule = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Find once what every judge asks for."""
+        name, put = self.quantity.id, object.__setattr__
+        put(self, "bands", band_rule(self.quantity, self.policy))
+        put(self, "widest", computed_band_rule(self.quantity, self.policy))
+        scale = factor(self.quantity.unit)
+        put(self, "reference", self.reference_values.get(name, math.nan) / scale)
+        put(self, "follows", NOWHERE if name in self.follow_through.bridged else self._following())
+
+    def _following(self) -> ExpectedRange:
+        name, own = self.quantity.id, self.follow_through
+        return self._range(own.numbers.computed[name], own.moved.computed[name])
 
     @property
     def has_reference(self) -> bool:
@@ -102,43 +118,35 @@ class Comparison:
         """The value at the student's own inputs, in the declared unit; NaN where there is none."""
         return self.follows.value
 
-    @property
-    def follows(self) -> ExpectedRange:
-        """What follows from the student's own inputs, in the declared unit."""
-        if self.quantity.id in self.follow_through.bridged:
-            return NOWHERE
-        computed = self.follow_through.evaluation.computed[self.quantity.id]
-        return self._range(float(computed), self.follow_through.moved.computed[self.quantity.id])
-
     def at_reference(self, formula: Formula) -> float:
         """Evaluate a formula at the reference's inputs, in the declared unit."""
-        values = {name: np.asarray(self.reference_values[name]) for name in formula.names}
-        return float(self._evaluate(formula, values)) / factor(self.quantity.unit)
+        return self._number(formula, self.reference_values) / factor(self.quantity.unit)
 
     def at_own(self, formula: Formula) -> ExpectedRange:
         """Evaluate a formula at the student's inputs, in the declared unit."""
-        value = float(self._evaluate(formula, self.follow_through.evaluation.values))
-        return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
+        value = self._number(formula, self.follow_through.numbers.values)
+        return self._range(value, self._moved(formula, self.follow_through.moved.values))
 
     def near_own(self, formula: Formula, furthest: float) -> ExpectedRange:
         """Do the same; the range is only looked at where it may come so near to the answer."""
-        value = float(self._evaluate(formula, self.follow_through.evaluation.values))
+        value = self._number(formula, self.follow_through.numbers.values)
         declared = value / factor(self.quantity.unit)
         if not abs(self.value - declared) <= self._widest(declared) + furthest:
             return ExpectedRange(declared, declared, declared)
-        return self._range(value, self._evaluate(formula, self.follow_through.moved.values))
+        return self._range(value, self._moved(formula, self.follow_through.moved.values))
 
     def following(self, name: str, value: float) -> ExpectedRange:
         """Return what follows here if another quantity is exactly a value (declared units)."""
         formula = self.plan.reference_formula(self.quantity.id)
         if formula is None:
             return NOWHERE
-        exact = np.asarray(value * factor(self.plan.quantities[name].unit))
-        result = self._evaluate(formula, {**self.follow_through.evaluation.values, name: exact})
-        return self._range(
-            float(result),
-            self._evaluate(formula, {**self.follow_through.moved.values, name: exact}),
-        )
+        exact = value * factor(self.plan.quantities[name].unit)
+        if not math.isfinite(exact):
+            exact = math.nan
+        own = self.follow_through
+        result = self._number(formula, {**own.numbers.values, name: exact})
+        moved = {**own.moved.values, name: np.asarray(exact)}
+        return self._range(result, self._moved(formula, moved))
 
     def fits(self, expected: float) -> bool:
         """Tell whether the answer lies in the band round an expected value."""
@@ -146,7 +154,7 @@ class Comparison:
 
     def band_round(self, expected: float) -> float:
         """Return the half width of the band round an expected value, in the declared unit."""
-        return band(self.quantity, expected, self.policy)
+        return self.bands.round(expected)
 
     @property
     def own_inputs(self) -> frozenset[str]:
@@ -164,32 +172,37 @@ class Comparison:
     def _widest(self, value: float) -> float:
         if self.quantity.kind is Kind.VERDICT:
             return 1.0  # at the edge a last digit decides between yes and no
-        return self.policy.widest * computed_band(self.quantity, value, self.policy)
+        return self.policy.widest * self.widest.round(value)
 
-    def _evaluate(
+    def _number(self, formula: Formula, values: Mapping[str, float]) -> float:
+        return evaluate_number(formula, self.quantity.unit, values, self.plan.columns)
+
+    def _moved(
         self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
     ) -> NDArray[np.float64]:
-        return evaluate_formula(formula, self.quantity.unit, values, self.plan.columns)
+        return evaluate_sound(formula, self.quantity.unit, values, self.plan.columns)
 
 
-def conclude(
+def conclude(  # noqa: PLR0913 (the parts of a conclusion)
     comparison: Comparison,
     outcome: Outcome,
     against: Against,
     credit: float,
     said: Message,
     *,
+    reach: float = 0.0,
+    slip: SlipId | None = None,
     remarks: tuple[Message, ...] = (),
 ) -> Judgement:
-    """Conclude about an answer, as yet without a band, a slip or a root."""
+    """Conclude about an answer, as yet without a root; `reach` is its band."""
     expected = comparison.expected
     return Judgement(
         outcome=outcome,
         against=against,
         expected=expected if math.isfinite(expected) else None,
-        band=0.0,
+        band=reach,
         credit=credit,
-        slip=None,
+        slip=slip,
         tied=(),
         roots=(),
         message=said,

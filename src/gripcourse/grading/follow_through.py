@@ -13,11 +13,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
+from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
+from gripcourse.solver.numbers import Numbers, evaluate_numbers
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, Values, evaluate, to_si
+from gripcourse.solver.solve import Evaluation, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
 from gripcourse.text.units import factor
 
@@ -31,8 +32,9 @@ class FollowThrough:
     Attributes:
         known: what everything else is computed from: issued values, answers that are carried on,
             and what stands in.
-        evaluation: every quantity at the student's numbers where they are carried, else computed
+        numbers: every quantity at the student's numbers where they are carried, else computed
             from what is upstream.
+        evaluation: the same as arrays of shape ().
         moved: the same with the typed numbers moved, arrays of shape (1 + 2n,): as typed first,
             then for each of n typed numbers its lower and its upper end.
         not_carried: ids of answers that were read and are not carried on, because they fail their
@@ -43,6 +45,7 @@ class FollowThrough:
     """
 
     known: Mapping[str, float]
+    numbers: Numbers
     evaluation: Evaluation
     moved: Evaluation
     not_carried: frozenset[str]
@@ -72,27 +75,29 @@ def follow(
         The evaluation; a blank or unreadable answer is computed from what is upstream.
     """
     inputs, carried = to_si(plan, given), _thinkable(plan, answers, anyway)
-    first = evaluate(plan, inputs | carried)
+    first = evaluate_numbers(plan, inputs | carried)
     refused = {
         name for name in carried if name not in anyway and not _guard_holds(plan, name, first)
     }
     kept = {name: value for name, value in carried.items() if name not in refused}
-    evaluation, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
+    numbers, stand_in = _bridge(plan, inputs | kept, reference, None if refused else first)
+    evaluation = numbers.as_arrays()
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
     known = inputs | kept | stand_in
     return FollowThrough(
         known=known,
+        numbers=numbers,
         evaluation=evaluation,
         moved=_moved(plan, evaluation, known, _reaches(plan, answers, kept, policy)),
         not_carried=frozenset(read - set(kept)),
         bridged=frozenset(stand_in),
-        own=frozenset(_differing(evaluation.values, reference)),
+        own=frozenset(_differing(numbers.values, reference)),
     )
 
 
-def _differing(values: Values, reference: Mapping[str, float]) -> Iterator[str]:
+def _differing(values: Mapping[str, float], reference: Mapping[str, float]) -> Iterator[str]:
     for name, value in values.items():
-        if not math.isclose(float(value), reference.get(name, math.nan), rel_tol=_SAME):
+        if not math.isclose(value, reference.get(name, math.nan), rel_tol=_SAME):
             yield name
 
 
@@ -171,34 +176,36 @@ def _is_thinkable(plan: Plan, answer: Answer) -> bool:
     return readable and answer.value is not None and low <= answer.value <= high
 
 
-def _guard_holds(plan: Plan, name: str, evaluation: Evaluation) -> bool:
+def _guard_holds(plan: Plan, name: str, numbers: Numbers) -> bool:
     guard = plan.quantities[name].valid
     if guard is None:
         return True
-    return bool(evaluate_formula(guard, "", evaluation.values, plan.columns) == 1.0)
+    return evaluate_number(guard, "", numbers.values, plan.columns) == 1.0
 
 
 def _bridge(
     plan: Plan,
     known: Mapping[str, float],
     reference: Mapping[str, float],
-    evaluation: Evaluation | None,
-) -> tuple[Evaluation, dict[str, float]]:
+    numbers: Numbers | None,
+) -> tuple[Numbers, dict[str, float]]:
     """Let the reference stand in for what the student's numbers leave without a value.
 
     A size that no catalogue holds has nothing beside it in its row; what follows must not be lost
-    for that. `evaluation` is that of the known values, where there is one already.
+    for that. `numbers` are those at the known values, where they were computed already.
     """
     stand_in: dict[str, float] = {}
     while True:
-        evaluation = evaluation or evaluate(plan, {**known, **stand_in})
+        numbers = numbers or evaluate_numbers(plan, {**known, **stand_in})
         lost = [
             name
-            for name, value in evaluation.values.items()
-            if np.isnan(value) and name not in stand_in and np.isfinite(reference.get(name, np.nan))
+            for name, value in numbers.values.items()
+            if math.isnan(value)
+            and name not in stand_in
+            and math.isfinite(reference.get(name, math.nan))
         ]
         if not lost:
-            return evaluation, stand_in
+            return numbers, stand_in
         # Only the first is at the root: what follows it may be computed once it has a value.
         stand_in[lost[0]] = reference[lost[0]]
-        evaluation = None
+        numbers = None

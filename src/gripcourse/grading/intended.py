@@ -162,12 +162,13 @@ def _again(
     changed: Collection[str],
 ) -> list[JudgedAnswer]:
     """Judge and explain again what the changed numbers may lead to; the rest stays as it is."""
-    reached = _reached(case, changed)
+    open_ = {one.quantity.id for one in judged if _rests_on_earlier(one)}
+    reached = _reached(case, changed, open_)
     return explain(
         case,
         [
             judge_answer(case, one.quantity, one.answer)
-            if one.quantity.id in reached - set(known) and _rests_on_earlier(one)
+            if one.quantity.id in open_ & reached - set(known)
             else one
             for one in judged
         ],
@@ -197,8 +198,8 @@ def _changed(before: GradingCase, after: GradingCase) -> set[str]:
     return {name for name in one.keys() | other.keys() if one.get(name) != other.get(name)}
 
 
-def _reached(case: GradingCase, changed: Collection[str]) -> set[str]:
-    """Return what changed numbers may lead to, or what they may explain.
+def _reached(case: GradingCase, changed: Collection[str], asked: Collection[str]) -> set[str]:
+    """Return what changed numbers may lead to, or what they may explain, of what is asked.
 
     A number that the student wrote down passes nothing on. An answer is explained by wrong methods
     with inputs of their own, in steps that were not written down too, and by the answers that use
@@ -212,6 +213,8 @@ def _reached(case: GradingCase, changed: Collection[str]) -> set[str]:
         is_moved = not moved.isdisjoint(inputs)
         if is_moved or name in changed:
             reached.update(inputs)
+        if name in known and name not in asked:
+            continue
         if is_moved or not tried.isdisjoint(inputs) or _is_tried_with(case, name, moved):
             reached.add(name)
             if name not in known:

@@ -212,11 +212,11 @@ def _inputs(case: GradingCase, judged: JudgedAnswer) -> dict[str, float]:
         case.follow_through if judged.comparison is None else judged.comparison.follow_through
     )
     names = case.plan.inputs[judged.quantity.id]
-    return from_si(case.plan, {name: follow_through.evaluation.values[name] for name in names})
+    return from_si(case.plan, {name: follow_through.numbers.values[name] for name in names})
 
 
 def _sorted(case: GradingCase, names: set[str]) -> tuple[str, ...]:
-    return tuple(name for name in case.plan.quantities if name in names)
+    return tuple(name for name in case.plan.quantities if name in names) if names else ()
 
 
 def _reading_remarks(case: GradingCase, quantity: Quantity, answer: Answer) -> tuple[Message, ...]:

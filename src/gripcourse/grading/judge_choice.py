@@ -1,7 +1,5 @@
 """Judging a design decision against the required value, the reference's or the student's own."""
 
-import numpy as np
-
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
@@ -32,8 +30,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
     scale = factor(comparison.quantity.unit)
     chosen = comparison.value * scale
     required = comparison.at_reference(formula) * scale
-    reference_values = {name: np.asarray(v) for name, v in comparison.reference_values.items()}
-    if judge_choice(comparison.plan, comparison.quantity, chosen, required, reference_values).sound:
+    reference = comparison.reference_values
+    if judge_choice(comparison.plan, comparison.quantity, chosen, required, reference).sound:
         said = message("A sound decision.")
         return conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
     own_required = comparison.at_own(formula)
@@ -44,7 +42,7 @@ def _judge_size(comparison: Comparison) -> Judgement:
             comparison.quantity,
             chosen,
             end * scale,
-            comparison.follow_through.evaluation.values,
+            comparison.follow_through.numbers.values,
         )
         for end in (own_required.value, own_required.low, own_required.high)
     ]
@@ -70,8 +68,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
 def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | None:
     """Judge a size by the other readings of what is required, at the reference and at own."""
     scale = factor(comparison.quantity.unit)
-    reference = {name: np.asarray(v) for name, v in comparison.reference_values.items()}
-    own = comparison.follow_through.evaluation.values
+    reference = comparison.reference_values
+    own = comparison.follow_through.numbers.values
     for other in comparison.quantity.alternatives:
         required = (
             (comparison.at_reference(other.formula), reference),

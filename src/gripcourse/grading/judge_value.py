@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Final
 
 from gripcourse.course.quantity import Alternative, Kind
@@ -11,7 +10,6 @@ from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, 
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.shortened import judge_shortened
-from gripcourse.policy.bands import band
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
@@ -150,6 +148,7 @@ def _conclude(  # noqa: PLR0913 (the parts of a conclusion)
     remarks: tuple[Message, ...] = (),
 ) -> Judgement:
     target = comparison.expected
-    reach = band(comparison.quantity, target, comparison.policy) if math.isfinite(target) else 0.0
-    judgement = conclude(comparison, outcome, against, credit, said, remarks=remarks)
-    return replace(judgement, band=reach, slip=slip)
+    reach = comparison.band_round(target) if math.isfinite(target) else 0.0
+    return conclude(
+        comparison, outcome, against, credit, said, reach=reach, slip=slip, remarks=remarks
+    )

@@ -12,8 +12,9 @@ from gripcourse.grading.judge_value import judge_value
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
+from gripcourse.solver.numbers import evaluate_numbers
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import evaluate, to_si
+from gripcourse.solver.solve import to_si
 from gripcourse.submission.model import Answer, Reading, Submission
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Issued
@@ -63,9 +64,7 @@ def make_case(
 ) -> GradingCase:
     """Lay a submission on the table; see `judge` for the arguments."""
     given = issued.variant.given
-    reference = {
-        name: float(value) for name, value in evaluate(plan, to_si(plan, given)).values.items()
-    }
+    reference = evaluate_numbers(plan, to_si(plan, given)).values
     # Another student's workbook holds nobody's own numbers here: nothing is followed from them.
     is_own = submission.identity.student in {"", issued.student.id}
     answers = submission.answers if is_own else {}

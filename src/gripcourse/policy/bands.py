@@ -1,6 +1,7 @@
 """Bands: how far an answer may be from the value that it is judged against."""
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,23 +20,55 @@ FLOOR_SHARE = 0.02
 SLACK = 1 + 1e-9
 
 
-def band(quantity: Quantity, expected: float, policy: Policy) -> float:
-    """Return the half width of the band round an expected value, in the declared unit.
+@dataclass(frozen=True, slots=True)
+class BandRule:
+    """How wide the band of a quantity is round any value, in its declared unit.
+
+    Attributes:
+        relative, absolute: parts of the half width; the wider counts.
+        beside_value: whether the absolute part stays a small share of the value.
+    """
+
+    relative: float
+    absolute: float
+    beside_value: bool
+
+    def round(self, expected: float) -> float:
+        """Return the half width round a value."""
+        size = abs(expected)
+        absolute = min(self.absolute, FLOOR_SHARE * size) if self.beside_value else self.absolute
+        return max(size * self.relative, absolute)
+
+
+def band_rule(quantity: Quantity, policy: Policy) -> BandRule:
+    """Return the rule of the band round an expected value.
 
     The wider of a relative and an absolute part counts: near zero a relative band is empty. A
     quantity's own tolerance in the policy goes before its declaration, that before the default.
+    A floor by unit stays small beside a value that cannot be zero: a floor of 0.01 mm is for
+    differences that come near zero, and must not accept 0.006 mm for a deflection of 0.015 mm.
     """
-    tolerance = _tolerance_of_kind(quantity, policy)
-    return max(abs(expected) * tolerance.relative, _absolute(quantity, expected, tolerance, policy))
+    return _rule(quantity, _tolerance_of_kind(quantity, policy), policy)
+
+
+def computed_band_rule(quantity: Quantity, policy: Policy) -> BandRule:
+    """Return the rule for a computed value; of a decision: what it must not be below."""
+    return _rule(quantity, tolerance_of(quantity, policy), policy)
+
+
+def _rule(quantity: Quantity, tolerance: Tolerance, policy: Policy) -> BandRule:
+    beside_value = _is_floor(quantity, policy) and _has_one_sign(quantity)
+    return BandRule(tolerance.relative, tolerance.absolute, beside_value)
+
+
+def band(quantity: Quantity, expected: float, policy: Policy) -> float:
+    """Return the half width of the band round an expected value, in the declared unit."""
+    return band_rule(quantity, policy).round(expected)
 
 
 def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
-    """Return the half width of the band round a computed value, in the declared unit.
-
-    For a decision it is that of the value which the decision must not be below.
-    """
-    tolerance = tolerance_of(quantity, policy)
-    return max(abs(expected) * tolerance.relative, _absolute(quantity, expected, tolerance, policy))
+    """Return the half width of the band round a computed value, in the declared unit."""
+    return computed_band_rule(quantity, policy).round(expected)
 
 
 def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
@@ -47,17 +80,6 @@ def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
         absolute = np.minimum(absolute, FLOOR_SHARE * size)
     widths: Array = np.maximum(size * tolerance.relative, absolute)
     return widths
-
-
-def _absolute(quantity: Quantity, expected: float, tolerance: Tolerance, policy: Policy) -> float:
-    """Return the absolute part: a floor by unit stays small beside a value that cannot be zero.
-
-    A floor of 0.01 mm is for differences that come near zero. It must not accept 0.006 mm for a
-    deflection of 0.015 mm.
-    """
-    if _is_floor(quantity, policy) and _has_one_sign(quantity):
-        return min(tolerance.absolute, FLOOR_SHARE * abs(expected))
-    return tolerance.absolute
 
 
 def _is_floor(quantity: Quantity, policy: Policy) -> bool:

@@ -6,18 +6,21 @@ Everything works on arrays, one entry per student, and on single numbers as arra
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gripcourse.formula.tree import Formula, Name, walk
+from gripcourse.formula.tree import Formula, Name, Node, walk
 from gripcourse.slips.rewrite import renamed
 
 Array = NDArray[np.float64]
 
 DISPLAY: Final = 10
 """Figures that a calculator shows: a result of 2.9999999999999996 stands on its display as 3."""
+
+_REMEMBERED: Final = 1024  # formulas with pi, and ways to get them wrong
 
 PI: Final = "π"
 """Where a student's own pi stands among the values; no quantity can be called so."""
@@ -81,8 +84,12 @@ def written(value: ArrayLike, figures: ArrayLike, cuts: ArrayLike) -> Array:
 
 def with_own_pi(formula: Formula) -> Formula:
     """Return a formula that takes pi from the values, where it uses it."""
-    if Name("pi") not in set(walk(formula.tree)):
+    if not any(isinstance(part, Name) and part.id == "pi" for part in walk(formula.tree)):
         return formula
-    tree = renamed(formula.tree, {"pi": Name(PI)})
-    units = {**formula.units, PI: ""} if formula.units else formula.units
-    return Formula("", tree, units)
+    return _with_own_pi(formula.tree, tuple(formula.units.items()))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _with_own_pi(tree: Node, units: tuple[tuple[str, str], ...]) -> Formula:
+    named = {**dict(units), PI: ""} if units else {}
+    return Formula("", renamed(tree, {"pi": Name(PI)}), named)

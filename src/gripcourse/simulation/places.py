@@ -11,12 +11,12 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
+from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import PI, Hand
 from gripcourse.simulation.behaviour import drawn
 from gripcourse.simulation.calculation import Calculation, by_formula
-from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import DECLARED, Candidate, SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Values, evaluate, to_si
@@ -37,35 +37,42 @@ class Ground:
 
     plan: Plan
     policy: Policy
+    candidates_of: CandidatesOf
     hand: Hand
     reference: Values
     apart: float
 
 
 def make_ground(
-    plan: Plan, policy: Policy, hand: Hand, given: Mapping[str, float], apart: float
+    plan: Plan,
+    policy: Policy,
+    candidates_of: CandidatesOf,
+    hand: Hand,
+    given: Mapping[str, float],
+    apart: float,
 ) -> Ground:
     """Solve a variant.
 
     Args:
         plan: of the variant.
         policy: by which it is marked.
+        candidates_of: the wrong methods of each quantity.
         hand: how the student computes.
         given: issued values in declared units.
         apart: bands between a deviation and every right value.
     """
     reference = evaluate(plan, to_si(plan, given)).values
-    return Ground(plan, policy, hand, {**reference, PI: np.asarray(np.pi)}, apart)
+    return Ground(plan, policy, candidates_of, hand, {**reference, PI: np.asarray(np.pi)}, apart)
 
 
 def draw_slip(
-    plan: Plan, policy: Policy, kinds: Mapping[str, float], rng: np.random.Generator
+    plan: Plan, candidates_of: CandidatesOf, kinds: Mapping[str, float], rng: np.random.Generator
 ) -> tuple[str, Candidate] | None:
     """Draw a kind of slip by its prior, a quantity that has it, and one way to make it.
 
     Args:
         plan: in which the slip is made.
-        policy: its slips.
+        candidates_of: the wrong methods of each quantity.
         kinds: priors of the kinds to draw from.
         rng: random numbers.
 
@@ -77,7 +84,7 @@ def draw_slip(
         kind = drawn(left, rng)
         for number in rng.permutation(len(plan.answered)):
             name = plan.answered[int(number)].id
-            found = [one for one in candidates_of(plan, name, policy.slips) if one.kind == kind]
+            found = [one for one in candidates_of(name) if one.kind == kind]
             if found:
                 return name, found[int(rng.integers(len(found)))]
         del left[kind]
@@ -120,7 +127,7 @@ def twins_of(
     wanted = value(candidate)
     return tuple(
         one.id
-        for one in candidates_of(ground.plan, name, ground.policy.slips)
+        for one in ground.candidates_of(name)
         if one.id != candidate.id and math.isclose(value(one), wanted, rel_tol=1e-9)
     )
 

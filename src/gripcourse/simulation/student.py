@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gripcourse.batch.one_file import GradingContext
+from gripcourse.batch.one_file import GradingContext, methods_of
 from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.policy.slips import SlipKind
 from gripcourse.simulation.arithmetic import Array
@@ -34,7 +34,7 @@ from gripcourse.simulation.places import (
     slip_kinds,
     twins_of,
 )
-from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.solver.plan import Plan
 from gripcourse.variants.model import Issued
 
 _TAINTING = frozenset({ActionKind.SLIP, ActionKind.ROUNDED_DOWN, ActionKind.COPIED})
@@ -114,10 +114,11 @@ def work_of(student: str, room: Classroom) -> SimulatedWork:
 
 def _seated(student: str, room: Classroom) -> _Student:
     issued = room.context.register[student]
-    plan = plan_of(room.context.course, issued.variant.composition)
+    plan, methods = methods_of(room.context, issued.variant)
     behaviour = room.behaviours[student]
     hand = hand_of(behaviour)
-    ground = make_ground(plan, room.context.policy, hand, issued.variant.given, room.mix.apart)
+    policy, given = room.context.policy, issued.variant.given
+    ground = make_ground(plan, policy, methods, hand, given, room.mix.apart)
     return _Student(room, issued, plan, behaviour, ground)
 
 
@@ -154,7 +155,8 @@ def _proposed(one: _Student, rng: np.random.Generator) -> Mapping[str, Deviation
             return _slips(one, 2, rng)
         case Conduct.BARE_UNIT:
             unit = {str(SlipKind.UNIT): 1.0}
-            slip = draw_slip(plan, policy, unit if SlipKind.UNIT in policy.slips.kinds else {}, rng)
+            kinds = unit if SlipKind.UNIT in policy.slips.kinds else {}
+            slip = draw_slip(plan, one.ground.candidates_of, kinds, rng)
             return {} if slip is None else {slip[0]: Deviation(ActionKind.BARE_UNIT, slip[1])}
         case Conduct.WRONG_UNIT:
             computed = [one.id for one in plan.answered if one.kind is Kind.FORMULA]
@@ -172,8 +174,8 @@ def _is_rounded_up(quantity: Quantity) -> bool:
 
 
 def _slips(one: _Student, count: int, rng: np.random.Generator) -> Mapping[str, Deviation]:
-    policy = one.room.context.policy
-    drawn = [draw_slip(one.plan, policy, slip_kinds(policy), rng) for _ in range(count)]
+    kinds = slip_kinds(one.room.context.policy)
+    drawn = [draw_slip(one.plan, one.ground.candidates_of, kinds, rng) for _ in range(count)]
     return {slip[0]: Deviation(ActionKind.SLIP, slip[1]) for slip in drawn if slip is not None}
 
 

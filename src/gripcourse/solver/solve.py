@@ -7,6 +7,7 @@ All values are in SI; NaN means "not supplied" in `known` and "cannot be compute
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +20,8 @@ from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
 
 _NOTHING = 1e-12  # of a declared unit: what is left where equal numbers were subtracted
+
+_SERIES = 256  # of catalogues, whose formulas are kept
 
 _TOGETHER = 16384  # variants computed at once: their columns stay in the processor's cache
 
@@ -171,9 +174,15 @@ def choose(
     required: NDArray[np.float64], choice: Choice, rounding: Rounding, plan: Plan
 ) -> NDArray[np.float64]:
     """Return the entry of a choice's series for a required value (SI, any shape)."""
-    function = "at_least" if rounding is Rounding.UP else "nearest"
-    call = Formula("", Call(function, (Name("required"),), choice.column), {})
+    call = _entry_of(choice.column, rounding)
     return evaluate_sound(call, "", {"required": finite(np.asarray(required))}, plan.columns)
+
+
+@lru_cache(maxsize=_SERIES)
+def _entry_of(column: str, rounding: Rounding) -> Formula:
+    """Return the formula that takes an entry from a series; what is made of it stays with it."""
+    function = "at_least" if rounding is Rounding.UP else "nearest"
+    return Formula("", Call(function, (Name("required"),), column), {})
 
 
 def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:

@@ -21,7 +21,10 @@ from gripcourse.text.units import UnitError, dimension, factor, read_unit, unit_
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 # `H7`, `h6`, `H7/f7`: a tolerance of fit behind a size. Powers of units, as m2, have other letters.
-_FIT: Final = re.compile(r"(?:[HhEFfGgJjKknNPpRrSs]|js|JS)\d{1,2}(?:/[a-zA-Z]{1,2}\d{1,2})?")
+# Letters of the other alphabet look the same: Н7.
+_FIT: Final = re.compile(
+    r"(?:[HhEFfGgJjKknNPpRrSsНЕКРекнр]|js|JS)\d{1,2}(?:/[a-zA-ZНЕКРекнр]{1,2}\d{1,2})?"
+)
 _FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
 _ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"

@@ -13,10 +13,14 @@ from gripcourse.text.words import Message, message
 LONGEST_SHOWN: Final = 80
 """Characters of a cell that a report repeats."""
 
-_YES: Final = frozenset({"да", "так", "yes", "+", "1", "true", "истина", "істина"})
+_YES: Final = frozenset({"да", "так", "yes", "+", "1", "true", "истина", "істина", "✓", "✔"})
 _NO: Final = frozenset(
-    {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність"}
+    {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність", "✗", "✘"}
 )
+# What people add to a yes or no: `нет (не проходит)`, `да, выполняется`.
+_EXPLAINED: Final = re.compile(r"(?P<word>[^\W\d_]{2,5})\s*[,(]\s*(?P<more>[^\W\d_][\w\s]{0,40})\)?")
+_DENIES: Final = re.compile(r"\b(?:не|нет|ні|not|no|fails?)\b")
+_DOUBTS: Final = re.compile(r"\b(?:но|але|but|или|або|чи|or|если|якщо|if)\b")
 # Files store errors in English; other languages come as text that was pasted.
 # Examples: division by zero is #DIV/0! or #ДЕЛ/0!; another program writes Err:502.
 _ERROR: Final = re.compile(
@@ -101,9 +105,22 @@ def cell_text(cell: RawCell) -> str:
 
 def _verdict(value: CellValue) -> Understood | Message:
     """Read yes or no in any of the three languages, or as a spreadsheet's logical value."""
-    word = str(value).strip().rstrip(".!").strip().casefold()
+    word = _verdict_word(str(value))
     if word in _YES or value == 1:
         return Understood(1.0, 0.0, "", unit_fits=True, remarks=(), figures=None)
     if word in _NO or value == 0:
         return Understood(0.0, 0.0, "", unit_fits=True, remarks=(), figures=None)
     return _VERDICT_NEEDED
+
+
+def _verdict_word(text: str) -> str:
+    """Return the word of a verdict, without what only says it again."""
+    word = text.strip().strip("\"«»“”'").rstrip(".!").strip().casefold()
+    explained = _EXPLAINED.fullmatch(word)
+    if explained is None:
+        return word
+    more = explained["more"]
+    denies = bool(_DENIES.search(more))
+    is_same = denies if explained["word"] in _NO else not denies
+    says_both = _DOUBTS.search(more) or not _YES.isdisjoint(more.split())
+    return explained["word"] if is_same and not says_both else word

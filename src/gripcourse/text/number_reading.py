@@ -222,6 +222,8 @@ def _unit(tail: str) -> str:
     unit = tail.strip(" ")
     if not unit:
         return ""
+    if unit in _EXPONENT_LETTERS:  # a power that was not typed to its end
+        raise NotANumber(SEVERAL)
     if not (unit[0].isalpha() or unit[0] in "%‰°º˚′″'\"\u00b5[(") or unit[0] in _CALCULATED:
         raise NotANumber(SEVERAL)
     if unit[0] in _TIMES and unit[1:].lstrip()[:1].isdigit():  # 12x13

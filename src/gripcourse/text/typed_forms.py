@@ -17,9 +17,9 @@ _QUOTES: Final = (('"', '"'), ("«", "»"), ("“", "”"), ("„", "“"), ("'"
 _UNIT: Final = r"(?:\s*(?P<unit>[^\W\d_]{1,12})\.?)?"
 _NUMBER: Final = r"\d{1,3}(?:[.,]\d{1,9})?"
 _DEGREES: Final = re.compile(
-    rf"""(?P<sign>[-+]?)\s*(?P<degrees>\d{{1,3}})\s*(?:°|º|˚|град\.?|гр\.?|deg\.?)
-    \s*(?P<minutes>{_NUMBER})\s*(?:'|′|’|ʹ|мин\.?|хв\.?|min\.?)
-    (?:\s*(?P<seconds>{_NUMBER})\s*(?:"|″|”|''|′′|’’|сек\.?|sec\.?|с|s))?""",
+    rf"""(?P<sign>[-+]?)\s*(?P<degrees>\d{{1,3}})\s*(?:°|º|˚|град(?:\.|ус\w{{0,3}})?|гр\.?|deg(?:\.|rees?)?)
+    \s*(?P<minutes>{_NUMBER})\s*(?:'|′|’|ʹ|мин(?:\.|ут\w?)?|хв(?:\.|илин\w?)?|min(?:\.|utes?)?)
+    (?:\s*(?P<seconds>{_NUMBER})\s*(?:"|″|”|''|′′|’’|сек(?:\.|унд\w?)?|sec(?:\.|onds?)?|с|s))?""",
     re.VERBOSE | re.IGNORECASE,
 )
 _FRACTION: Final = re.compile(
@@ -36,7 +36,7 @@ _ABOUT: Final = re.compile(
 )
 _DIAMETER: Final = re.compile(r"[ØøΦφФф⌀∅]\s*(?=\d)")
 _STANDARD: Final = re.compile(
-    r"\s*[(\[](?:по\s+|за\s+|to\s+)?(?:гост|дсту|ост|исо|iso|din|en|ряд|табл|стандарт|row|table)\b[^()\[\]]*[)\]]$",
+    r"\s*[(\[](?:по\s+|за\s+|to\s+)?(?:гост|дсту|ост|исо|iso|din|en|ряд\w{0,2}|табл\w{0,5}|стандарт|row|table)\b[^()\[\]]*[)\]]$",
     re.IGNORECASE,
 )
 _APOSTROPHES: Final = re.compile(r"[-+]?\d{1,3}(?:['’]\d{3})+(?:[.,]\d+)?(?![\d'’])")
@@ -47,7 +47,12 @@ _LETTERS: Final = re.compile(
 # Minutes and seconds without degrees, feet and inches: a mark says which only to who wrote it.
 _MARKED: Final = re.compile(r"""\d\s*(?:['"″′’ʹ]|'')$""")
 _GONS: Final = "ᵍ"
-_THOUSANDS: Final = re.compile(r"\d\s*(?:тыс|тис|млн|thousand|million)\b", re.IGNORECASE)
+_THOUSANDS: Final = re.compile(
+    r"\d\s*(?:тыс(?:яч\w?)?|тис(?:яч\w?)?|млн|миллион\w{0,2}|мільйон\w{0,2}|thousand|million)\b",
+    re.IGNORECASE,
+)
+# A comma or a semicolon between a number and what stands behind it: `12,5, мм`.
+_BEFORE_WORD: Final = re.compile(r"(?<=\d)[,;]\s+(?=[^\W\d])")
 
 _WORD_LEFT_OUT: Final = message("The word before the number was left out; type the number alone.")
 _SIGN_LEFT_OUT: Final = message("The sign before the number was left out; type the number alone.")
@@ -81,7 +86,7 @@ def tidied(text: str) -> tuple[str, tuple[Message, ...]]:
         text: plain, without spaces at its ends.
     """
     remarks: list[Message] = []
-    bare = _unquoted(text.translate(_WIDE_DIGITS))
+    bare = _BEFORE_WORD.sub(" ", _unquoted(text.translate(_WIDE_DIGITS)), count=1)
     for pattern, said in (
         (_STANDARD, _NOTE_LEFT_OUT),
         (_ABOUT, _WORD_LEFT_OUT),

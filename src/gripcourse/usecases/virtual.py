@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from gripcourse.course.model import Course
@@ -12,14 +12,11 @@ from gripcourse.machine.files import expect_file, expect_folder, write_text
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.confusion import GraderEvaluation, evaluate
-from gripcourse.simulation.foreign.judge import judge_foreign
-from gripcourse.simulation.foreign.measures import evaluate_foreign
 from gripcourse.simulation.foreign.misses import foreign_misses_csv
-from gripcourse.simulation.in_memory import judge_in_memory
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
 from gripcourse.simulation.on_disk import grade_cohort, register_of, write_cohort
-from gripcourse.simulation.strategies import scores_of
+from gripcourse.simulation.parts import Bench, Doers, Part, measure_parts, together
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
@@ -122,19 +119,15 @@ def evaluate_in_memory(
         expect_file(misses)
         expect_file(foreign_misses_path(misses))
     mix = load_mix(course)
-    total: GraderEvaluation | None = None
-    tables: list[str] = []
+    # A strategy needs no large sample, and what it hands in takes longest to judge.
+    parts = [Part(Doers.NOBODY, next(_sizes(cohort.count)), cohort.seed)]
     for place, size in enumerate(_sizes(cohort.count)):
         seed = cohort.seed + _APART * place
-        room = make_classroom(course, policy, mix, size, seed, cohort.scheme)
-        judged = judge_in_memory(room, workers, on_done)
-        # A strategy needs no large sample, and what it hands in takes longest to judge.
-        scores = () if place else scores_of(room.context, workers, seed)
-        foreign = evaluate_foreign(judge_foreign(room.context, seed, workers, on_done), mix)
-        found = replace(evaluate(judged, mix, scores), foreign=foreign)
-        total = found if total is None else total + found
-        tables.append(_misses(found, room.context.register))
+        parts += [Part(Doers.FOREIGN, size, seed), Part(Doers.OWN, size, seed)]
+    measured = measure_parts(parts, Bench(course, policy, mix, cohort.scheme), workers, on_done)
+    total = together(measured)
     if misses is not None:
+        tables = [one.table for one in measured if one.own is not None]
         write_text(misses, "".join(_below_one_heading(tables)))
         others = () if total is None or total.foreign is None else total.foreign.misses
         write_text(foreign_misses_path(misses), foreign_misses_csv(others))

@@ -4,7 +4,7 @@ import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from gripcourse.batch.one_file import GradingContext, judge_read
+from gripcourse.batch.one_file import GradingContext, judge_read, methods_of
 from gripcourse.batch.run import Graded, compared
 from gripcourse.grading.unjudged import incident_report
 from gripcourse.jobs.pools import pool_for
@@ -14,7 +14,6 @@ from gripcourse.simulation.foreign.kinds import Doing
 from gripcourse.simulation.foreign.model import JudgedForeign
 from gripcourse.simulation.foreign.twins import same_by_value
 from gripcourse.simulation.in_memory import SECONDS_PER_STUDENT, workbook_of
-from gripcourse.solver.plan import plan_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +62,6 @@ def _judge_one(student: str, room: _Room) -> JudgedForeign:
     except Exception:  # noqa: BLE001 (ours, as in a real batch: counted, and the others go on)
         failed = incident_report(raw.file, "", issued)
         return JudgedForeign(work, failed, frozenset(), traceback.format_exc())
-    plan = plan_of(context.course, issued.variant.composition)
-    twins = same_by_value(plan, context.policy, issued.variant.given, work, report)
+    plan, methods = methods_of(context, issued.variant)
+    twins = same_by_value(plan, methods, issued.variant.given, work, report)
     return JudgedForeign(work, report, twins)

@@ -7,11 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.formula.evaluate import evaluate
+from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.model import Report
-from gripcourse.policy.model import Policy
 from gripcourse.simulation.foreign.model import ForeignWork
 from gripcourse.simulation.foreign.practical import size_of
-from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
@@ -21,13 +20,17 @@ _POWERS_OF_PI = 3  # that a shortened pi may stand in a formula with
 
 
 def same_by_value(
-    plan: Plan, policy: Policy, given: Mapping[str, float], work: ForeignWork, report: Report
+    plan: Plan,
+    candidates_of: CandidatesOf,
+    given: Mapping[str, float],
+    work: ForeignWork,
+    report: Report,
 ) -> frozenset[tuple[str, SlipId]]:
     """Return the names in a report that give the number that the student's mistake gives.
 
     Args:
         plan: of the variant.
-        policy: its slips.
+        candidates_of: the wrong methods of each quantity.
         given: issued values, in declared units: a name is of what was done with the right ones.
         work: what was done.
         report: what the grader says.
@@ -35,11 +38,15 @@ def same_by_value(
     Returns:
         The quantity with the slip's name.
     """
-    return frozenset(_found(plan, policy, given, work, report))
+    return frozenset(_found(plan, candidates_of, given, work, report))
 
 
 def _found(
-    plan: Plan, policy: Policy, given: Mapping[str, float], work: ForeignWork, report: Report
+    plan: Plan,
+    candidates_of: CandidatesOf,
+    given: Mapping[str, float],
+    work: ForeignWork,
+    report: Report,
 ) -> Iterator[tuple[str, SlipId]]:
     same = max(_SAME, _POWERS_OF_PI * abs(work.habits.pi / math.pi - 1))
     for finding in report.findings:
@@ -50,7 +57,7 @@ def _found(
         made = done.number if done.root == name and done.tree is None else math.nan
         wrong = work.calculated.found[name] if math.isnan(made) else made
         values = _values(plan, given, work)
-        for candidate in candidates_of(plan, name, policy.slips):
+        for candidate in candidates_of(name):
             if candidate.id in {finding.slip, *finding.tied}:
                 at = {one: values.get(one, np.asarray(np.nan)) for one in candidate.formula.names}
                 value = evaluate(candidate.formula, quantity.unit, at, plan.columns)
