@@ -138,4 +138,5 @@ def test_a_batch_is_the_command_of_the_command_line_on_the_last_workbooks_as_the
     assert (work / "s02.xlsx").read_bytes() == b"workbook"
     assert (work / "s02.xlsx").stat().st_mtime == server.clock.now.timestamp()
     assert "--out" in asked[0]
+    assert f"--whose={work / 's02.xlsx'}=s02" in asked[0]
     assert not list(work.glob("*.pdf"))
