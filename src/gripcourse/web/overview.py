@@ -143,7 +143,11 @@ def _shown(seat: Seat, work: BatchWork, flag: FoundFlag, works: tuple[BatchWork,
     context, words = seat.site.context, seat.words
     register, titles = context.register(), titles_of(context, words)
     others = {one.student: one for one in works}
-    here = _Side(work, _right(context, register.get(work.student)), words)
+    own = register.get(work.student)
+    if own is not None:
+        plan = plan_of(context.course, own.variant.composition)
+        titles |= {one.id: one.title.of(words.language) for one in plan.quantities.values()}
+    here = _Side(work, _right(context, own), words)
     beside = []
     for id_ in flag.others[:_OTHERS]:
         issued = register.get(id_)
@@ -187,8 +191,9 @@ def _right(context: DeskContext, issued: Issued | None) -> Mapping[str, float]:
 
 
 def titles_of(context: DeskContext, words: Words) -> dict[str, str]:
-    """Return the titles of everything that was asked of anybody."""
-    compositions = {one.variant.composition for one in context.register().values()}
+    """Return the titles of everything that was asked of anybody, as who came first was asked."""
+    issued = tuple(context.register().values())[::-1]
+    compositions = dict.fromkeys(one.variant.composition for one in issued)
     return {
         quantity.id: quantity.title.of(words.language)
         for composition in compositions
