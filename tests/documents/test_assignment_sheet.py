@@ -75,6 +75,21 @@ def test_given_values_are_printed_as_they_were_issued(
         )
 
 
+def test_a_personal_link_stands_as_text_and_in_the_code_where_it_is_wanted(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    link = "https://course.example.org/s/s017~1~0~code/"
+    pages = []
+    for wanted in ("", link):
+        values = sheet_values(issued, plan, policy, course, ENGLISH, wanted)
+        page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
+        pages.append((values["seal"], page.count(link), "own page" in page))
+    assert pages[0][1:] == (0, False)
+    # Round the code, and as an address with its own text.
+    assert pages[1][1:] == (3, True)
+    assert pages[0][0] != pages[1][0]
+
+
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])
 def test_every_section_and_every_asked_quantity_is_named(
     text: Callable[..., str], plan: Plan, course: Course, language: str

@@ -73,7 +73,7 @@ class Server:
         context = GradingContext(self.context.course, self.context.policy, self.context.register())
         graded = [
             Graded(grade_file(NamedBytes(one.name, one.read_bytes()), context), "")
-            for one in files
+            for one in files.values()
             if one.stem == "s01"
         ]
         place = home_of(self.context.course.root)

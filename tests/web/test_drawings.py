@@ -96,3 +96,14 @@ def test_a_drawing_is_shown_beside_the_rubric_and_never_as_it_was_sent(
     assert re.match("attachment", sent.headers["content-disposition"])
     for page_text in ("0", "9", "x", "99999999"):
         assert signed_in.get(f"{PAGE}?drawing={new}&page={page_text}").status_code == 200
+
+
+def test_a_drawing_is_no_workbook_to_check_and_its_receipt_says_so(server: "Server") -> None:
+    client, home = server.client(), server.home("s03")
+    files = {"file": ("Вид.PDF", pdf(1))}
+    checked = client.post(f"{home}check", files=files)
+    assert checked.status_code == 422
+    assert "This is a drawing" in checked.text
+    assert "kept as a drawing" in client.post(f"{home}hand-in", files=files).text
+    assert 'accept=".xlsx,' in client.get(home).text
+    assert ".dxf" in client.get(home).text

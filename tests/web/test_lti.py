@@ -511,6 +511,7 @@ def test_a_server_has_the_way_in_where_a_platform_is_declared(
         "/lti/login",
         "/lti/launch",
         "/lti/keys.json",
+        *("/desk/people", "/desk/people"),
     ]
     elsewhere = replace(school.context.course, root=tmp_path)
     other = replace(site, context=replace(school.context, course=elsewhere))

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.solver.solve import solve_variant
+from gripcourse.text.words import Words
 from gripcourse.usecases.begin_grading import begin_grading
 from gripcourse.usecases.figures import group_figures
 from gripcourse.usecases.hand_in import hand_in
@@ -86,7 +88,13 @@ def test_a_flag_stands_with_its_evidence_beside_the_other_work(
     assert "&lt;b&gt;alike&lt;/b&gt;" in page
     assert 'href="/desk/student/s02"' in page
     row = page.split('<th scope="row">')[1].split("</tr>")[0]
-    assert all(said in row for said in ("123,4", "123.4", "99", "усилие зажима"))
+    right = [
+        solve_variant(server.classroom.plan(one), server.classroom.register[one].variant.given)
+        for one in ("s01", "s02")
+    ]
+    numbers = {Words("ru").number(one["grip_force"], 7) for one in right}
+    assert len(numbers) == 2
+    assert all(said in row for said in ("123,4", "123.4", "усилие зажима", *numbers))
     assert group.count('class="tag"') >= 2
 
 
@@ -138,4 +146,5 @@ def test_a_batch_is_the_command_of_the_command_line_on_the_last_workbooks_as_the
     assert (work / "s02.xlsx").read_bytes() == b"workbook"
     assert (work / "s02.xlsx").stat().st_mtime == server.clock.now.timestamp()
     assert "--out" in asked[0]
+    assert f"--whose={work / 's02.xlsx'}=s02" in asked[0]
     assert not list(work.glob("*.pdf"))

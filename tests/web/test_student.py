@@ -3,6 +3,7 @@
 import asyncio
 import hashlib
 import re
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from html import unescape
 from pathlib import Path
@@ -11,13 +12,18 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.documents.pdf import template_environment
+from gripcourse.errors import UsageError
 from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.usecases.hand_in import kept_path, latest
+from gripcourse.usecases.handout import Handout, IssuingContext
+from gripcourse.usecases.issue import issue_order
 from web.conftest import BEGAN
 
 if TYPE_CHECKING:
     from starlette.types import Message
 
+    from gripcourse.course.model import Course
+    from gripcourse.variants.model import Issued
     from web.conftest import Server
 
 
@@ -36,6 +42,38 @@ def test_a_link_opens_the_students_own_assignment_in_their_language(
     issued = server.classroom.register[student]
     assert f'<html lang="{language}">' in page
     assert {word, issued.student.name, issued.variant.id} <= set(re.findall(r"[^<>]+", page))
+
+
+def test_the_link_that_is_printed_on_a_sheet_opens_its_owners_page_until_it_ends(
+    server: "Server",
+) -> None:
+    course, order = server.context.course, server.classroom.order
+    addressed = replace(course, address="https://course.example.org/")
+    printed: dict[str, str] = {}
+
+    def look(context: IssuingContext, entry: "Issued") -> Handout:
+        printed[entry.student.id] = context.links.get(entry.student.id, "")
+        return Handout(entry.student.id, (), ())
+
+    def issue(course: "Course", days: int) -> dict[str, str]:
+        asked = replace(order, link_days=days)
+        issue_order(course, server.context.policy, asked, 0, lambda _: None, issue_one=look)
+        return dict(printed)
+
+    assert set(issue(addressed, 0).values()) == {""}
+    with pytest.raises(UsageError):
+        issue(course, 30)
+    links = issue(addressed, 30)
+    assert links == issue(addressed, 30)
+    client = server.client()
+    for student, link in links.items():
+        assert link.startswith("https://course.example.org/s/")
+        path = link.removeprefix("https://course.example.org")
+        name = server.classroom.register[student].student.name
+        assert name in client.get(path).text
+        server.clock.now += timedelta(days=30)
+        assert client.get(path).status_code == 410
+        server.clock.now = BEGAN
 
 
 def test_the_documents_that_were_issued_can_be_taken_away(server: "Server") -> None:

@@ -9,6 +9,11 @@ DRAWINGS: Final = frozenset({".pdf", ".png", ".jpg", ".jpeg", ".svg", ".dxf"})
 """Suffixes of what is handed in beside the workbook."""
 
 
+def is_drawing(name: str) -> bool:
+    """Tell by what a file is called whether it is a drawing."""
+    return PurePath(name).suffix.lower() in DRAWINGS
+
+
 @dataclass(frozen=True, slots=True)
 class HandIn:
     """A file that a student handed in.
@@ -32,7 +37,7 @@ class HandIn:
     @property
     def is_drawing(self) -> bool:
         """Whether a person looks at it; everything else is meant as the workbook."""
-        return PurePath(self.name).suffix.lower() in DRAWINGS
+        return is_drawing(self.name)
 
 
 @dataclass(frozen=True, slots=True)

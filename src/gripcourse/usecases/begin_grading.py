@@ -30,7 +30,8 @@ def begin_grading(context: DeskContext, graded: Path, workers: int) -> "subproce
     """
     work = context.private / _WORK
     shutil.rmtree(work, ignore_errors=True)
-    if not collect_hand_ins(context, work):
+    collected = collect_hand_ins(context, work)
+    if not collected:
         what = message("Nobody has handed in a workbook yet.")
         raise UsageError([Problem("", "", what, message("There is nothing to grade."))])
     command = [
@@ -38,6 +39,8 @@ def begin_grading(context: DeskContext, graded: Path, workers: int) -> "subproce
         *("--course", str(context.course.root), "--out", str(graded)),
         *("--workers", str(workers)),
     ]
+    # Who handed a file in is known by the link that it came by, whatever the file says.
+    command += [f"--whose={path}={student}" for student, path in collected.items()]
     with (context.private / _LOG).open("wb") as log:
         return subprocess.Popen(  # noqa: S603 (ourselves, and paths of our own)
             command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT

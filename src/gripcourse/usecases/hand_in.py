@@ -3,7 +3,7 @@
 import hashlib
 import hmac
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path, PurePath
@@ -96,22 +96,25 @@ def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
     return {one.student: one for one in hand_ins if not one.is_drawing}
 
 
-def collect_hand_ins(context: DeskContext, out: Path) -> tuple[Path, ...]:
+def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     """Write the last workbook of each student into a folder, called like the student, for grading.
+
+    Returns:
+        The file of each student.
 
     Raises:
         OSError: a file cannot be read or written.
     """
     make_private_folder(out)
-    written = []
+    written: dict[str, Path] = {}
     for student, one in latest(context.desk.hand_ins()).items():
         suffix = PurePath(one.name).suffix.lower()
         path = out / f"{student}{suffix if suffix.isascii() else ''}"
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
         # Lateness is counted from when it was handed in, not from when it was collected.
         os.utime(path, (one.at.timestamp(),) * 2)
-        written.append(path)
-    return tuple(written)
+        written[student] = path
+    return written
 
 
 def _make_durable(folder: Path) -> None:

@@ -26,12 +26,13 @@ def read_whose(
         UsageError: with every decision that cannot be used.
     """
     names = [shown_name(file) for file in files]
+    whole = frozenset(names)
     decided: dict[str, str] = {}
     problems: list[Problem] = []
     for one in written:
         # A file may hold an equals sign in its name, an id does not.
         file, _, student = (part.strip() for part in one.rpartition("="))
-        found = [name for name in names if _ends_so(name, file)]
+        found = [file] if file in whole else [name for name in names if _ends_so(name, file)]
         if not file or not student:
             what = message("'{text}' is no file with its student.", text=one)
         elif student not in students:

@@ -62,28 +62,20 @@ class FoundFlag:
 
 
 @dataclass(frozen=True, slots=True)
-class TypedNumber:
-    """What a student wrote into a cell, and what would have been right there."""
-
-    typed: str
-    reference: float | None
-
-
-@dataclass(frozen=True, slots=True)
-class GradedWork:
+class BatchWork:
     """A work as the last batch found it.
 
     Attributes:
         file: its name.
         student: id; empty where nobody could be told.
         flags: for the instructor.
-        numbers: answers by quantity.
+        typed: what stands in the cells, by quantity.
     """
 
     file: str
     student: str
     flags: tuple[FoundFlag, ...]
-    numbers: Mapping[str, TypedNumber]
+    typed: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,14 +83,14 @@ class LastBatch:
     """What was graded last, and when."""
 
     at: datetime
-    works: tuple[GradedWork, ...]
+    works: tuple[BatchWork, ...]
 
     @property
-    def flagged(self) -> tuple[GradedWork, ...]:
+    def flagged(self) -> tuple[BatchWork, ...]:
         """The works that somebody should look at."""
         return tuple(one for one in self.works if one.flags)
 
-    def of(self, student: str) -> tuple[GradedWork, ...]:
+    def of(self, student: str) -> tuple[BatchWork, ...]:
         """Return the works of a student."""
         return tuple(one for one in self.works if one.student == student)
 
@@ -129,15 +121,12 @@ class BatchReader:
         return batch
 
 
-def _work(report: Mapping[str, Any]) -> GradedWork:
-    return GradedWork(
+def _work(report: Mapping[str, Any]) -> BatchWork:
+    return BatchWork(
         file=PurePath(report["file"]).name,
         student=report["student"],
         flags=tuple(_flag(one) for one in report["flags"]),
-        numbers={
-            one["quantity"]: TypedNumber(one["typed"], one["reference"])
-            for one in report["findings"]
-        },
+        typed={one["quantity"]: one["typed"] for one in report["findings"]},
     )
 
 

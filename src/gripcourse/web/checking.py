@@ -16,7 +16,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.check import check_file
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.web.pictures import Picture, picture_of
+from gripcourse.web.pictures import PaintedPage, picture_of
 
 SECONDS: Final = 20.0
 """A workbook takes a tenth of a second; what preflight lets through takes two."""
@@ -40,7 +40,7 @@ class PaintJob:
     page: int
 
 
-def work(job: CheckJob | PaintJob, shared: tuple[Course, Policy]) -> CheckResult | Picture:
+def work(job: CheckJob | PaintJob, shared: tuple[Course, Policy]) -> CheckResult | PaintedPage:
     """Do what is asked of a worker of the server."""
     if isinstance(job, PaintJob):
         return picture_of(job.file.data, job.file.name, job.page)

@@ -17,7 +17,7 @@ from gripcourse.text.words import message
 from gripcourse.usecases.hand_in import kept_path
 from gripcourse.web import acts
 from gripcourse.web.checking import PaintJob
-from gripcourse.web.pictures import Picture
+from gripcourse.web.pictures import PaintedPage
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -90,7 +90,7 @@ def _painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:
     picture = site.checkers.do(PaintJob(NamedBytes(kept.name, data), page))
     if isinstance(picture, Lost):
         return None
-    assert isinstance(picture, Picture)  # noqa: S101 (what the workers return)
+    assert isinstance(picture, PaintedPage)  # noqa: S101 (what the workers return)
     page = page if 1 <= page <= picture.pages else 1
     path = folder / f"{kept.digest}-{kind}-{page}-of-{picture.pages}.png"
     write_bytes(path, picture.png, private=True)

@@ -1,6 +1,6 @@
 """The desk's pages about everybody: figures, flags, and the batch that is being graded."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Final
@@ -10,12 +10,14 @@ from starlette.routing import Route
 
 from gripcourse.errors import GradebookError, GripcourseError
 from gripcourse.solver.plan import plan_of
+from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.begin_grading import begin_grading
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.figures import Facility, group_figures
 from gripcourse.usecases.progress import batch_progress
-from gripcourse.web.batch import FoundFlag, GradedWork
+from gripcourse.variants.model import Issued
+from gripcourse.web.batch import BatchWork, FoundFlag
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, refusal_of_problem
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -137,36 +139,61 @@ def flags_of(seat: Seat, student: str) -> tuple[ShownFlag, ...]:
     )
 
 
-def _shown(
-    seat: Seat, work: GradedWork, flag: FoundFlag, works: tuple[GradedWork, ...]
-) -> ShownFlag:
-    register = seat.site.context.register()
-    titles = titles_of(seat.site.context, seat.words)
+def _shown(seat: Seat, work: BatchWork, flag: FoundFlag, works: tuple[BatchWork, ...]) -> ShownFlag:
+    context, words = seat.site.context, seat.words
+    register, titles = context.register(), titles_of(context, words)
     others = {one.student: one for one in works}
+    own = register.get(work.student)
+    if own is not None:
+        plan = plan_of(context.course, own.variant.composition)
+        titles |= {one.id: one.title.of(words.language) for one in plan.quantities.values()}
+    here = _Side(work, _right(context, own), words)
     beside = []
     for id_ in flag.others[:_OTHERS]:
-        issued, other = register.get(id_), others.get(id_)
-        rows = () if other is None else tuple(_rows(work, other, flag.rests_on, titles, seat.words))
+        issued = register.get(id_)
+        there = _Side(others.get(id_), _right(context, issued), words)
+        rows = tuple(
+            (
+                titles.get(one, one),
+                here.typed(one),
+                there.typed(one),
+                here.right(one),
+                there.right(one),
+            )
+            for one in flag.rests_on[:_NUMBERS]
+        )
         beside.append(LaidBeside(id_, "" if issued is None else issued.student.name or id_, rows))
     return ShownFlag(flag.message, tuple(beside))
 
 
-def _rows(
-    work: GradedWork, other: GradedWork, ids: Iterable[str], titles: dict[str, str], words: Words
-) -> Iterator[tuple[str, str, str, str, str]]:
-    for id_ in tuple(ids)[:_NUMBERS]:
-        here, there = work.numbers.get(id_), other.numbers.get(id_)
-        right = [
-            "" if one is None or one.reference is None else words.number(one.reference, _FIGURES)
-            for one in (here, there)
-        ]
-        typed = ["" if one is None else one.typed for one in (here, there)]
-        yield titles.get(id_, id_), typed[0], typed[1], right[0], right[1]
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """One of two works: what was typed, None where it was not graded, and what is right there."""
+
+    work: BatchWork | None
+    values: Mapping[str, float]
+    words: Words
+
+    def typed(self, quantity: str) -> str:
+        return "" if self.work is None else self.work.typed.get(quantity, "")
+
+    def right(self, quantity: str) -> str:
+        value = self.values.get(quantity)
+        return "" if value is None else self.words.number(value, _FIGURES)
+
+
+def _right(context: DeskContext, issued: Issued | None) -> Mapping[str, float]:
+    """Return what is right in a student's variant, given values too; nothing of nobody's."""
+    if issued is None:
+        return {}
+    plan = plan_of(context.course, issued.variant.composition)
+    return solve_variant(plan, issued.variant.given)
 
 
 def titles_of(context: DeskContext, words: Words) -> dict[str, str]:
-    """Return the titles of everything that was asked of anybody."""
-    compositions = {one.variant.composition for one in context.register().values()}
+    """Return the titles of everything that was asked of anybody, as who came first was asked."""
+    issued = tuple(context.register().values())[::-1]
+    compositions = dict.fromkeys(one.variant.composition for one in issued)
     return {
         quantity.id: quantity.title.of(words.language)
         for composition in compositions

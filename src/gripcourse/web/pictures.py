@@ -27,7 +27,7 @@ img {{ display: block; width: 420mm; height: 297mm; object-fit: contain }}</styl
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
+class PaintedPage:
     """A page of a drawing.
 
     Attributes:
@@ -39,7 +39,7 @@ class Picture:
     pages: int
 
 
-def picture_of(data: bytes, name: str, page: int) -> Picture:
+def picture_of(data: bytes, name: str, page: int) -> PaintedPage:
     """Paint a page of a drawing.
 
     Args:
@@ -53,27 +53,27 @@ def picture_of(data: bytes, name: str, page: int) -> Picture:
     return _PAINTERS[PurePath(name).suffix.lower()](data, page)
 
 
-def _pdf(data: bytes, page: int) -> Picture:
+def _pdf(data: bytes, page: int) -> PaintedPage:
     from pypdfium2 import PdfDocument
 
     with PdfDocument(data) as document:
         pages = len(document)
         sheet = document[page - 1 if 1 <= page <= pages else 0]
         scale = _LARGEST / max(*sheet.get_size(), 1.0)
-        return Picture(_png(sheet.render(scale=scale, may_draw_forms=False).to_pil()), pages)
+        return PaintedPage(_png(sheet.render(scale=scale, may_draw_forms=False).to_pil()), pages)
 
 
-def _raster(data: bytes, _: int) -> Picture:
+def _raster(data: bytes, _: int) -> PaintedPage:
     from PIL import Image
 
     with Image.open(io.BytesIO(data), formats=("PNG", "JPEG")) as found:
         if found.width * found.height > _MOST_PIXELS:
             raise ValueError(found.size)
         found.thumbnail((_LARGEST, _LARGEST))
-        return Picture(_png(found), 1)
+        return PaintedPage(_png(found), 1)
 
 
-def _svg(data: bytes, _: int) -> Picture:
+def _svg(data: bytes, _: int) -> PaintedPage:
     from weasyprint import HTML, URLFetcher
 
     code = b64encode(data).decode()
@@ -82,7 +82,7 @@ def _svg(data: bytes, _: int) -> Picture:
     return _pdf(bytes(page), 1)
 
 
-def _dxf(data: bytes, _: int) -> Picture:
+def _dxf(data: bytes, _: int) -> PaintedPage:
     from ezdxf import recover
     from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration
     from ezdxf.addons.drawing.frontend import Frontend
@@ -98,7 +98,7 @@ def _dxf(data: bytes, _: int) -> Picture:
     Frontend(RenderContext(document), backend, config=black).draw_layout(document.modelspace())
     stream = io.BytesIO()
     figure.savefig(stream, format="png")
-    return Picture(stream.getvalue(), 1)
+    return PaintedPage(stream.getvalue(), 1)
 
 
 def _png(image: "Image") -> bytes:
@@ -107,7 +107,7 @@ def _png(image: "Image") -> bytes:
     return stream.getvalue()
 
 
-_PAINTERS: Final[Mapping[str, Callable[[bytes, int], Picture]]] = {
+_PAINTERS: Final[Mapping[str, Callable[[bytes, int], PaintedPage]]] = {
     ".pdf": _pdf,
     ".png": _raster,
     ".jpg": _raster,

@@ -14,12 +14,12 @@ from starlette.routing import Route
 
 from gripcourse.api.results import CheckResult
 from gripcourse.desk.links import Refused
-from gripcourse.desk.model import DRAWINGS, HandIn
+from gripcourse.desk.model import DRAWINGS, HandIn, is_drawing
 from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import NO_BREAK_SPACE
-from gripcourse.text.words import Words
+from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
 from gripcourse.usecases.links import open_link
@@ -28,7 +28,7 @@ from gripcourse.variants.model import Issued
 from gripcourse.web import acts
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
-from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, WebRefusal
+from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import Sent, address_of, count, read_form
 
@@ -37,6 +37,9 @@ _REFUSED_STATUS: Final = {
     Refused.EXPIRED: HTTPStatus.GONE,
     Refused.REVOKED: HTTPStatus.GONE,
 }
+_NOTHING_TO_CHECK: Final = WebRefusal(
+    Code.NOT_USABLE, message("This is a drawing, and a person looks at it: hand it in.")
+)
 _FIGURES: Final = 7  # of a number that was understood
 _BINARY: Final = "application/octet-stream"
 
@@ -179,6 +182,8 @@ def workbook(visit: Visit) -> Response:
 def check(visit: Visit) -> Response:
     """Say how a workbook is read, and by policy whether its numbers fit."""
     words, file = visit.words, visit.sent.file
+    if file is not None and is_drawing(file.name):
+        return visit.refuse(_NOTHING_TO_CHECK)
     result = acts.check(visit.site, visit.student, file, words)
     if isinstance(result, WebRefusal) or file is None:
         return visit.refuse(result if isinstance(result, WebRefusal) else NO_FILE)
