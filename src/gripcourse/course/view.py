@@ -132,6 +132,7 @@ class ViewPart:
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
         density: kg/m³ of what its outline holds; 0 for that of the view.
+        density_per: quantity, for each SI unit of which it has that density; empty for none.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -152,6 +153,7 @@ class ViewPart:
     placed_at: str
     depth: tuple[Expression, ...]
     density: float
+    density_per: str
     shapes: tuple[ViewShape, ...]
     file: str
     key: str

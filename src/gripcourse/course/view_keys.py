@@ -79,6 +79,9 @@ _PART: Final = Shape(
         "body": flag("Whether its figures are solid: absent is true for those with an inside."),
         "depth": _DEPTH,
         "density": number("kg/m³ of what its outline holds; absent: that of the view."),
+        "density_per": text(
+            "Quantity, for each SI unit of which it has that density; absent: none."
+        ),
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),

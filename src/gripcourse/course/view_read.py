@@ -126,6 +126,7 @@ def _part(table: Table) -> ViewPart:
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),
         density=table.number("density", 0.0),
+        density_per=table.text("density_per", ""),
         shapes=shapes,
         file=table.file,
         key=table.key,

@@ -102,7 +102,7 @@ def assignment_sheet(
     """Make the assignment sheet of a student as a PDF file.
 
     The shortest assignments take two pages and an appendix with the series and tables; the others
-    three or four pages with it.
+    three pages with it, those of more than 150 quantities a part of a fourth.
 
     Args:
         issued: the student, the frozen values and the dates.
