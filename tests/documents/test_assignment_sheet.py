@@ -23,8 +23,8 @@ from support.printed import pages_of
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
 UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
 ENGLISH = Words("en")
-# What they take, with the appendix, in a print that can still be read; a hundred and fifty quantities
-# and more go on overleaf with formulas of other sources.
+# What they take, with the appendix, in a print that can still be read; a hundred and fifty
+# quantities and more go on overleaf with formulas of other sources.
 LONGEST_PAGES, MANY = 3, 150
 
 

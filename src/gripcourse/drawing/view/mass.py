@@ -1,8 +1,8 @@
 """The mass of what a general view draws: from its bodies, their thicknesses and one density.
 
-A body with a depth is a plate; one that lies all through is turned about the axis, which lies along x
-or, where a view is upright, along y. What the bodies
-of a part share counts once; what phantom lines show counts nothing.
+A body with a depth is a plate; one that lies all through is turned about the axis, which lies along
+x or, where a view is upright, along y. What the bodies of a part share counts once; what phantom
+lines show counts nothing.
 """
 
 import math
