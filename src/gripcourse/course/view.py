@@ -124,6 +124,7 @@ class ViewPart:
             mirrored.
         count: how many there are; None for one, or two where it is mirrored.
         sizes: quantities that the parts list shows.
+        material: as the parts list names it; None for that of the view.
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
@@ -144,6 +145,7 @@ class ViewPart:
     mirrored: bool
     count: Formula | None
     sizes: tuple[str, ...]
+    material: Texts | None
     mark: tuple[Expression, ...]
     moves: bool
     meets: tuple[str, ...]
@@ -211,6 +213,7 @@ class View:
         characteristics: quantities that stand beside the drawing.
         requirements: sentences that stand there.
         density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
+        material: of parts that declare none, as the parts list names it; None for none.
         around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
@@ -226,5 +229,6 @@ class View:
     characteristics: tuple[str, ...]
     requirements: tuple[Texts, ...]
     density: float
+    material: Texts | None
     around: Formula | None
     file: str
