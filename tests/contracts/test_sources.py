@@ -42,8 +42,15 @@ def test_a_catalogue_says_in_every_language_where_it_comes_from(
     assert {id_: words for id_, words in left.items() if words} == {}
 
 
-def test_a_published_work_has_one_title_for_all_languages(course: Course) -> None:
-    several = {
-        work.id for work in course.works.values() if len(set(work.title.by_language.values())) > 1
-    }
-    assert several == {"derived", "course_rule"}
+def test_a_published_work_is_cited_as_it_is_called(course: Course) -> None:
+    """Readers of English get its title in Latin letters, and what it means in brackets."""
+    own = {"derived", "course_rule"}
+    for work in course.works.values():
+        english, russian, ukrainian = (work.title.of(one) for one in ("en", "ru", "uk"))
+        if work.id in own:
+            assert len({english, russian, ukrainian}) == len(own) + 1
+            continue
+        assert russian == ukrainian
+        assert english.isascii() or english.replace("§", "").isascii(), english
+        assert (english == russian) is russian.isascii()
+        assert english == russian or re.search(r"\[[^]]+\]", english)

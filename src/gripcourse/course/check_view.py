@@ -86,6 +86,11 @@ def _reference_faults(
 ) -> Iterator[Problem]:
     named = [(view.file, "characteristics", name) for name in view.characteristics]
     named += [(part.file, f"{part.key}.sizes", name) for part in view.parts for name in part.sizes]
+    named += [
+        (one.file, f"{one.key}.density_per", one.density_per)
+        for one in view.parts
+        if one.density_per
+    ]
     named += [(one.file, f"{one.key}.quantity", one.quantity) for one in view.dimensions]
     shown = [*quantities, *view.measures]
     for label in view.labels:

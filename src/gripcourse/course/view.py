@@ -124,6 +124,7 @@ class ViewPart:
             mirrored.
         count: how many there are; None for one, or two where it is mirrored.
         sizes: quantities that the parts list shows.
+        material: as the parts list names it; None for that of the view.
         mark: where the leader of its position ends, in the main view.
         moves: whether the other position of the view shows it too.
         meets: parts that it may overlap: a pin in its hole, teeth in mesh.
@@ -132,6 +133,7 @@ class ViewPart:
         positions: of the kinematics, in which it is there; empty for all.
         depth: of those of its shapes that declare none; empty for all of the view.
         density: kg/m³ of what its outline holds; 0 for that of the view.
+        density_per: quantity, for each SI unit of which it has that density; empty for none.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -143,6 +145,7 @@ class ViewPart:
     mirrored: bool
     count: Formula | None
     sizes: tuple[str, ...]
+    material: Texts | None
     mark: tuple[Expression, ...]
     moves: bool
     meets: tuple[str, ...]
@@ -152,6 +155,7 @@ class ViewPart:
     placed_at: str
     depth: tuple[Expression, ...]
     density: float
+    density_per: str
     shapes: tuple[ViewShape, ...]
     file: str
     key: str
@@ -209,6 +213,7 @@ class View:
         characteristics: quantities that stand beside the drawing.
         requirements: sentences that stand there.
         density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
+        material: of parts that declare none, as the parts list names it; None for none.
         around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
@@ -224,5 +229,6 @@ class View:
     characteristics: tuple[str, ...]
     requirements: tuple[Texts, ...]
     density: float
+    material: Texts | None
     around: Formula | None
     file: str

@@ -71,6 +71,7 @@ _PART: Final = Shape(
         "mirror": flag("Whether it stands on both sides of the axis."),
         "count": text("Formula: how many there are."),
         "sizes": strings("Quantities that the parts list shows."),
+        "material": texts("In the parts list; absent: that of the view."),
         "mark": other("Where the leader of its position ends.", _TWO),
         "moves": flag("Whether the other position of the view shows it too."),
         "meets": strings("Parts that it may overlap: a pin in its hole, teeth in mesh."),
@@ -79,6 +80,9 @@ _PART: Final = Shape(
         "body": flag("Whether its figures are solid: absent is true for those with an inside."),
         "depth": _DEPTH,
         "density": number("kg/m³ of what its outline holds; absent: that of the view."),
+        "density_per": text(
+            "Quantity, for each SI unit of which it has that density; absent: none."
+        ),
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
@@ -124,6 +128,7 @@ VIEW: Final = Shape(
         "bodies": flag("Whether its parts are bodies that must not go through one another."),
         "other": text("Position that moving parts are shown in by thin lines too."),
         "density": number("Of what its bodies are made of, kg/m³; absent: the mass is not told."),
+        "material": texts("Of parts that name none, in the parts list; absent: it has none."),
         "around": text("Formula: how many of what is mirrored stand round the axis; absent: two."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,

@@ -48,6 +48,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         characteristics=table.strings("characteristics"),
         requirements=tuple(one for view in views for one in view.requirements),
         density=table.number("density", 0.0),
+        material=_material(table),
         around=_formula(table, "around", table.text("around")) if table.has("around") else None,
         file=table.file,
     )
@@ -83,6 +84,7 @@ def _read(table: Table) -> View:
         characteristics=(),
         requirements=tuple(_requirement(one) for one in table.tables("requirement")),
         density=0.0,
+        material=None,
         around=None,
         file=table.file,
     )
@@ -117,6 +119,7 @@ def _part(table: Table) -> ViewPart:
         mirrored=table.flag("mirror"),
         count=_formula(table, "count", table.text("count")) if table.has("count") else None,
         sizes=table.strings("sizes"),
+        material=_material(table),
         mark=() if nameless else _expressions(table, "mark", Need.POINT),
         moves=table.flag("moves"),
         meets=table.strings("meets"),
@@ -126,10 +129,15 @@ def _part(table: Table) -> ViewPart:
         placed_at=table.text("placed_at", ""),
         depth=_depth(table),
         density=table.number("density", 0.0),
+        density_per=table.text("density_per", ""),
         shapes=shapes,
         file=table.file,
         key=table.key,
     )
+
+
+def _material(table: Table) -> Texts | None:
+    return table.texts("material") if table.has("material") else None
 
 
 def _depth(table: Table) -> tuple[Expression, ...]:

@@ -1,13 +1,11 @@
 """The appendix of an assignment: the series, tables and formulas that a student needs at hand."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.worked import entering_units, worked_line
-from gripcourse.formula.boxes import Applied, Box, Fraction, Root, boxes
-from gripcourse.formula.plain import text
+from gripcourse.formula.boxes import Applied, Box, boxes
 from gripcourse.solver.needed_tables import NeededTable, needed_tables, tables_by_taker
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
@@ -15,8 +13,6 @@ from gripcourse.text.words import Message, Words, message
 
 _FIGURES = 12  # sizes are printed as they are declared, never rounded
 _WIDE = 8  # columns, from which on a table takes the width of the page
-_LETTERS = 34  # of a line of a column
-_SPACE = 0.6  # lines round a heading, and below a formula
 _BESIDE = 2  # formulas that find room beside a small table
 _FEW, _LONG = 4, 6  # so few columns of so many rows are printed as lines across the page
 
@@ -50,9 +46,11 @@ class AppendixTable:
 
 @dataclass(frozen=True, slots=True)
 class AppendixFormula:
-    """A formula of a work that students do not have: what it gives, and its bare numbers' units."""
+    """A formula of a work that students do not have, and the units of its bare numbers.
 
-    title: str
+    It begins with the symbol of what it gives, which the questions name.
+    """
+
     line: Box
     units: tuple[tuple[str, str], ...]
 
@@ -86,44 +84,11 @@ class Appendix:
         return any(one.word == "atan2" for one in called)
 
     @property
-    def thirds(self) -> tuple[tuple[QuotedWork, ...], ...]:
-        """The works in three columns, about equally high; a work that goes on has no title."""
-        heights = [[_lines_of(one) for one in work.formulas] for work in self.works]
-        titles = [_SPACE + math.ceil(len(work.title) / _LETTERS) for work in self.works]
-        whole = sum(titles) + sum(map(sum, heights))
-        columns: list[list[QuotedWork]] = [[], [], []]
-        above = 0.0
-        for work, own, heading in zip(self.works, heights, titles, strict=True):
-            above += heading
-            parts: list[list[AppendixFormula]] = [[], [], []]
-            for formula, height in zip(work.formulas, own, strict=True):
-                parts[min(int(3 * (above + height / 2) / whole), 2)].append(formula)
-                above += height
-            title = work.title
-            for column, part in zip(columns, parts, strict=True):
-                if part:
-                    column.append(QuotedWork(title, tuple(part)))
-                    title = ""
-        return tuple(tuple(column) for column in columns)
-
-    @property
     def beside(self) -> int:
         """The number of the small table that few formulas stand beside; 0 where they follow."""
         small = [one.number for one in self.tables if not one.wide]
         quoted = sum(len(one.formulas) for one in self.works)
         return small[-1] if small and 0 < quoted <= _BESIDE else 0
-
-
-def _lines_of(formula: AppendixFormula) -> float:
-    """Estimate how high a formula is with its title in a column, in lines."""
-    units = sum(len(symbol) + len(unit) + 4 for symbol, unit in formula.units)
-    written = math.ceil((len(text(formula.line)) + units) / _LETTERS)
-    kinds = {type(one) for one in boxes(formula.line)}
-    return (
-        math.ceil(len(formula.title) / _LETTERS)
-        + written * (1 + len(kinds & {Fraction, Root}))
-        + _SPACE
-    )
 
 
 def appendix_of(plan: Plan, words: Words) -> Appendix:
@@ -181,5 +146,4 @@ def _formula(quantity: Quantity, plan: Plan, words: Words) -> AppendixFormula | 
     line = worked_line(quantity, {}, None, plan, words)
     if line is None:
         return None
-    title = quantity.title.of(words.language)
-    return AppendixFormula(title, line, entering_units(quantity, plan, words))
+    return AppendixFormula(line, entering_units(quantity, plan, words))

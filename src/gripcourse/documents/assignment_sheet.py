@@ -1,7 +1,7 @@
 """The assignment sheet of one student: who, what is given, what is asked, how it is judged."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.course.model import Course, Section
 from gripcourse.course.quantity import Kind, Quantity, Tolerance
@@ -32,6 +32,8 @@ _MANY = 85  # quantities, from which on a diagram has to leave room beside it
 # in the others, of more than two pages, it follows at once: no page stays half empty.
 _SOME, _MUCH = 6_000, 10_500
 _PRINTS = ("", "dense running", "dense long running")
+# A diagram with text beside it is printed smaller where there is much to read, letters and all.
+_MUCH_SCALE = 0.84
 _LETTERS_OF_ROW = 8  # that a symbol and the gap beside it take
 _GIVEN_FIGURES = 7  # given values are printed as the table has them, never rounded
 
@@ -100,7 +102,7 @@ def assignment_sheet(
     """Make the assignment sheet of a student as a PDF file.
 
     The shortest assignments take two pages and an appendix with the series and tables; the others
-    three or four pages with it.
+    three pages with it, those of more than 150 quantities a part of a fourth.
 
     Args:
         issued: the student, the frozen values and the dates.
@@ -125,6 +127,7 @@ def sheet_values(
     constants = given_data(plan.constants, issued.variant.given, words)
     sections = list(_tasks(plan, policy, course, words))
     rules = [*course_notes(plan, words), *map(words.say, judging_rules(plan, policy, words))]
+    density = _density(_letters((*data, *constants), sections, rules))
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
@@ -133,12 +136,12 @@ def sheet_values(
         "seal": picture(seal_svg(seal_of(issued, course.id), link or course.address)),
         "address": link or course.address,
         "link": link,
-        "diagram": diagram,
+        "diagram": _fitted(diagram, density),
         "pairs": _pairs(issued, plan, words),
         "task": plan.scheme.task.of(words.language),
         "data": data,
         "constants": constants,
-        "density": _density(_letters((*data, *constants), sections, rules)),
+        "density": density,
         "sections": sections,
         "hand_in": [words.say(sentence) for sentence in hand_in(plan, words)],
         "appendix": appendix_of(plan, words),
@@ -159,6 +162,13 @@ def _letters(
 def _density(letters: int) -> str:
     """Name the print for so much to read; laying out a sheet to find out takes as long again."""
     return _PRINTS[(letters > _SOME) + (letters > _MUCH)]
+
+
+def _fitted(diagram: SheetDiagram | None, density: str) -> SheetDiagram | None:
+    if diagram is None or not diagram.beside or density != _PRINTS[-1]:
+        return diagram
+    width, height = (round(_MUCH_SCALE * size, 2) for size in (diagram.width, diagram.height))
+    return replace(diagram, width=width, height=height)
 
 
 def _pairs(issued: Issued, plan: Plan, words: Words) -> list[tuple[str, str]]:

@@ -6,7 +6,7 @@ from typing import Final, TypeVar
 
 Row = TypeVar("Row")
 
-_LETTERS: Final = 52  # of a line, about
+_LETTERS: Final = 60
 
 
 def two_columns(rows: Sequence[Row], attribute: str) -> tuple[Sequence[Row], Sequence[Row]]:

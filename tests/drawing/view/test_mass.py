@@ -64,4 +64,28 @@ def test_three_fingers_weigh_half_as_much_again_as_the_two_that_are_drawn(draw: 
 def test_a_view_without_a_density_tells_no_mass(draw: "Draw") -> None:
     drawn = draw("016")
     assert drawn.plan.scheme.view is not None
-    assert mass_of(drawn.plan, drawn.plan.scheme.view, drawn.values) is None
+    unknown = replace(drawn.plan.scheme.view, density=0.0)
+    assert mass_of(drawn.plan, unknown, drawn.values) is None
+
+
+def test_round_poles_and_windings_weigh_what_round_ones_do(draw: "Draw") -> None:
+    drawn = draw("016")
+    core, height, coil, wide = (
+        length(drawn, one)
+        for one in ("core_diameter", "core_length", "coil_height", "coil_thickness")
+    )
+    count = 2 * length(drawn, "magnet_count")
+    assert only(drawn, "core") == pytest.approx(count * math.pi / 4 * core**2 * height * STEEL)
+    ring = math.pi * (core + wide) * wide * coil
+    assert only(drawn, "coil") == pytest.approx(count * ring * 5000)
+
+
+@pytest.mark.parametrize(("elastic_modulus", "density"), [(210_000, 7850), (70_000, 2700)])
+def test_a_beam_weighs_what_its_material_does(
+    draw: "Draw", elastic_modulus: float, density: float
+) -> None:
+    drawn = draw("016")
+    drawn = replace(drawn, values={**drawn.values, "elastic_modulus_beam": elastic_modulus})
+    wide, high = (length(drawn, one) for one in ("beam_width", "beam_height"))
+    volume = 2 * length(drawn, "beam_half") * wide * high
+    assert only(drawn, "beam") == pytest.approx(volume * density, rel=0.02)

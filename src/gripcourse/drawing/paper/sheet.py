@@ -54,6 +54,7 @@ class PartsRow:
     number: str
     title: str
     count: str
+    material: str
     sizes: str
 
 
@@ -68,7 +69,8 @@ class Notes:
 _ROW = 8.0
 _LINE = 6.0
 _INDENT = 3.0  # of characteristics, from the frame
-_COLUMNS = (10.0, 70.0, 10.0, 95.0)  # of the parts list: position, title, number, sizes
+# Of the parts list: position, title, number, material, sizes.
+_COLUMNS = (10.0, 61.0, 10.0, 23.0, 81.0)
 _CORNER = (70.0, 14.0)  # field 26: the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
 _BESIDE = 4.0
@@ -133,6 +135,7 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], wor
         words.say(message("Pos.")),
         words.say(message("Name")),
         words.say(message("Qty")),
+        words.say(message("Material")),
         words.say(message("Sizes, mm")),
     )
     edges = [sum(_COLUMNS[:number]) for number in range(len(_COLUMNS) + 1)]
@@ -141,7 +144,7 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], wor
         bottom = _ROW * number
         kind = LineKind.OUTLINE if row is heading or number == len(rows) else LineKind.THIN
         cell.line((0.0, bottom), (BLOCK_WIDTH, bottom), kind)
-        for column, text in enumerate((row.number, row.title, row.count, row.sizes)):
+        for column, text in enumerate(_cells(row)):
             middle = row is heading or column in {0, 2}
             place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
             if text is row.sizes and row is not heading:
@@ -152,6 +155,10 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], wor
     cell.line((0.0, top), (BLOCK_WIDTH, top))
     for edge in edges:
         cell.line((edge, 0.0), (edge, top))
+
+
+def _cells(row: PartsRow) -> tuple[str, ...]:
+    return row.number, row.title, row.count, row.material, row.sizes
 
 
 def draw_notes(layout: "Modelspace", box: Box, notes: Sequence[Notes], words: Words) -> None:

@@ -11,6 +11,7 @@ from itertools import pairwise
 from gripcourse.drawing.paper.text import Point
 
 _FULL_TURN = 360.0
+_QUARTER = 90.0
 _STEPS = 48  # chords of a full circle in an outline that hides
 _NOTHING = 1e-6
 
@@ -119,13 +120,15 @@ def on_circle(centre: Point, radius: float, angle: float) -> Point:
 
 
 def points_of(stroke: Stroke) -> list[Point]:
-    """Return the points of a stroke: ends of a line, chords of an arc."""
+    """Return the points of a stroke: ends of a line, chords of an arc and where it is outermost."""
     if isinstance(stroke, Line):
         return [stroke.start, stroke.end]
     turn = stroke.high - stroke.low
     steps = max(2, math.ceil(_STEPS * turn / _FULL_TURN))
-    angles = (stroke.low + turn * step / steps for step in range(steps + 1))
-    return [on_circle(stroke.centre, stroke.radius, angle) for angle in angles]
+    angles = {stroke.low + turn * step / steps for step in range(steps + 1)}
+    first = math.ceil(stroke.low / _QUARTER)
+    angles |= {_QUARTER * k for k in range(first, math.floor(stroke.high / _QUARTER) + 1)}
+    return [on_circle(stroke.centre, stroke.radius, angle) for angle in sorted(angles)]
 
 
 def mirrored(stroke: Stroke) -> Stroke:

@@ -45,7 +45,7 @@ def svg_text(document: "Drawing", width_mm: float, height_mm: float, title: str)
     ]
     if picture.fills:
         parts.append(f'<path d="{"".join(picture.fills)}"/>')
-    parts.append(f"<g font-family=\"'{FONT_FAMILY}','DejaVu Sans',sans-serif\">")
+    parts.append(f"<g font-family=\"'{FONT_FAMILY}','Liberation Sans','DejaVu Sans',sans-serif\">")
     return "\n".join([*parts, *picture.words, "</g>", "</svg>\n"])
 
 

@@ -19,8 +19,9 @@ FONT_FAMILY = "PT Sans"
 # Cyrillic and Greek letters. Other programs take the file.
 TEXT_STYLE = "lc_opengost-br"
 CAP_HEIGHT = 0.711  # of the font's size: its letter A, by which text is measured
-_SECOND_FILE = "DejaVuSans.ttf"  # for what the first lacks: Greek letters
-_SECOND_CAP_HEIGHT = 0.729
+# For what the first lacks: Greek letters, of the family that documents take them from.
+_SECOND_FILE = "LiberationSans-Regular.ttf"
+_SECOND_CAP_HEIGHT = 0.688
 NARROWEST = 0.5  # what a line may be squeezed to before it is cut
 
 LEADING = 1.45  # from one line to the next, in heights of capital letters

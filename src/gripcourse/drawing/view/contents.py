@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from gripcourse.course.quantity import Kind
 from gripcourse.course.view import Face, Side, View, ViewDimension, ViewLabel, ViewPart
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import (
@@ -48,7 +49,10 @@ class Position:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """A dimension with its two points, and the value of its quantity in the declared unit."""
+    """A dimension with its two points, and the value of its quantity in the declared unit.
+
+    What is computed is written to tenths; a size of a series or of the variant, as it is.
+    """
 
     declared: ViewDimension
     value: float
@@ -212,7 +216,9 @@ def _measured(
         numbers = other if one.at_other else main
         start, end = numbers.point(one.start), numbers.point(one.end)
         if start is not None and end is not None and one.quantity in numbers.values:
-            yield Measured(one, solved[one.quantity], start, end)
+            value = solved[one.quantity]
+            is_computed = numbers.plan.quantities[one.quantity].kind is Kind.FORMULA
+            yield Measured(one, round(value, 1) if is_computed else value, start, end)
 
 
 def _size(one: tuple[ViewPart, Sequence[Shown]]) -> float:

@@ -80,7 +80,7 @@ def general_view(
     over, under = arranged.scale
     shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
     faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
-    rows = tuple(_rows(shown, plan, values, words))
+    rows = tuple(_rows(shown, view, plan, values, words))
     block = replace(block, mass=_mass(plan, view, values, words))
     document = new_document(words.language)
     layout = document.modelspace()
@@ -122,14 +122,16 @@ def _numbered(shown: Figure, main: FaceLayout) -> Figure:
 
 
 def _rows(
-    shown: Figure, plan: Plan, values: Mapping[str, float], words: Words
+    shown: Figure, view: View, plan: Plan, values: Mapping[str, float], words: Words
 ) -> Iterator[PartsRow]:
     """Yield the parts list: the sizes of a part that this variant has."""
     for number, one in enumerate(shown.positions, 1):
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
         written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
-        yield PartsRow(str(number), capital(title), str(one.count), written)
+        named = one.part.material or view.material
+        material = named.of(words.language) if named is not None else ""
+        yield PartsRow(str(number), capital(title), str(one.count), capital(material), written)
 
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:

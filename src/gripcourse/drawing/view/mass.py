@@ -1,7 +1,8 @@
 """The mass of what a general view draws: from its bodies, their thicknesses and one density.
 
-A body with a depth is a plate; one that lies all through is turned about the axis. What the bodies
-of a part share counts once; what phantom lines show counts nothing.
+A body with a depth is a plate; one that lies all through is turned about the axis, which lies along
+x or, where a view is upright, along y. What the bodies of a part share counts once; what phantom
+lines show counts nothing.
 """
 
 import math
@@ -10,6 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import shapely
+import shapely.affinity
 
 from gripcourse.course.view import View
 from gripcourse.drawing.view.bodies import Piece, Scene, pieces_of
@@ -42,11 +44,13 @@ def mass_of(plan: Plan, view: View, solved: Mapping[str, float]) -> float | None
         unseen = {one.key for one in part.shapes if one.line == "phantom"}
         pieces = [one for one in pieces_of(part, scene) if one.key not in unseen]
         copies = (around or _TWO) / _TWO if part.mirrored else 1.0
-        mass += copies * _volume(pieces) * _CUBIC * (part.density or view.density)
+        volume = _volume(pieces, upright=view.upright)
+        each = float(numbers.values[part.density_per]) if part.density_per else 1.0
+        mass += copies * volume * _CUBIC * (part.density or view.density) * each
     return mass
 
 
-def _volume(pieces: list[Piece]) -> float:
+def _volume(pieces: list[Piece], *, upright: bool) -> float:
     """Return the volume of the pieces of one part, mm³."""
     row = np.array([0])
     layers: dict[tuple[float, float], list[shapely.Geometry]] = defaultdict(list)
@@ -55,17 +59,18 @@ def _volume(pieces: list[Piece]) -> float:
             depth = float(np.ravel(one.low)[0]), float(np.ravel(one.high)[0])
             layers[depth].append(one.solid(row)[0])
     return sum(
-        _turned(shapely.union_all(solids))
+        _turned(shapely.union_all(solids), upright=upright)
         if math.isinf(high)
         else float(shapely.area(shapely.union_all(solids))) * _TWO * (high - low)
         for (low, high), solids in layers.items()
     )
 
 
-def _turned(region: shapely.Geometry) -> float:
+def _turned(region: shapely.Geometry, *, upright: bool) -> float:
     """Return the volume that a region and its mirror image sweep about the axis, mm³."""
+    lying = shapely.affinity.rotate(region, -90, origin=(0, 0)) if upright else region
     found = 0.0
     for side in (shapely.box(-_FAR, 0.0, _FAR, _FAR), shapely.box(-_FAR, -_FAR, _FAR, 0.0)):
-        half = shapely.intersection(region, side)
+        half = shapely.intersection(lying, side)
         found += math.pi * abs(shapely.centroid(half).y) * half.area if half.area else 0.0
     return found
