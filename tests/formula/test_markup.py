@@ -55,9 +55,7 @@ def _read(box: Box) -> str:
 
 
 def test_a_symbol_is_italic_with_an_upright_index() -> None:
-    assert html(symbol_box("F_тр")) == (
-        '<span class="formula"><i>F</i><sub>тр</sub></span>'
-    )
+    assert html(symbol_box("F_тр")) == ('<span class="formula"><i>F</i><sub>тр</sub></span>')
 
 
 def test_upright_runs_need_no_element_of_their_own() -> None:
