@@ -63,8 +63,9 @@ bench: .venv/dev.stamp ## measure what the documentation states
 	@for file in $(sort $(wildcard benchmarks/*.py)); do echo "# $$file"; $(BIN)/python "$$file" || exit; done
 
 .PHONY: fuzz
-fuzz: .venv/dev.stamp ## read 100 000 spoiled workbooks; RUNS=… for another number, FIRST=… for others
+fuzz: .venv/dev.stamp ## read 100 000 spoiled workbooks, twice; RUNS=… for another number, FIRST=… for others
 	$(BIN)/python tests/hostile/fuzz.py $(or $(FIRST),3000) $(or $(RUNS),100000)
+	$(BIN)/python tests/hostile/guided.py $(or $(FIRST),3000) $(or $(RUNS),100000)
 
 .PHONY: gallery
 gallery: demo | test-packages ## pictures of every kind of page, in docs/gallery/

@@ -38,7 +38,22 @@ def test_a_strange_template_reaches_neither_python_nor_files(template: str, tmp_
     assert (tmp_path / "secret").read_text(encoding="utf-8") == "SECRET"
 
 
-@pytest.mark.parametrize("product", ["'x' * 99999999999", "9 ** 9 ** 9 ** 9"])
+@pytest.mark.parametrize(
+    "product",
+    [
+        "'x' * 99999999999",
+        "9 ** 9 ** 9 ** 9",
+        "'{:999999999}'.format(1)",
+        "'{:{w}}'.format(1, w=999999999)",
+        "('{:999999999}' | attr('format'))(1)",
+        "'%0999999999d' % 1",
+        "'%0999999999d' | format(1)",
+        "'x' | center(999999999)",
+        "'x'.ljust(999999999)",
+        "'x'.zfill(999999999)",
+        "lipsum(n=100000)",
+    ],
+)
 def test_a_template_cannot_fill_the_memory(product: str, tmp_path: Path) -> None:
     with pytest.raises(CourseError):
         filled(f"{{{{ {product} }}}}", tmp_path)

@@ -194,7 +194,7 @@ def test_ids_that_look_alike_are_refused(tmp_path: Path, second: str) -> None:
 @pytest.mark.parametrize(
     ("row", "column", "most"),
     [
-        ("a,{long},,,,", "name", 200),
+        ("a,{long},,,,", "name", 255),
         ("a,B,{long},,,", "group", 100),
         ("a,B,,{long},,", "email", 254),
         ("a,B,,,,{long}", "variant", 64),

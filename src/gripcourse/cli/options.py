@@ -84,7 +84,7 @@ AfreshOption = Annotated[
 RecalculateOption = Annotated[
     bool,
     typer.Option(
-        "--recalculate", help="Let LibreOffice compute all formulas; flag results that differ."
+        "--recalculate", help="Compute all formulas once more; flag stored results that differ."
     ),
 ]
 WhoseOption = Annotated[

@@ -233,7 +233,7 @@ def template_environment(
     """Return what every template of a folder gets whatever the document: see the list above."""
     from jinja2 import FileSystemLoader, StrictUndefined
 
-    from gripcourse.documents.sandbox import TemplateSandbox
+    from gripcourse.documents.sandbox import WIDENING_FILTERS, TemplateSandbox
 
     words = Words(language)
     environment = TemplateSandbox(
@@ -244,6 +244,9 @@ def template_environment(
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    for name in WIDENING_FILTERS:
+        del environment.filters[name]
+    del environment.globals["lipsum"]  # a hundred thousand paragraphs of nothing
     environment.globals.update({"_": words.translate, "say": words.say, "language": language})
     filters: Mapping[str, Callable[..., str]] = {
         "points": lambda value: points_text(value, words),

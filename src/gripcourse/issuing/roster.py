@@ -29,7 +29,7 @@ from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 _ID = re.compile(r"[\w-][\w.-]*")
 # Signs of what is printed beside a student's work: nobody's name is longer, and a word of ten
 # thousand letters takes half a minute to lay out.
-_LONGEST = {"name": 200, "group": 100, "email": 254, "variant": LONGEST_NAME}
+_LONGEST = {"name": 255, "group": 100, "email": 254, "variant": LONGEST_NAME}
 # Cyrillic letters that look like Latin ones, in small or in capital letters.
 _ALIKE = str.maketrans("авсенһіјкмоԛрѕтухԝԁѵ", "abcehhijkmoqpstyxwdv")
 _PARTS_OF_NAME = ("surname", "first", "patronymic")

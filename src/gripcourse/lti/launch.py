@@ -179,7 +179,7 @@ def _check_envelope(claims: Mapping[str, Any], platform: Platform, nonce: str, n
     audience = claims.get("aud")
     audiences = audience if isinstance(audience, list) else [audience]
     party = claims.get("azp")
-    if platform.client_id not in audiences or party not in {None, platform.client_id}:
+    if platform.client_id not in audiences or party not in (None, platform.client_id):
         raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
     if len(audiences) > 1 and party is None:
         raise LaunchRefusedError(LaunchRefusal.AUDIENCE)
@@ -194,7 +194,8 @@ def _check_envelope(claims: Mapping[str, Any], platform: Platform, nonce: str, n
 
 
 def _check_message(claims: Mapping[str, Any], platform: Platform) -> None:
-    if claims.get(f"{_CLAIM}deployment_id") not in platform.deployments:
+    deployment = claims.get(f"{_CLAIM}deployment_id")
+    if not isinstance(deployment, str) or deployment not in platform.deployments:
         raise LaunchRefusedError(LaunchRefusal.DEPLOYMENT)
     if claims.get(f"{_CLAIM}version") != "1.3.0":
         raise LaunchRefusedError(LaunchRefusal.VERSION)
@@ -231,9 +232,15 @@ def _service(table: Mapping[str, Any], name: str) -> str:
 
 def _seconds(claims: Mapping[str, Any], name: str) -> float:
     value = claims.get(name)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, int | float):
         raise LaunchRefusedError(LaunchRefusal.TIME)
-    return float(value)
+    try:
+        seconds = float(value)
+    except OverflowError as fault:  # a whole number of hundreds of digits
+        raise LaunchRefusedError(LaunchRefusal.TIME) from fault
+    if not math.isfinite(seconds):
+        raise LaunchRefusedError(LaunchRefusal.TIME)
+    return seconds
 
 
 def _table(claims: Mapping[str, Any], name: str) -> Mapping[str, Any]:
