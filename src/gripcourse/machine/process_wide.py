@@ -27,6 +27,11 @@ def few_collections() -> Iterator[None]:
             gc.set_threshold(*before)
 
 
+def collect_rarely() -> None:
+    """Collect garbage rarely from now on, in a process that runs one command and ends."""
+    gc.set_threshold(_COLLECTOR_THRESHOLD, *gc.get_threshold()[1:])
+
+
 @contextmanager
 def without_warnings() -> Iterator[None]:
     """Let a library keep its warnings to itself."""
