@@ -1,10 +1,22 @@
+import pickle
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from gripcourse.formula.fault import FormulaFault, caret
 from gripcourse.formula.parse import parse
-from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation, names, walk
+from gripcourse.formula.tree import (
+    Call,
+    Formula,
+    Name,
+    Negation,
+    Node,
+    Number,
+    Operation,
+    names,
+    walk,
+)
 
 A, B, C = Name("a"), Name("b"), Name("c")
 ONE, TWO = Number(1.0, "1"), Number(2.0, "2")
@@ -218,3 +230,12 @@ def test_any_text_is_a_formula_or_a_fault_inside_it(text: str) -> None:
         assert caret(text, found.span)
     else:
         assert all(text[slice(*node.span)].strip() for node in walk(found))
+
+
+def test_a_formula_that_was_sent_away_knows_its_names_without_a_walk() -> None:
+    formula = Formula("a+b*a", parse("a+b*a"), {"a": "mm"})
+    formula.made["here"] = len
+    sent = pickle.loads(pickle.dumps(formula))  # noqa: S301 (packed here)
+    assert sent == formula
+    assert sent.names == formula.names == ("a", "b")
+    assert sent.made == {}

@@ -5,6 +5,8 @@ import signal
 import subprocess
 import sys
 import threading
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 
@@ -12,7 +14,7 @@ import pytest
 
 from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.warm import do_apart
+from gripcourse.jobs.warm import do_apart, start_early
 from support.processes import is_running, wait_for
 
 LIMITS = Limits(memory=1024**3, grace=0.5, processor=0.3, writes=False)
@@ -21,6 +23,13 @@ LIMITS = Limits(memory=1024**3, grace=0.5, processor=0.3, writes=False)
 def test_one_worker_does_one_job_after_the_other(errands: ModuleType) -> None:
     one, two = (do_apart(errands.who, n, None, limits=LIMITS, seconds=9) for n in (1, 2))
     assert one == two != os.getpid()
+
+
+def test_a_worker_that_was_started_early_is_asked(errands: ModuleType, tmp_path: Path) -> None:
+    limits = replace(LIMITS, processor=None, writes=True, grace=0.4)
+    start_early(partial(errands.leave_note, str(tmp_path / "note")), limits)
+    asked = do_apart(errands.who, 0, None, limits=limits, seconds=9)
+    assert (tmp_path / "note").read_text(encoding="ascii") == str(asked)
 
 
 def test_a_worker_outlives_the_thread_that_asked_first(errands: ModuleType) -> None:

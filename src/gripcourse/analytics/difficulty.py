@@ -49,12 +49,12 @@ def equally_hard(scores: "pd.Series", groups: "pd.Series") -> EqualDifficulty | 
     Returns:
         None where fewer than two groups are large enough, or all scores are the same.
     """
-    from scipy.stats import kruskal
-
     large = [one for _, one in scores.groupby(groups) if len(one) >= FEWEST_OF_GROUP]
     works = sum(map(len, large))
     if len(large) < _FEWEST_GROUPS or len({value for one in large for value in one}) == 1:
         return None
+    from scipy.stats import kruskal
+
     found = kruskal(*large)
     statistic = float(found.statistic)
     return EqualDifficulty(

@@ -220,12 +220,13 @@ def incident_number(trace: str) -> str:
 
 
 def _grade(file: Readable, job: _Job) -> Report:
-    return job.grade_one(file, job.context)
+    # Folded where it was made: it travels as bytes, and who waits for all has less to do.
+    return folded(job.grade_one(file, job.context))
 
 
 def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:
     file, made = pair
-    return grade_file(file, context, made)
+    return folded(grade_file(file, context, made))
 
 
 def _graded(file: Readable, report: Report | Lost, context: GradingContext) -> Graded:

@@ -56,6 +56,7 @@ from gripcourse.cli.options import (
 from gripcourse.cli.pairs import read_pairs
 from gripcourse.cli.problems import spoken
 from gripcourse.errors import GripcourseError, system_problem
+from gripcourse.machine.process_wide import collect_rarely
 from gripcourse.text.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
@@ -219,12 +220,13 @@ def check(
     from gripcourse.course.load import load_course
     from gripcourse.gradebook.checks import CheckLedger
     from gripcourse.policy.load import load_policy
-    from gripcourse.submission.apart import read_apart
+    from gripcourse.submission.apart import read_apart, start_reader
     from gripcourse.usecases.check import check_file
 
     if (ledger is None) != (not who):
         raise cli_text.misuse(message("Name both --ledger and --who, or neither."))
     counted = None if ledger is None else CheckLedger(ledger, who)
+    start_reader()
     loaded = load_course(course_folder(course))
     checked = check_file(file, loaded, load_policy(loaded), read_apart, counted)
     words = Words(document_language(language, loaded.language))
@@ -235,6 +237,7 @@ def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
     prepare_streams()
+    collect_rarely()
     started = perf_counter()
     code = _guard(lambda: app(prog_name="gripcourse", standalone_mode=False))
     _log.info("exit code %d after %.1f s", code, perf_counter() - started)

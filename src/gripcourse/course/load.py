@@ -48,13 +48,25 @@ def load_course(root: Path) -> Course:
     Raises:
         CourseError: with all problems of the course at once.
     """
+    return load_with_digest(root)[0]
+
+
+def load_with_digest(root: Path) -> tuple[Course, str | None]:
+    """Load a course as `load_course` does, and return the digest that it was found under.
+
+    Returns:
+        The course and its digest: see `course_digest`. It was taken before the course was read.
+
+    Raises:
+        CourseError: with all problems of the course at once.
+    """
     strange = strange_files(root, COURSE_FOLDERS)
     if strange:
         raise CourseError(strange)
     digest = course_digest(root)
     kept = None if digest is None else _kept(digest)
     if kept is not None:
-        return replace(kept, root=root)
+        return replace(kept, root=root), digest
     course, problems = read_course(root)
     if course is not None:
         problems += check_course(course)
@@ -64,7 +76,7 @@ def load_course(root: Path) -> Course:
     if digest is not None and digest == course_digest(root):
         keep(digest, course)
         _kept.cache_clear()  # it remembers that there was none
-    return course
+    return course, digest
 
 
 def course_digest(root: Path) -> str | None:

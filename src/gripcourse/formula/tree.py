@@ -90,8 +90,14 @@ class Formula:
         """Find the names once."""
         object.__setattr__(self, "names", names(self.tree))
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return Formula, (self.text, self.tree, dict(self.units))
+    def __getstate__(self) -> tuple[str, Node, dict[str, str], tuple[str, ...]]:
+        return self.text, self.tree, dict(self.units), self.names
+
+    def __setstate__(self, state: tuple[str, Node, dict[str, str], tuple[str, ...]]) -> None:
+        # The names travel: a kept course has thousands of formulas, whose trees need no walk then.
+        for name, value in zip(("text", "tree", "units", "names"), state, strict=True):
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "made", {})
 
 
 CONSTANTS: frozenset[str] = frozenset({"pi"})

@@ -26,6 +26,7 @@ Result = TypeVar("Result")
 # All workers are started by one thread that lives as long as this process: Linux ends a worker
 # with the thread that started it, and the threads of a server come and go.
 _KEEPER: Final = ThreadPoolExecutor(1, "keeper of warm workers")
+_TO_GET_READY: Final = 10.0  # seconds
 # What is kept between two calls: one worker for each set of limits; only the keeper touches it.
 _WARM: Final[dict[Limits, "subprocess.Popen[bytes]"]] = {}
 
@@ -49,6 +50,17 @@ def do_apart(
     """
     packed = pickle.dumps((Task(work, shared, seconds, limits), item))
     return _KEEPER.submit(_done, packed, limits, seconds + limits.grace).result()
+
+
+def start_early(work: Callable[[None, None], object], limits: Limits) -> None:
+    """Start the worker that `do_apart` will ask, while this process does something else.
+
+    Args:
+        work: makes it ready: what it has imported, jobs need not wait for.
+        limits: of the worker.
+    """
+    packed = pickle.dumps((Task(work, None, _TO_GET_READY, limits), None))
+    _KEEPER.submit(_done, packed, limits, _TO_GET_READY + limits.grace)
 
 
 def _done(packed: bytes, limits: Limits, seconds: float) -> Any | Lost:  # noqa: ANN401 (whatever it returns)

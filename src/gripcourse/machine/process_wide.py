@@ -60,6 +60,11 @@ def few_collections() -> Iterator[None]:
         _RARELY.leave()
 
 
+def collect_rarely() -> None:
+    """Collect garbage rarely from now on, in a process that runs one command and ends."""
+    gc.set_threshold(_COLLECTOR_THRESHOLD, *gc.get_threshold()[1:])
+
+
 @contextmanager
 def without_warnings() -> Iterator[None]:
     """Let a library keep its warnings to itself."""

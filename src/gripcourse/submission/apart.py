@@ -6,7 +6,7 @@ from typing import Final, TypeAlias
 
 from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.warm import do_apart
+from gripcourse.jobs.warm import do_apart, start_early
 from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
@@ -40,6 +40,15 @@ def read_apart(
         digest = hashlib.sha256(named.data).hexdigest()
         return Rejected.because(named.name, digest, WhyRefused.TOO_COSTLY)
     return outcome
+
+
+def start_reader() -> None:
+    """Start the process that `read_apart` will ask, while this one does something else."""
+    start_early(_import, READERS)
+
+
+def _import(*_: None) -> None:
+    import openpyxl.styles.numbers  # noqa: F401, PLC0415 (100 ms, for formats of dates)
 
 
 def _read(source: NamedBytes, read: Read) -> RawWorkbook | Rejected:

@@ -3,7 +3,7 @@
 import hashlib
 from pathlib import Path
 
-from gripcourse.course.load import course_digest, load_course
+from gripcourse.course.load import course_digest, load_with_digest
 from gripcourse.course.model import Course
 from gripcourse.machine.kept import keep, read_kept
 from gripcourse.variants.model import Variant
@@ -25,25 +25,24 @@ def load_with_table(root: Path, table: Path) -> tuple[Course, tuple[Variant, ...
         CourseError: with every problem of the course.
         TableError: with every problem of the table.
     """
-    digest = _digest(root, table)
-    course = load_course(root)
+    course, of_course = load_with_digest(root)
+    digest = _digest(of_course, table)
     kept = None if digest is None else read_kept(digest)
     if isinstance(kept, tuple):
         return course, kept
     variants = read_table(table, course)
     # What changed while it was read is not kept under the digest of what was there before.
-    if digest is not None and digest == _digest(root, table):
+    if digest is not None and digest == _digest(course_digest(root), table):
         keep(digest, variants)
     return course, variants
 
 
-def _digest(root: Path, table: Path) -> str | None:
+def _digest(of_course: str | None, table: Path) -> str | None:
     """Digest a table and the course that it is judged with; None: some cannot be read."""
-    course = course_digest(root)
     try:
         content = table.read_bytes()
     except OSError:
         return None
-    if course is None:
+    if of_course is None:
         return None
-    return hashlib.sha256(f"table{table.suffix}\0{course}\0".encode() + content).hexdigest()
+    return hashlib.sha256(f"table{table.suffix}\0{of_course}\0".encode() + content).hexdigest()
