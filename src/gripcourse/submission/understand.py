@@ -18,7 +18,9 @@ _NO: Final = frozenset(
     {"нет", "ні", "нi", "no", "-", "−", "–", "—", "0", "false", "ложь", "хибність", "✗", "✘"}
 )
 # What people add to a yes or no: `нет (не проходит)`, `да, выполняется`.
-_EXPLAINED: Final = re.compile(r"(?P<word>[^\W\d_]{2,5})\s*[,(]\s*(?P<more>[^\W\d_][\w\s]{0,40})\)?")
+_EXPLAINED: Final = re.compile(
+    r"(?P<word>[^\W\d_]{2,5})\s*[,(]\s*(?P<more>[^\W\d_][\w\s]{0,40})\)?"
+)
 _DENIES: Final = re.compile(r"\b(?:не|нет|ні|not|no|fails?)\b")
 _DOUBTS: Final = re.compile(r"\b(?:но|але|but|или|або|чи|or|если|якщо|if)\b")
 # Files store errors in English; other languages come as text that was pasted.
