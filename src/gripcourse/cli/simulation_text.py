@@ -27,6 +27,7 @@ _RATES = {
     "copy_flagged": message("copied works flagged"),
     "honest_flagged": message("other works flagged"),
     "source_flagged": message("works that were copied, flagged"),
+    "slip_joined": message("wrong methods that cost together with another mistake"),
     "slip_tied": message("slips named together with a second one"),
     "other_refused": message("right answers of other students refused"),
     "follows_refused": message("right answers after something wrong refused"),

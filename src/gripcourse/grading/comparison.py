@@ -36,6 +36,7 @@ class Judgement:
         message, remarks: for the student.
         alone: how densely numbers lie at a wrong answer if nothing else is wrong but it: what all
             wrong methods and chance make of it; NaN where nobody asked.
+        elsewhere: id of another answer that has the same number, where nothing else explains it.
     """
 
     outcome: Outcome
@@ -49,6 +50,7 @@ class Judgement:
     message: Message
     remarks: tuple[Message, ...]
     alone: float = math.nan
+    elsewhere: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -106,7 +106,7 @@ def _with_wrong_rule(
 def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -> Judgement:
     title = comparison.plan.quantities[other].title
     said = message("The same number stands in another cell: {title}.", title=title)
-    return replace(judgement, remarks=(*judgement.remarks, said))
+    return replace(judgement, remarks=(*judgement.remarks, said), elsewhere=other)
 
 
 def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explanation) -> Judgement:

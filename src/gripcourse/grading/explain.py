@@ -35,8 +35,9 @@ _FROM_OWN, _FROM_REFERENCE = 0.9, 0.1
 # Some carry on the typed number, some the one in the calculator.
 _CARRIED_TYPED, _CARRIED_EXACT = 0.5, 0.5
 _LATER: Final = 4  # answers that are asked
-# Few shorten a constant so much that the result shows it.
-_FROM_HABIT = 0.2
+FROM_HABIT: Final = 0.2
+"""Few shorten a constant so much that the result shows it."""
+
 _SLACK: Final = 1e-9  # relative: what floating point leaves of equal numbers
 _HABITS_MOVE: Final = 0.1  # the share by which a shortened constant may change a result
 
@@ -88,7 +89,7 @@ def _weigh(
     if met == 0 and abs(comparison.value - follow_through.value) <= _HABITS_MOVE * abs(
         follow_through.value
     ):
-        met = _FROM_HABIT * max(
+        met = FROM_HABIT * max(
             (
                 _met(comparison, comparison.near_own(one.formula, furthest))
                 for one in with_shortened(candidate.formula, comparison.policy.habits)

@@ -107,7 +107,9 @@ def _intended(
     if comparison is None or not math.isfinite(comparison.expected):
         return None
     rounded = traits.right and not traits.equals_reference and not traits.follows
-    if rounded or (traits.mistake and _is_used_rightly(case, comparison, judged)):
+    # A number that was written into the wrong cell was not the one that was computed with.
+    in_wrong_cell = traits.mistake and one.judgement.elsewhere
+    if rounded or in_wrong_cell or (traits.mistake and _is_used_rightly(case, comparison, judged)):
         return replace(comparison.answer, value=comparison.expected)
     return _written_wrongly(case, one, comparison) if traits.named else None
 

@@ -14,10 +14,13 @@ from typing import Final
 import numpy as np
 
 from gripcourse.course.quantity import Kind
+from gripcourse.formula.evaluate import evaluate
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison
-from gripcourse.grading.explain import unexplained
+from gripcourse.grading.explain import FROM_HABIT, unexplained
 from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
 from gripcourse.grading.roots import Array, overlaps, reach, spans
+from gripcourse.grading.shortened import with_shortened
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.text.units import factor
@@ -61,10 +64,17 @@ class Substitution:
 
 @dataclass(frozen=True, slots=True)
 class _Wrong:
-    """A wrong answer, and how densely numbers lie at it if it is wrong by itself."""
+    """A wrong answer.
+
+    Attributes:
+        comparison: of the answer.
+        alone: how densely numbers lie at it if it is wrong by itself.
+        habits: its formula with each constant that people shorten.
+    """
 
     comparison: Comparison
     alone: float
+    habits: tuple[Formula, ...]
 
     @property
     def name(self) -> str:
@@ -128,8 +138,16 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
         if math.isnan(alone):
             alone = unexplained(comparison)
         alone = _ZERO if comparison.value == 0 else alone
-        found[one.quantity.id] = _Wrong(comparison, _BY_CHANCE.get(one.quantity.kind, alone))
+        alone = _BY_CHANCE.get(one.quantity.kind, alone)
+        found[one.quantity.id] = _Wrong(comparison, alone, tuple(_habits(comparison)))
     return [found[name] for name in case.plan.quantities if name in found]
+
+
+def _habits(comparison: Comparison) -> Iterator[Formula]:
+    """Yield the formula of an answer with each constant that people shorten: 9.8 for 9.81."""
+    formula = comparison.plan.reference_formula(comparison.quantity.id)
+    if formula is not None:
+        yield from (one.formula for one in with_shortened(formula, comparison.policy.habits))
 
 
 def _all(
@@ -238,7 +256,14 @@ def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
         met = np.isclose(here, comparison.value, rtol=_SAME, atol=_SLACK * scale)
         return np.where(met, 1 / wrong.alone, 0.0)
     half = reach(comparison)
-    return np.where(np.abs(here - comparison.value) <= half, 1 / (2 * half) / wrong.alone, 0.0)
+    weight = np.where(np.abs(here - comparison.value) <= half, 1.0, 0.0)
+    known = {**comparison.follow_through.evaluation.values, name: values}
+    for formula in wrong.habits:
+        if name in formula.names:
+            unit, columns = comparison.quantity.unit, comparison.plan.columns
+            off = np.abs(evaluate(formula, unit, known, columns) / factor(unit) - comparison.value)
+            weight = np.maximum(weight, np.where(off <= half, FROM_HABIT, 0.0))
+    return np.asarray(weight / (2 * half) / wrong.alone)
 
 
 def _contradicting(name: str, value: float, right: Sequence[Comparison]) -> int:

@@ -144,6 +144,20 @@ def is_missed(one: AnswerVerdict) -> bool:
             return False
 
 
+def _is_joined(one: AnswerVerdict) -> bool:
+    """Tell whether a wrong answer is not taken for right, but has cost with an earlier mistake.
+
+    It is no number that is right or follows from what was typed: two mistakes of a work were taken
+    for one that has cost already.
+    """
+    found, typed = one.finding, one.action.value
+    if one.said is not Said.CARRIED or typed is None or not found.roots:
+        return False
+    if found.low is None or found.high is None:
+        return True
+    return abs(typed - min(max(typed, found.low), found.high)) > found.band
+
+
 def _named_by_kind(verdicts: Iterable[AnswerVerdict]) -> dict[str, Rate]:
     kinds: dict[str, list[AnswerVerdict]] = defaultdict(list)
     for one in verdicts:
@@ -182,10 +196,14 @@ def _rates(
     follows = [one for one in verdicts if one.action.done is ActionKind.FOLLOWS]
     refused = frozenset(Said) - ACCEPTED
     yield "honest_refused", _share(honest, refused, at_most=required.honest_refused)
-    yield "slip_accepted", _share(slips, ACCEPTED, at_most=required.slip_accepted)
+    accepted = [one for one in slips if one.said in ACCEPTED]
+    joined = sum(map(_is_joined, accepted))
+    most = required.slip_accepted
+    yield "slip_accepted", Rate(len(accepted) - joined, len(slips), at_most=most)
     yield "slip_named", _share(slips, NAMES, at_least=required.slip_named)
     yield "slip_misnamed", _share(slips, {Said.MISNAMED}, at_most=required.slip_misnamed)
     yield from _flag_rates(judged, mix)
+    yield "slip_joined", Rate(joined, len(slips))
     yield "slip_tied", _share(slips, {Said.TIED})
     yield "other_refused", _share(others, refused)
     yield "follows_refused", _share(follows, refused)
