@@ -182,3 +182,11 @@ def test_an_address_or_a_group_of_two_lines_becomes_one() -> None:
     table = b'student,name,group,email\ns1,Anna,"G\n1","a@b\nBcc: x@y"\n'
     (student,) = read_roster(NamedBytes("roster.csv", table)).students
     assert (student.group, student.email) == ("G 1", "a@b Bcc: x@y")
+
+
+def test_numbered_rows_of_a_form_that_name_nobody_are_passed_over(tmp_path: Path) -> None:
+    file = tmp_path / "form.csv"
+    file.write_text("№ п/п;ФИО;Группа\n1;Иванова Анна;РТК-41\n2;;\n3;;\n", encoding="utf-8")
+    roster = read_roster(file)
+    assert [one.name for one in roster.students] == ["Иванова Анна"]
+    assert "Rows that name nobody were passed over: 3, 4." in map(str, roster.notes)
