@@ -32,6 +32,7 @@ from gripcourse.usecases.student_reports import Printing
 from gripcourse.variants.model import Issued
 
 SEED = 11
+MOVED = ("given", "reference", "expected", "low", "high", "band", "half_unit")
 DIFFERENT = 24  # works that are judged; the others are the same under other names
 
 
@@ -82,9 +83,13 @@ def graded_report(source: Readable, _context: GradingContext) -> Report:
     folder, number, student = shown_name(source).split("|")
     report: Report = pickle.loads((Path(folder) / f"{number}.report").read_bytes())  # noqa: S301 (ours)
     findings = tuple(
-        replace(one, given=one.given and one.given * factor(student, one.quantity))
+        replace(one, **{
+            name: value and value * factor(student, one.quantity)
+            for name in MOVED
+            for value in (getattr(one, name),)
+        })
         for one in report.findings
-    )
+    )  # fmt: skip
     return replace(
         report,
         file=f"{student}.xlsx",

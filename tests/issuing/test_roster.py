@@ -208,3 +208,11 @@ def test_what_no_page_has_room_for_is_refused(
     [(place, said)] = problems_of(write(tmp_path, HEADER, row.format(long="\u0416" * 10_000)))
     assert place == f"row 2, column {column}"
     assert f"10000 signs; {most} at most" in said
+
+
+def test_numbered_rows_of_a_form_that_name_nobody_are_passed_over(tmp_path: Path) -> None:
+    file = tmp_path / "form.csv"
+    file.write_text("№ п/п;ФИО;Группа\n1;Иванова Анна;РТК-41\n2;;\n3;;\n", encoding="utf-8")
+    roster = read_roster(file)
+    assert [one.name for one in roster.students] == ["Иванова Анна"]
+    assert "Rows that name nobody were passed over: 3, 4." in map(str, roster.notes)

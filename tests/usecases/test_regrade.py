@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
 from gripcourse.demo.students import correct
@@ -96,6 +97,17 @@ def test_it_shows_old_and_new_for_everybody_with_the_reasons_and_writes_nothing(
     )
     assert change.before.score - change.after.score == pytest.approx(lost)
     assert (found.strangers, found.missing, found.lost) == ((), (), ())
+
+
+def test_what_was_judged_to_look_is_taken_over_to_apply(
+    faculty: Faculty, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = KeptReports(tmp_path / "kept", {})
+    looked = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
+    monkeypatch.setattr("gripcourse.batch.run._alone", lambda files, *_: [None] * len(files))
+    again = regrade(faculty.files, faculty.stricter, faculty.place, 0, NOW, kept=kept)
+    assert again == looked
+    assert len(apply_regrade(again, faculty.place, faculty.signed())) == 1
 
 
 def test_applied_it_counts_and_taken_back_it_never_did(faculty: Faculty) -> None:

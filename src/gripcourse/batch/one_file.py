@@ -11,7 +11,12 @@ from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.identify import HandedIn, identify, named_by_person
 from gripcourse.grading.judge import judge
-from gripcourse.grading.made_for import said_of_both, said_of_version, versions_of
+from gripcourse.grading.made_for import (
+    is_of_other_declarations,
+    said_of_both,
+    said_of_version,
+    versions_of,
+)
 from gripcourse.grading.model import FlagCode, Report
 from gripcourse.grading.path_pattern import PathPattern
 from gripcourse.grading.recalculated import results_flags
@@ -56,6 +61,7 @@ class GradingContext:
         either_version: whether works are judged by every version and the best one counts; None
             where nobody says so now.
         either_for: digests of the files for which this was said before.
+        declared: by fingerprint, the declarations that versions corrected since were issued with.
     """
 
     course: Course
@@ -68,6 +74,7 @@ class GradingContext:
     earlier: Mapping[str, tuple[Issued, ...]] = field(default_factory=dict)
     either_version: bool | None = None
     either_for: frozenset[str] = frozenset()
+    declared: Mapping[str, Course] = field(default_factory=dict)
 
 
 def grade_file(source: Readable, context: GradingContext, made: bytes | None = None) -> Report:
@@ -125,7 +132,7 @@ def judge_versions(raw: RawWorkbook, made_for: Issued, context: GradingContext) 
     versions = versions_of(made_for.student.id, context.register, context.earlier)
     if not report.judged or len(versions) == 1:
         return report
-    said = said_of_version(made_for, versions)
+    said = said_of_version(made_for, versions, kept=bool(report.declarations))
     said_before = raw.digest in context.either_for
     if not (said_before if context.either_version is None else context.either_version):
         return replace(report, remarks=(*said, *report.remarks))
@@ -155,22 +162,32 @@ def _share(report: Report) -> float:
 
 
 def judge_read(raw: RawWorkbook, issued: Issued, context: GradingContext) -> Report:
-    """Judge a workbook that was read against what was issued to who handed it in."""
-    plan, methods = methods_of(context, issued.variant)
+    """Judge a workbook that was read against what was issued to who handed it in.
+
+    A version that another one by other declarations replaced is judged by its own, where they were
+    kept; everything else by today's.
+    """
+    last = context.register.get(issued.student.id, issued)
+    own = issued.declarations if is_of_other_declarations(issued, last) else ""
+    declarations = own if own in context.declared else ""
+    plan, methods = _methods(context, declarations, issued.variant.composition)
     submission = interpret(raw, plan.quantities.values())
     if is_unreadable(submission):
         return unreadable_report(submission, issued)
-    return judge(submission, issued, plan, context.policy, methods)
+    report = judge(submission, issued, plan, context.policy, methods)
+    return replace(report, declarations=declarations)
 
 
 def methods_of(context: GradingContext, variant: Variant) -> tuple[Plan, CandidatesOf]:
     """Return the plan of a variant and the wrong methods of its quantities; both are remembered."""
-    return _methods(context, variant.composition)
+    return _methods(context, "", variant.composition)
 
 
 @lru_cache(maxsize=_COMPOSITIONS)
-def _methods(context: GradingContext, composition: Composition) -> tuple[Plan, CandidatesOf]:
-    plan = plan_of(context.course, composition)
+def _methods(
+    context: GradingContext, declarations: str, composition: Composition
+) -> tuple[Plan, CandidatesOf]:
+    plan = plan_of(context.declared.get(declarations, context.course), composition)
 
     @cache
     def methods(name: str) -> tuple[Candidate, ...]:

@@ -121,7 +121,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
         graded = keep(graded, context, place, datetime.now(UTC), times)
-        tick = step(words.say(message("Writing reports")), len(files))
+        if not grades_only:
+            tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
             graded,
             context,

@@ -1,6 +1,7 @@
 """`gripcourse regrade`, `undo`, `publish`, `waive`, `history`: parse, one call, print."""
 
 import getpass
+from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -69,8 +70,10 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.gradebook.journal import Signed
     from gripcourse.usecases import regrade as command
     from gripcourse.usecases.collect import collect
+    from gripcourse.usecases.gradebook import with_kept_versions
     from gripcourse.usecases.mark import existing_gradebook
     from gripcourse.usecases.opening import open_grading
+    from gripcourse.usecases.unchanged import open_earlier, versions_of
     from gripcourse.usecases.whose import read_whose
 
     words = words_for(language)
@@ -81,15 +84,23 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
             message("Say why: whoever asks in a year reads it."),
         )
     files = collect(paths).files
-    context = open_grading(course_folder(course))
+    root = course_folder(course)
+    versions = versions_of(root)
+    context = open_grading(root)
     decided = read_whose(whose or (), files, context.register)
     context = replace(context, whose=decided, either_version=either_version)
     place, now = gradebook_place(gradebook, context.course.root), datetime.now(UTC)
     existing_gradebook(place)
+    context = with_kept_versions(context, place)
+    earlier = None
+    # Whoever may not write there looks, too, but pays for every look.
+    with suppress(OSError):
+        earlier = open_earlier(root / "private", context, versions, workers=workers)
     say_limits(words)
     with cli_text.progress() as step:
         tick = step(words.say(message("Grading")), len(files))
-        found = command.regrade(files, context, place, workers, now, lambda _: tick())
+        kept = None if earlier is None else earlier.reports
+        found = command.regrade(files, context, place, workers, now, lambda _: tick(), kept=kept)
     if found.incidents:
         cli_text.write_incident("\n".join(found.incidents))
     typer.echo(regrade_text.regrade_text(found, direction, words))

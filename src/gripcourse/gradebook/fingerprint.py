@@ -29,9 +29,15 @@ def fingerprints(root: Path) -> Fingerprints:
     Raises:
         OSError: a file cannot be read.
     """
-    course = [path for path in _found(root, _COURSE) if path.parent.name not in _NO_COURSE]
     policy = _found(root, _POLICY)
-    return Fingerprints(_digest(root, course), _digest(root, policy), engine_fingerprint())
+    return Fingerprints(
+        _digest(root, declaring_files(root)), _digest(root, policy), engine_fingerprint()
+    )
+
+
+def declaring_files(root: Path) -> list[Path]:
+    """Return the files of a course that declare what is judged: neither people nor tables."""
+    return [path for path in _found(root, _COURSE) if path.parent.name not in _NO_COURSE]
 
 
 @cache

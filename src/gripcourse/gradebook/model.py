@@ -1,7 +1,7 @@
 """What the gradebook keeps: attempts with their automatic results, and marks of persons."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from gripcourse.grading.model import Outcome, Report
@@ -138,7 +138,7 @@ def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) 
         file=report.file,
         digest=report.digest,
         graded_at=graded_at,
-        fingerprints=fingerprints,
+        fingerprints=replace(fingerprints, course=report.declarations or fingerprints.course),
         judged=report.judged,
         results=results_of(report),
         version=report.version,

@@ -32,8 +32,22 @@ def versions_of(
     return (*earlier.get(student, ()), register[student])
 
 
-def said_of_version(issued: Issued, versions: Sequence[Issued]) -> tuple[Message, ...]:
-    """Say which version a work was judged by; nothing where there was only one."""
+def is_of_other_declarations(issued: Issued, last: Issued) -> bool:
+    """Tell whether a version was issued by other declarations than the one that replaced it."""
+    differs = issued.declarations != last.declarations
+    return issued.version < last.version and bool(issued.declarations) and differs
+
+
+def said_of_version(
+    issued: Issued, versions: Sequence[Issued], *, kept: bool = False
+) -> tuple[Message, ...]:
+    """Say which version a work was judged by; nothing where there was only one.
+
+    Args:
+        issued: that version.
+        versions: all of the student, oldest first.
+        kept: whether it was judged by declarations of its own.
+    """
     last = versions[-1]
     if last.version == 1:
         return ()
@@ -48,6 +62,15 @@ def said_of_version(issued: Issued, versions: Sequence[Issued]) -> tuple[Message
             version=issued.version,
             last=last.version,
         )
+    if kept:
+        own = message("Formulas and tolerances are those that this version was issued with.")
+        return (said, own)
+    if is_of_other_declarations(issued, last):
+        lost = message(
+            "Since then formulas or tolerances of the course have changed, and those of that"
+            " version are not there any more: the work was judged by today's."
+        )
+        return (said, lost)
     return (said,)
 
 

@@ -211,6 +211,7 @@ class Report:
         version: of the student's assignment, that the work was judged by.
         made_for: version that the workbook was made for.
         either_version: whether several versions were tried, of which the best one counts.
+        declarations: fingerprint of those that it was judged by; empty for today's.
     """
 
     file: str
@@ -239,6 +240,7 @@ class Report:
     version: int = 1
     made_for: int = 1
     either_version: bool = False
+    declarations: str = ""
 
     @property
     def earned(self) -> float:

@@ -7,7 +7,7 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.made_ids import with_ids
@@ -74,6 +74,7 @@ def read_roster(source: Readable, known: Iterable[Student] = ()) -> Roster:
         problems.append(Problem(sheet.file, "", what, did_you_mean("name", whole.header)))
     students: tuple[Student, ...] = ()
     made: tuple[Message, ...] = ()
+    sheet, empty = _with_somebody(sheet, columns)
     if not problems:
         reader = _Reader(sheet, columns, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
@@ -89,7 +90,20 @@ def read_roster(source: Readable, known: Iterable[Student] = ()) -> Roster:
         )
     if problems:
         raise TableError(problems)
-    return Roster(students, (*sheet.notes, *made))
+    return Roster(students, (*sheet.notes, *empty, *made))
+
+
+def _with_somebody(
+    sheet: Sheet, columns: Mapping[str, TableColumn]
+) -> tuple[Sheet, tuple[Message, ...]]:
+    """Leave out the rows of a form in which nothing but a running number stands, and name them."""
+    used = [one.position for name, one in columns.items() if name != "ordinal"]
+    rows = tuple(row for row in sheet.rows if any(row.cells[at].strip() for at in used))
+    left_out = [str(row.number) for row in sheet.rows if row not in rows]
+    if not left_out:
+        return sheet, ()
+    said = message("Rows that name nobody were passed over: {rows}.", rows=", ".join(left_out))
+    return replace(sheet, rows=rows), (said,)
 
 
 @dataclass(frozen=True, slots=True)

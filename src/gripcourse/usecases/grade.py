@@ -123,7 +123,9 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     _discard_unfinished(out)
     plain = [one.report for one in graded]
     peers = tuple(shares(plain))
-    printing = Printing(context.course, context.policy, graded_on, peers=peers)
+    printing = Printing(
+        context.course, context.policy, graded_on, peers=peers, declared=context.declared
+    )
     printed = None if earlier is None else earlier.printed
     outcomes: Sequence[Written] = [None] * len(plain)
     if lay_out is not None:

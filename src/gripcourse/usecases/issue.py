@@ -24,6 +24,7 @@ from gripcourse.machine.files import discard_unfinished, make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
+from gripcourse.usecases.declarations import keep_declarations
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.handout import (
     Handout,
@@ -117,15 +118,18 @@ def issue_order(
     variants = read_table(order.table, course)
     place = key_path(course.root)
     known = key_of(place, issued=bool(before.entries))
-    declarations = fingerprints(course.root).course
     terms = Terms(
-        known or secrets.token_bytes(KEY_BYTES), order.today, order.deadline, declarations
+        known or secrets.token_bytes(KEY_BYTES),
+        order.today,
+        order.deadline,
+        fingerprints(course.root).course,
     )
     extend(before, students, variants, terms)  # what is refused makes neither key nor folder
     # Before anything is kept: a folder that cannot be written must not cost a variant.
     make_private_folder(order.out)
     if known is None:
         terms = replace(terms, key=make_key(place, terms.key))
+    keep_declarations(course.root)
     extended = extend_register(
         course.root, course.id, lambda register: extend(register, students, variants, terms)
     )

@@ -12,6 +12,7 @@ from gripcourse.machine.office import office_command
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import message
+from gripcourse.usecases.declarations import kept_declarations
 
 
 def open_grading(root: Path) -> GradingContext:
@@ -34,7 +35,12 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
     register = read_register(course.root, course.id)
     earlier = {student: versions[:-1] for student, versions in register.versions().items()}
     return GradingContext(
-        course, policy, register.by_student(), office=office_command(), earlier=earlier
+        course,
+        policy,
+        register.by_student(),
+        office=office_command(),
+        earlier=earlier,
+        declared=kept_declarations(course.root, register),
     )
 
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
+from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files
 from gripcourse.errors import NextStep, Problem, UsageError
@@ -62,15 +63,17 @@ class Regrading:
         return tuple(one for one in self.changes if one.direction is direction and not one.is_lost)
 
 
-def regrade(
+def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
     files: Sequence[Readable],
     context: GradingContext,
     place: str,
     workers: int,
     now: datetime,
     on_done: Callable[[Readable], None] = lambda _: None,
+    *,
+    kept: KeptReports | None = None,
 ) -> Regrading:
-    """Grade works again by today's course, policy and engine, and write nothing.
+    """Grade works again by today's course, policy and engine, and change nothing.
 
     Args:
         files: the works, as they were handed in.
@@ -79,13 +82,14 @@ def regrade(
         workers: how many processes; 0 for none but this one.
         now: when it is done.
         on_done: called with each file when it is graded.
+        kept: what a regrade by the very same found out of single files; new reports are added.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
     """
     book = existing_gradebook(place)
     context = with_kept_versions(context, place)
-    graded = grade_files(files, context, min(workers, len(files)), on_done)
+    graded = grade_files(files, context, min(workers, len(files)), on_done, kept=kept)
     by_student = works_of(book.standing())
     works = {(one.student, one.digest): one for all_ in by_student.values() for one in all_}
     versions = fingerprints(context.course.root)

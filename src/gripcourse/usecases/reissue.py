@@ -19,6 +19,7 @@ from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
+from gripcourse.usecases.declarations import keep_declarations
 from gripcourse.usecases.handout import IssuingContext, issue_one
 from gripcourse.usecases.issue import IssueOne, Issuing, refuse_past, write_handouts
 from gripcourse.variants.explain import why_infeasible
@@ -83,6 +84,7 @@ def reissue_order(
     _refuse_infeasible(course, _fresh(change(before).register, order))
     # Before anything is kept: a folder that cannot be written must not cost a version.
     make_private_folder(order.out)
+    keep_declarations(course.root)
     extended = extend_register(course.root, course.id, change)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out)
     entries = _fresh(extended.register, order)

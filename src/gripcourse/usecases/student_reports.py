@@ -1,8 +1,8 @@
 """Reports of a batch: each laid out in a worker that may die, each written as it comes."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 from typing import TypeAlias
@@ -35,6 +35,7 @@ class Printing:
         seconds: that one report may take.
         peers: shares of the points that the judged works of the batch earned.
         look: of the course, for workers that share no disk with it; None for the course's folder.
+        declared: by fingerprint, other declarations that works were judged by.
     """
 
     course: Course
@@ -43,6 +44,7 @@ class Printing:
     seconds: float = SECONDS_PER_REPORT
     peers: tuple[float, ...] = ()
     look: Look | None = None
+    declared: Mapping[str, Course] = field(default_factory=dict)
 
 
 LayOut: TypeAlias = Callable[[Report, Printing], bytes]
@@ -64,7 +66,7 @@ def student_pdf(report: Report, printing: Printing) -> bytes:
     """Lay out one student's report, in the student's language."""
     from gripcourse.documents.report.student import student_report  # noqa: PLC0415 (WeasyPrint, 450 ms)
 
-    course = printing.course
+    course = printing.declared.get(report.declarations, printing.course)
     words = Words(report.language or course.language)
     plan = plan_of(course, report.composition)
     policy, day, peers = printing.policy, printing.graded_on, printing.peers
@@ -146,7 +148,10 @@ def _made_from(report: Report, printing: Printing) -> str:
 def _lay_out(report: Report, shared: tuple[LayOut, Printing]) -> bytes:
     lay_out, printing = shared
     if printing.look is not None:
-        printing = replace(printing, course=with_look(printing.course, printing.look))
+        look = printing.look
+        declared = {name: with_look(one, look) for name, one in printing.declared.items()}
+        course = with_look(printing.course, look)
+        printing = replace(printing, course=course, declared=declared)
     return lay_out(report, printing)
 
 

@@ -141,7 +141,7 @@ def open_earlier(
     make_private_folder(folder)
     pattern = context.pattern and context.pattern.expression.pattern
     people = sorted(context.register.items()), sorted(context.earlier.items())
-    judged_by = context.either_version, sorted(context.either_for)
+    judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
     office = (context.office, context.recalculate) if workers else None
     results = folder / _digest([versions, *map(repr, (people, judged_by, pattern, office))])
     for old in folder.iterdir():

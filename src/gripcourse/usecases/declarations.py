@@ -1,0 +1,104 @@
+"""The declarations that were issued with, kept for works on versions that were corrected since.
+
+A course that is mended judges everybody by what it says today: that is what a regrade shows. Only
+where a student was issued a version anew, by other declarations, is a work on the one before judged
+by those of that day. They lie in the course's private folder, as they stood in its files, under
+their own fingerprint: what has another one is not used.
+"""
+
+import io
+import tempfile
+import zipfile
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+from gripcourse.course.load import RUBRICS, load_course
+from gripcourse.course.model import Course
+from gripcourse.errors import CourseError
+from gripcourse.gradebook.fingerprint import declaring_files, fingerprints
+from gripcourse.issuing.register import Register
+from gripcourse.machine.files import make_private_folder, write_bytes
+
+FOLDER: Final = "declarations"
+_EARLIEST: Final = (1980, 1, 1, 0, 0, 0)  # of a zip: when it was made says nothing
+
+
+def keep_declarations(root: Path) -> str:
+    """Keep the declarations of a course as they are now.
+
+    Args:
+        root: folder of the course.
+
+    Returns:
+        Their fingerprint.
+
+    Raises:
+        OSError: a file cannot be read or written.
+    """
+    fingerprint = fingerprints(root).course
+    path = _path(root, fingerprint)
+    if not path.is_file():
+        make_private_folder(path.parent)
+        write_bytes(path, _packed(root), private=True)
+    return fingerprint
+
+
+def kept_declarations(root: Path, register: Register) -> dict[str, Course]:
+    """Load the declarations that works on corrected versions are judged by.
+
+    Args:
+        root: folder of the course.
+        register: of all versions.
+
+    Returns:
+        By fingerprint; without those that were not kept, or that this program cannot use any more.
+
+    Raises:
+        OSError: a file cannot be read.
+    """
+    found = {name: _loaded(root, name) for name in sorted(set(_superseded(register)))}
+    return {name: course for name, course in found.items() if course is not None}
+
+
+def _superseded(register: Register) -> Iterator[str]:
+    """Yield the fingerprint of each version that another one by other declarations replaced."""
+    last = register.by_student()
+    for one in register.earlier:
+        if one.declarations and one.declarations != last[one.student.id].declarations:
+            yield one.declarations
+
+
+def _path(root: Path, fingerprint: str) -> Path:
+    return root / "private" / FOLDER / f"{fingerprint}.zip"
+
+
+def _packed(root: Path) -> bytes:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for path in (*declaring_files(root), *_rubrics(root)):
+            info = zipfile.ZipInfo(path.relative_to(root).as_posix(), _EARLIEST)
+            archive.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def _rubrics(root: Path) -> Iterable[Path]:
+    """Return what items that persons mark name; the rest of the policy is always today's."""
+    return sorted((root / RUBRICS).glob("*.toml"))
+
+
+def _loaded(root: Path, fingerprint: str) -> Course | None:
+    path = _path(root, fingerprint)
+    if not path.is_file():
+        return None
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        try:
+            with zipfile.ZipFile(path) as archive:
+                archive.extractall(folder)
+            if fingerprints(folder).course != fingerprint:
+                return None
+            return replace(load_course(folder), root=root)
+        except (CourseError, zipfile.BadZipFile):
+            return None
