@@ -15,6 +15,7 @@ REPOSITORY = Path(__file__).parents[1]
 COURSE = ("variants", "templates", "grader")
 OF_THE_COURSE = ("tests/usecases/test_validate.py", "tests/course", "tests/policy")
 OF_THE_PAGES = ("tests/docs/test_pages.py",)
+OF_THE_PROGRAMS = "tests/benchmarks/test_import.py"
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -46,6 +47,9 @@ def _mirrors(path: str) -> Iterator[str]:
             yield f"{folder}/test_{file.name}"
         case ["scripts", _]:
             yield f"tests/scripts/test_{file.stem.replace('-', '_')}.py"
+            yield OF_THE_PROGRAMS
+        case ["benchmarks", _] if file.suffix == ".py":
+            yield OF_THE_PROGRAMS
         case ["tests", *_, name] if name.startswith("test_"):
             yield path
         case ["tests", *rooms, "conftest.py"] if rooms:

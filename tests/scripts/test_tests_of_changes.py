@@ -15,6 +15,7 @@ def root(tmp_path: Path) -> Path:
         "tests/scripts/test_system_packages.py",
         "tests/course/test_load.py",
         "tests/docs/test_pages.py",
+        "tests/benchmarks/test_import.py",
     ):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).touch()
@@ -30,7 +31,12 @@ def root(tmp_path: Path) -> Path:
         (["tests/formula/test_tree.py"], ["tests/formula/test_tree.py"]),
         (["tests/formula/conftest.py", "tests/formula/test_tree.py"], ["tests/formula"]),
         (["tests/formula/test_that_was_removed.py"], []),
-        (["scripts/system-packages"], ["tests/scripts/test_system_packages.py"]),
+        (
+            ["scripts/system-packages"],
+            ["tests/benchmarks/test_import.py", "tests/scripts/test_system_packages.py"],
+        ),
+        (["benchmarks/solve.py"], ["tests/benchmarks/test_import.py"]),
+        (["benchmarks/results.md"], []),
         (["variants/course.toml"], ["tests/course"]),
         (["docs/index.md"], ["tests/docs/test_pages.py"]),
     ],
