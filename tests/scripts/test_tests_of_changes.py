@@ -16,6 +16,9 @@ def root(tmp_path: Path) -> Path:
         "tests/course/test_load.py",
         "tests/docs/test_pages.py",
         "tests/benchmarks/test_import.py",
+        "tests/usecases/test_templates.py",
+        "tests/documents/test_assignment_sheet.py",
+        "tests/documents/report/test_cohort.py",
     ):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).touch()
@@ -38,6 +41,14 @@ def root(tmp_path: Path) -> Path:
         (["benchmarks/solve.py"], ["tests/benchmarks/test_import.py"]),
         (["benchmarks/results.md"], []),
         (["variants/course.toml"], ["tests/course"]),
+        (
+            ["templates/style/cohort.css"],
+            ["tests/documents/report/test_cohort.py", "tests/usecases/test_templates.py"],
+        ),
+        (
+            ["templates/assignment.html.j2"],
+            ["tests/documents/test_assignment_sheet.py", "tests/usecases/test_templates.py"],
+        ),
         (["docs/index.md"], ["tests/docs/test_pages.py"]),
     ],
 )
