@@ -12,9 +12,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 REPOSITORY = Path(__file__).parents[1]
-COURSE = ("variants", "templates", "grader")
+COURSE = ("variants", "grader")
 OF_THE_COURSE = ("tests/usecases/test_validate.py", "tests/course", "tests/policy")
+OF_THE_TEMPLATES = ("tests/usecases/test_templates.py", "tests/documents/test_registry.py")
 OF_THE_PAGES = ("tests/docs/test_pages.py",)
+OF_THE_PROGRAMS = "tests/benchmarks/test_import.py"
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -46,12 +48,20 @@ def _mirrors(path: str) -> Iterator[str]:
             yield f"{folder}/test_{file.name}"
         case ["scripts", _]:
             yield f"tests/scripts/test_{file.stem.replace('-', '_')}.py"
+            yield OF_THE_PROGRAMS
+        case ["benchmarks", _] if file.suffix == ".py":
+            yield OF_THE_PROGRAMS
         case ["tests", *_, name] if name.startswith("test_"):
             yield path
         case ["tests", *rooms, "conftest.py"] if rooms:
             yield "/".join(["tests", *rooms])
         case ["docs", *_] | ["README.md"] | ["CONTRIBUTING.md"]:
             yield from OF_THE_PAGES
+        case ["templates", *_]:
+            name = file.name.partition(".")[0]
+            yield f"tests/documents/report/test_{name}.py"
+            yield f"tests/documents/test_{name}_sheet.py"
+            yield from OF_THE_TEMPLATES
         case [folder, *_] if folder in COURSE:
             yield from OF_THE_COURSE
 

@@ -78,15 +78,15 @@ def test_the_wheel_carries_the_whole_package_and_nothing_else(wheel: Path) -> No
 
 def test_a_course_can_be_made_checked_and_solved(program: Path, tmp_path: Path) -> None:
     run(program, "init", "mine", folder=tmp_path)
-    # One scheme: the whole is judged where the installed course is.
     run(program, "validate", "--course", "mine", "--scheme", SCHEME, folder=tmp_path)
     solve = (program, "solve", "--scheme", SCHEME, "--json", "--course", "mine")
     solved = json.loads(run(*solve, folder=tmp_path))
     assert solved["values"]["grip_force"]["value"] > 0
 
 
-def test_the_installed_reference_course_is_valid(program: Path, tmp_path: Path) -> None:
-    run(program, "validate", folder=tmp_path)
+def test_the_installed_reference_course_is_found_and_valid(program: Path, tmp_path: Path) -> None:
+    """One scheme of it: all files are in the wheel, and the whole is judged where they are."""
+    run(program, "validate", "--scheme", SCHEME, folder=tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 

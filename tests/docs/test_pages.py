@@ -1,6 +1,7 @@
 """The pages fit together and say what is so; nothing is built for it."""
 
 import fnmatch
+import importlib
 import re
 import shlex
 from collections.abc import Iterator
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from documentation import BORROWED, GENERATED, command_pages, every_command
+from documentation import BORROWED, GENERATED, command_pages, every_command, write_functions
 
 if TYPE_CHECKING:
     from typer._click import Command
@@ -130,3 +131,15 @@ def test_the_page_of_commands_tells_what_each_one_takes() -> None:
         assert f"# {path}\n" in page
         for option in options_of(command):
             assert option in page
+
+
+def test_every_module_that_a_page_describes_can_be_imported(tmp_path: Path) -> None:
+    write_functions(tmp_path)
+    pages = {path.stem: path.read_text(encoding="utf-8") for path in tmp_path.iterdir()}
+    listed = re.findall(r"^   (\w+)$", pages.pop("index"), re.MULTILINE)
+    assert sorted(listed) == sorted(pages)
+    for page in pages.values():
+        modules = re.findall(r"^\.\. automodule:: (.*)$", page, re.MULTILINE)
+        assert modules
+        for module in modules:
+            assert importlib.import_module(module).__doc__, module

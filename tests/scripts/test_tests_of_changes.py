@@ -15,6 +15,10 @@ def root(tmp_path: Path) -> Path:
         "tests/scripts/test_system_packages.py",
         "tests/course/test_load.py",
         "tests/docs/test_pages.py",
+        "tests/benchmarks/test_import.py",
+        "tests/usecases/test_templates.py",
+        "tests/documents/test_assignment_sheet.py",
+        "tests/documents/report/test_cohort.py",
     ):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).touch()
@@ -30,8 +34,21 @@ def root(tmp_path: Path) -> Path:
         (["tests/formula/test_tree.py"], ["tests/formula/test_tree.py"]),
         (["tests/formula/conftest.py", "tests/formula/test_tree.py"], ["tests/formula"]),
         (["tests/formula/test_that_was_removed.py"], []),
-        (["scripts/system-packages"], ["tests/scripts/test_system_packages.py"]),
+        (
+            ["scripts/system-packages"],
+            ["tests/benchmarks/test_import.py", "tests/scripts/test_system_packages.py"],
+        ),
+        (["benchmarks/solve.py"], ["tests/benchmarks/test_import.py"]),
+        (["benchmarks/results.md"], []),
         (["variants/course.toml"], ["tests/course"]),
+        (
+            ["templates/style/cohort.css"],
+            ["tests/documents/report/test_cohort.py", "tests/usecases/test_templates.py"],
+        ),
+        (
+            ["templates/assignment.html.j2"],
+            ["tests/documents/test_assignment_sheet.py", "tests/usecases/test_templates.py"],
+        ),
         (["docs/index.md"], ["tests/docs/test_pages.py"]),
     ],
 )

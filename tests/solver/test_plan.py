@@ -3,7 +3,7 @@
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.course.option_sets import option_sets
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.errors import UsageError
 from gripcourse.solver.plan import Plan, default_options, make_plan
@@ -14,8 +14,9 @@ SIMPLE = "electromagnet"  # with two options
 
 @pytest.mark.parametrize("convention", Convention)
 def test_inputs_come_before_what_needs_them(course: Course, convention: Convention) -> None:
+    """With every two choices together; `gripcourse validate --prove` orders all combinations."""
     for scheme in course.schemes.values():
-        for options in option_sets(scheme):
+        for options in pair_option_sets(scheme):
             plan = make_plan(course, scheme.id, options, convention)
             place = {name: number for number, name in enumerate(plan.quantities)}
             early = [

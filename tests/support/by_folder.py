@@ -9,8 +9,8 @@ from xdist.scheduler import LoadScopeScheduling
 
 # By the seconds of the processor that they took, longest first; the rest is short.
 DEAR = (
-    *("contracts", "documents", "usecases", "cli", "demo", "grading", "drawing", "web"),
-    *("jobs", "simulation", "batch", "course", "submission", "examples", "hostile", "likeness"),
+    *("usecases", "contracts", "documents", "web", "drawing", "cli", "simulation", "demo"),
+    *("grading", "course", "jobs", "submission", "batch", "hostile", "examples", "likeness"),
 )
 
 

@@ -7,6 +7,7 @@ import re
 import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -143,15 +144,27 @@ DOCUMENTS: Mapping[str, Callable[[SampleDocument, Report], Document]] = {
 }
 
 
+@pytest.fixture(scope="module")
+def usual(plain: SampleDocument) -> Callable[[str], set[str]]:
+    """Name the elements and attributes of a page about somebody with a usual name."""
+
+    @cache
+    def names(kind: str) -> set[str]:
+        return Page(render_html(DOCUMENTS[kind](plain, plain.judged), TEMPLATES, plain.words)).names
+
+    return names
+
+
 @pytest.mark.parametrize("text", ON_PAGES, indirect=True)
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_a_page_shows_it_and_has_no_element_of_it(
-    plain: SampleDocument, sample: SampleDocument, report: Report, text: str, kind: str
+    usual: Callable[[str], set[str]], sample: SampleDocument, report: Report, text: str, kind: str
 ) -> None:
-    page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words)
-    usual = render_html(DOCUMENTS[kind](plain, plain.judged), TEMPLATES, plain.words)
+    # A chart takes a second and holds no text of a student's: it is drawn with one of them.
+    drawn = text == TEXTS["markup"]
+    page = render_html(DOCUMENTS[kind](sample, report), TEMPLATES, sample.words, with_charts=drawn)
     read = Page(page)
-    assert read.names <= Page(usual).names | {"q", "br"}
+    assert read.names <= usual(kind) | {"q", "br"}
     assert shown(text) in "".join(read.words)
     assert not UNSEEN.search(page)
 

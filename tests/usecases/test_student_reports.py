@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from support.classroom import Classroom
 
 GRADED_ON = date(2026, 12, 2)
+COHORT = "gripcourse.usecases.grade.cohort_pdf"
 WAYS_TO_FAIL = ("refuse_s02", "die_at_s02", "exhaust_at_s02")
 
 
@@ -62,10 +63,10 @@ def reports(issued: "Classroom") -> list[Report]:
 
 
 def results(
-    reports: list[Report], context: GradingContext, out: Path, lay_out: LayOut
+    reports: list[Report], context: GradingContext, out: Path, lay_out: LayOut, workers: int = 0
 ) -> GradingOutcome:
     graded = [Graded(report, "") for report in reports]
-    return write_results(graded, context, out, GRADED_ON, 2, lambda _: None, lay_out=lay_out)
+    return write_results(graded, context, out, GRADED_ON, workers, lambda _: None, lay_out=lay_out)
 
 
 def names(folder: Path) -> set[str]:
@@ -82,7 +83,10 @@ def batch(
 ) -> tuple[GradingOutcome, Path]:
     """Three students' results, one of whom has a report that cannot be laid out."""
     out = tmp_path_factory.mktemp("results")
-    return results(reports, issued.context, out, getattr(fake, request.param)), out
+    with pytest.MonkeyPatch.context() as patch:
+        if request.param != WAYS_TO_FAIL[0]:  # one report on the batch is read
+            patch.setattr(COHORT, fake.cohort_page)
+        return results(reports, issued.context, out, getattr(fake, request.param), 2), out
 
 
 def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
@@ -113,8 +117,15 @@ def test_the_incident_is_named_wherever_somebody_may_look(
     table = (out / "grades.csv").read_text(encoding="utf-8-sig")
     flags = {row["student"]: row["flags"] for row in csv.DictReader(io.StringIO(table))}
     assert flags["s02"] == "report_incident"
+
+
+@pytest.mark.parametrize("batch", WAYS_TO_FAIL[:1], indirect=True)
+def test_the_report_on_the_batch_names_the_incident(batch: tuple[GradingOutcome, Path]) -> None:
+    outcome, out = batch
+    (flag,) = next(one.flags for one in outcome.reports if one.flags)
     pages = PdfReader(out / "cohort.pdf").pages
-    assert number in "".join(page.extract_text() for page in pages)
+    text = "".join(page.extract_text() for page in pages)
+    assert str(flag.message.values["number"]) in text
 
 
 @pytest.mark.parametrize("way", ["hang_at_s02", "hang_deaf_at_s02"])
@@ -132,8 +143,13 @@ def test_a_report_that_takes_too_long_is_stopped(
 
 
 def test_a_report_of_an_earlier_run_does_not_stand_for_one_that_failed(
-    fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
+    fake: ModuleType,
+    reports: list[Report],
+    issued: "Classroom",
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(COHORT, fake.cohort_page)
     old = tmp_path / "reports" / "s02.pdf"
     old.parent.mkdir()
     old.write_bytes(b"%PDF of another mark")

@@ -46,8 +46,7 @@ def refused(
     return [problem.say(Words("en")) for problem in caught.value.problems]
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("number", [3, 30, 60])
+@pytest.mark.parametrize(("number", "language"), [(3, "en"), (30, "ru"), (60, "uk")])
 def test_some_answers_as_people_write_them_lead_to_their_variant(
     course: Course, table: Path, number: int, language: str
 ) -> None:

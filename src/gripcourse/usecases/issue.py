@@ -199,15 +199,21 @@ def write_handouts(
 
 
 def _issue(entry: Issued, shared: tuple[IssueOne, IssuingContext]) -> Handout:
+    """Issue to one student, maybe once more: who dies takes other workers along, midway."""
     issue_one, context = shared
+    _discard_unfinished(context, entry.student.id)
     return issue_one(context, entry)
+
+
+def _discard_unfinished(context: IssuingContext, student: str) -> None:
+    for path in (sheet_path(context.out, student), workbook_path(context.out, student)):
+        discard_unfinished(path)
 
 
 def _lost(context: IssuingContext, entry: Issued, lost: Lost) -> Handout:
     """Name what failed on our side; what was finished before stays, nothing half-written does."""
     student = entry.student.id
-    for path in (sheet_path(context.out, student), workbook_path(context.out, student)):
-        discard_unfinished(path)
+    _discard_unfinished(context, student)
     _log.error("documents of student %s: %s", student, lost.trace)
     said = message(
         "The documents of {student} could not be made: {reason}",
