@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.rounding import reach_of
 from gripcourse.policy.model import Policy
-from gripcourse.solver.numbers import Numbers, evaluate_numbers
+from gripcourse.solver.numbers import PlainNumbers, evaluate_numbers
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation, evaluate, to_si
 from gripcourse.submission.model import Answer, Reading
@@ -45,7 +45,7 @@ class FollowThrough:
     """
 
     known: Mapping[str, float]
-    numbers: Numbers
+    numbers: PlainNumbers
     evaluation: Evaluation
     moved: Evaluation
     not_carried: frozenset[str]
@@ -176,7 +176,7 @@ def _is_thinkable(plan: Plan, answer: Answer) -> bool:
     return readable and answer.value is not None and low <= answer.value <= high
 
 
-def _guard_holds(plan: Plan, name: str, numbers: Numbers) -> bool:
+def _guard_holds(plan: Plan, name: str, numbers: PlainNumbers) -> bool:
     guard = plan.quantities[name].valid
     if guard is None:
         return True
@@ -187,8 +187,8 @@ def _bridge(
     plan: Plan,
     known: Mapping[str, float],
     reference: Mapping[str, float],
-    numbers: Numbers | None,
-) -> tuple[Numbers, dict[str, float]]:
+    numbers: PlainNumbers | None,
+) -> tuple[PlainNumbers, dict[str, float]]:
     """Let the reference stand in for what the student's numbers leave without a value.
 
     A size that no catalogue holds has nothing beside it in its row; what follows must not be lost

@@ -17,7 +17,7 @@ import numpy as np
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.matches import Floats, Ints, in_order, same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
-from gripcourse.likeness.odds import Comparison, likely_pairs, log_odds, rests_on
+from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
 from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, shared_methods
 from gripcourse.policy.model import LikenessRule
 
@@ -65,7 +65,7 @@ class TakenNumbers:
         logs: (pairs,); over all comparisons.
     """
 
-    compared: tuple[Comparison, ...]
+    compared: tuple[PairMatches, ...]
     row: Ints
     owner: Ints
     each: Floats
@@ -77,7 +77,7 @@ def taken_from_issued(pooled: ComparisonPool, rule: LikenessRule, chances: Chanc
     least, answers = _least(pooled, rule), max(rule.answers, 1)
     issued = in_order(pooled.issued.values)
     found = [same_as_issued(pooled.numbers, issued, moved) for moved in chances.moved]
-    compared = tuple(Comparison(pooled, one, chance_of(pooled, one, chances)) for one in found)
+    compared = tuple(PairMatches(pooled, one, chance_of(pooled, one, chances)) for one in found)
     likely = [likely_pairs(one, least, answers) for one in compared]
     pairs = np.unique(np.concatenate(likely))
     row, owner = np.divmod(pairs, len(pooled.issued.owners))
@@ -133,7 +133,7 @@ def same_answers(
     least, answers = _least(pooled, rule), max(rule.answers, 1)
     found = same_as_typed(pooled.numbers, len(pooled.students), len(pooled.issued.quantities))
     chance = chance_of(pooled, found, chances)
-    compared = Comparison(pooled, found, chance, shared_methods(pooled, chances))
+    compared = PairMatches(pooled, found, chance, shared_methods(pooled, chances))
     pairs = likely_pairs(compared, least, answers)
     row, other = np.divmod(pairs, len(pooled.students))
     pairs = pairs[pooled.own[row] != pooled.own[other]]

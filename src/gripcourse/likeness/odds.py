@@ -24,7 +24,7 @@ _PAIRS_AT_ONCE = 4_000
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class PairMatches:
     """One way to compare all submissions with all owners of numbers.
 
     Attributes:
@@ -55,7 +55,7 @@ class _Hits:
     chance: Floats
 
 
-def likely_pairs(compared: Comparison, least: float, answers: int) -> Ints:
+def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     """Return the pairs whose odds may reach some, and perhaps a few that do not.
 
     What does not tell can only lower the odds, so what tells alone is a bound of them.
@@ -88,7 +88,7 @@ def likely_pairs(compared: Comparison, least: float, answers: int) -> Ints:
     return np.concatenate(found)
 
 
-def log_odds(compared: Comparison, pairs: Ints, answers: int) -> Floats:
+def log_odds(compared: PairMatches, pairs: Ints, answers: int) -> Floats:
     """Weigh pairs.
 
     Args:
@@ -105,7 +105,7 @@ def log_odds(compared: Comparison, pairs: Ints, answers: int) -> Floats:
     return np.concatenate([np.zeros(0), *weighed])
 
 
-def rests_on(compared: Comparison, pair: int) -> tuple[str, ...]:
+def rests_on(compared: PairMatches, pair: int) -> tuple[str, ...]:
     """Return the quantities that the odds of a pair rest on, the strongest first."""
     hits, _ = _hits(compared, np.array([pair], dtype=np.intp))
     telling = np.flatnonzero(hits.chance < 1)
@@ -114,7 +114,7 @@ def rests_on(compared: Comparison, pair: int) -> tuple[str, ...]:
     return tuple(compared.pooled.issued.quantities[column] for column in columns)
 
 
-def _portions(compared: Comparison, numbers: Ints) -> list[Ints]:
+def _portions(compared: PairMatches, numbers: Ints) -> list[Ints]:
     """Part numbers into those of whole submissions, with so many hits as there is room for."""
     row, found = compared.pooled.numbers.row[numbers], compared.found
     hits = np.cumsum(found.after[numbers] - found.first[numbers])
@@ -123,7 +123,7 @@ def _portions(compared: Comparison, numbers: Ints) -> list[Ints]:
     return np.split(numbers, np.flatnonzero(np.diff(portion)) + 1)
 
 
-def _told_bits(compared: Comparison, numbers: Ints) -> Bits:
+def _told_bits(compared: PairMatches, numbers: Ints) -> Bits:
     """Return which quantities of each submission have one of some numbers."""
     pooled = compared.pooled
     told = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
@@ -161,14 +161,14 @@ def _averaged(pair: Ints, chance: Floats, known: Floats) -> Floats:
     return total - math.log(len(_TAKEN))
 
 
-def _weighed(compared: Comparison, pairs: Ints, answers: int) -> Floats:
+def _weighed(compared: PairMatches, pairs: Ints, answers: int) -> Floats:
     hits, known = _hits(compared, pairs)
     telling = np.bincount(hits.pair[hits.chance < 1], minlength=len(pairs))
     total = _averaged(hits.pair, hits.chance, known)
     return np.where(telling >= answers, total, -np.inf)
 
 
-def _hits(compared: Comparison, pairs: Ints) -> tuple[_Hits, Floats]:
+def _hits(compared: PairMatches, pairs: Ints) -> tuple[_Hits, Floats]:
     """Return all equal numbers of pairs, and how many numbers of each pair can be compared."""
     numbers = compared.pooled.numbers
     row, owner = np.divmod(pairs, compared.owners)

@@ -32,7 +32,7 @@ class Doers(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class CohortPart:
     """A cohort and who works in it; cohorts of one size and seed are issued the same variants."""
 
     doers: Doers
@@ -41,7 +41,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class MeasuredPart:
     """What came out of a part.
 
     Attributes:
@@ -73,7 +73,7 @@ class Bench:
 
 
 @dataclass(frozen=True, slots=True)
-class _Shared:
+class _SharedBench:
     """What every part needs; `on_done` is of use only where all is done in this process."""
 
     bench: Bench
@@ -81,8 +81,8 @@ class _Shared:
 
 
 def measure_parts(
-    parts: Sequence[Part], bench: Bench, workers: int, on_done: Callable[[], None]
-) -> tuple[Measured, ...]:
+    parts: Sequence[CohortPart], bench: Bench, workers: int, on_done: Callable[[], None]
+) -> tuple[MeasuredPart, ...]:
     """Let cohorts work and measure the grader by each.
 
     Args:
@@ -96,7 +96,7 @@ def measure_parts(
     """
     pool = pool_for(workers)
     is_here = pool is None or workers == 0
-    shared = _Shared(bench, on_done if is_here else _nothing)
+    shared = _SharedBench(bench, on_done if is_here else _nothing)
     seconds = SECONDS_PER_STUDENT * max((part.size for part in parts), default=1)
     jobs = run_each(_measured, parts, shared, workers=workers, seconds=seconds, pool=pool)
 
@@ -107,7 +107,7 @@ def measure_parts(
     return in_order(all_done(jobs), tell)
 
 
-def _measured(part: Part, shared: _Shared) -> Measured:
+def _measured(part: CohortPart, shared: _SharedBench) -> MeasuredPart:
     bench, mix = shared.bench, shared.bench.mix
     room = make_classroom(bench.course, bench.policy, mix, part.size, part.seed, bench.scheme)
     match part.doers:
@@ -115,15 +115,15 @@ def _measured(part: Part, shared: _Shared) -> Measured:
             judged = judge_in_memory(room, 0, shared.on_done)
             own = evaluate(judged, mix)
             schemes = {name: one.variant.scheme for name, one in room.context.register.items()}
-            return Measured(own=own, table=misses_csv(own.misses, schemes))
+            return MeasuredPart(own=own, table=misses_csv(own.misses, schemes))
         case Doers.FOREIGN:
             works = judge_foreign(room.context, part.seed, 0, shared.on_done)
-            return Measured(foreign=evaluate_foreign(works, mix))
+            return MeasuredPart(foreign=evaluate_foreign(works, mix))
         case Doers.NOBODY:
-            return Measured(scores=scores_of(room.context, 0, part.seed))
+            return MeasuredPart(scores=scores_of(room.context, 0, part.seed))
 
 
-def together(measured: Sequence[Measured]) -> GraderEvaluation | None:
+def together(measured: Sequence[MeasuredPart]) -> GraderEvaluation | None:
     """Count parts together; None where no part was of the first generator."""
     total: GraderEvaluation | None = None
     for one in _of_own(measured):
@@ -137,7 +137,7 @@ def together(measured: Sequence[Measured]) -> GraderEvaluation | None:
     return replace(total, foreign=foreign, strategies=scores)
 
 
-def _of_own(measured: Sequence[Measured]) -> Iterator[GraderEvaluation]:
+def _of_own(measured: Sequence[MeasuredPart]) -> Iterator[GraderEvaluation]:
     return (one.own for one in measured if one.own is not None)
 
 

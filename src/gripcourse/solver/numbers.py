@@ -19,7 +19,7 @@ from gripcourse.text.units import factor
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers:
+class PlainNumbers:
     """The values of a plan in SI, by id: finite or NaN. See `solve.Evaluation`."""
 
     values: Mapping[str, float]
@@ -33,7 +33,7 @@ class Numbers:
         )
 
 
-def evaluate_numbers(plan: Plan, known: Mapping[str, float]) -> Numbers:
+def evaluate_numbers(plan: Plan, known: Mapping[str, float]) -> PlainNumbers:
     """Compute every quantity of a plan, known values first.
 
     Args:
@@ -53,7 +53,7 @@ def evaluate_numbers(plan: Plan, known: Mapping[str, float]) -> Numbers:
         if not math.isnan(supplied):
             number = float(supplied) if math.isfinite(supplied) else math.nan
         values[name] = number
-    return Numbers(values, computed)
+    return PlainNumbers(values, computed)
 
 
 def _computed(plan: Plan, quantity: Quantity, values: Mapping[str, float]) -> float:

@@ -16,7 +16,7 @@ from gripcourse.simulation.foreign.misses import foreign_misses_csv
 from gripcourse.simulation.misses import misses_csv
 from gripcourse.simulation.mix import load_mix
 from gripcourse.simulation.on_disk import grade_cohort, register_of, write_cohort
-from gripcourse.simulation.parts import Bench, Doers, Part, measure_parts, together
+from gripcourse.simulation.parts import Bench, CohortPart, Doers, measure_parts, together
 from gripcourse.text.words import message
 from gripcourse.variants.model import Issued
 
@@ -120,10 +120,10 @@ def evaluate_in_memory(
         expect_file(foreign_misses_path(misses))
     mix = load_mix(course)
     # A strategy needs no large sample, and what it hands in takes longest to judge.
-    parts = [Part(Doers.NOBODY, next(_sizes(cohort.count)), cohort.seed)]
+    parts = [CohortPart(Doers.NOBODY, next(_sizes(cohort.count)), cohort.seed)]
     for place, size in enumerate(_sizes(cohort.count)):
         seed = cohort.seed + _APART * place
-        parts += [Part(Doers.FOREIGN, size, seed), Part(Doers.OWN, size, seed)]
+        parts += [CohortPart(Doers.FOREIGN, size, seed), CohortPart(Doers.OWN, size, seed)]
     measured = measure_parts(parts, Bench(course, policy, mix, cohort.scheme), workers, on_done)
     total = together(measured)
     if misses is not None:
