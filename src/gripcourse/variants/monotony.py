@@ -126,8 +126,25 @@ def _spread(member: Member, values: Array) -> SizeSpread:
     )
 
 
-def _ends(group: Group) -> Iterator[EndShare]:
-    taken: dict[tuple[str, str, str], list[Array]] = {}
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """Which of two values a formula takes, variant by variant.
+
+    Attributes:
+        member: whose formula it is.
+        first, second: ids on either side that the other side lacks.
+        share: of each variant that has it: 1 where the first is taken, 0 where the second is, a
+            half where both are alike; NaN without a value.
+    """
+
+    member: Member
+    first: str
+    second: str
+    share: Array
+
+
+def taken_of(group: Group) -> Iterator[Taken]:
+    """Yield what each formula takes that takes the greater or lesser of two values."""
     for member in group.family.answered:
         formula = member.plan.reference_formula(member.quantity.id)
         if formula is None or member.quantity.kind is not Kind.FORMULA:
@@ -143,19 +160,26 @@ def _ends(group: Group) -> Iterator[EndShare]:
                 for one in call.arguments
             )
             sides = [set(names(one)) for one in call.arguments]
-            key = (
-                member.quantity.id,
+            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
+            yield Taken(
+                member,
                 ", ".join(sorted(sides[0] - sides[1])),
                 ", ".join(sorted(sides[1] - sides[0])),
+                np.ravel((1 + sign) / 2),
             )
-            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
-            taken.setdefault(key, []).append(np.ravel((1 + sign) / 2))
-    for (quantity, one, other), found in taken.items():
+
+
+def _ends(group: Group) -> Iterator[EndShare]:
+    taken: dict[tuple[str, str, str], list[Array]] = {}
+    for one in taken_of(group):
+        key = (one.member.quantity.id, one.first, one.second)
+        taken.setdefault(key, []).append(one.share)
+    for (quantity, first, second), found in taken.items():
         shares = np.concatenate(found)
         shares = shares[np.isfinite(shares)]
         if len(shares):
             yield EndShare(
-                group.family.scheme, quantity, one, other, len(shares), float(shares.mean())
+                group.family.scheme, quantity, first, second, len(shares), float(shares.mean())
             )
 
 
