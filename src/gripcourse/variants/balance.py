@@ -17,7 +17,7 @@ from gripcourse.variants.feasible import Array, Mask
 from gripcourse.variants.monotony import taken_of
 
 _SWEEPS: Final = 3  # times that every choice is looked at again, beside the others
-_END_WEIGHT: Final = 0.5  # of an end of a range beside a verdict, which has points of its own
+_END_WEIGHT: Final = 1.0  # of an end of a range
 _SIZE_WEIGHT: Final = 0.25  # of a size that more than half of the variants have
 _DIGITS: Final = 9  # of a size in SI units, by which the same sizes are known
 

@@ -5,7 +5,7 @@ and a range of which one end always governs tell no student from another.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from gripcourse.formula.tree import Call, Formula, Node, names, walk
 from gripcourse.solver.family import Member
 from gripcourse.solver.solve import from_si
 from gripcourse.text.units import dimension
+from gripcourse.text.words import Texts
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
 
@@ -60,6 +61,7 @@ class EndShare:
             those of the two ends of a range.
         variants: how many have it.
         share: of the variants in which the first is taken; half of those in which both are alike.
+        because: why it is always the same; None where that is not declared.
     """
 
     scheme: str
@@ -68,6 +70,7 @@ class EndShare:
     second: str
     variants: int
     share: float
+    because: Texts | None = field(default=None, hash=False)  # a mapping has no hash
 
     @property
     def same(self) -> float:
@@ -171,15 +174,18 @@ def taken_of(group: Group) -> Iterator[Taken]:
 
 def _ends(group: Group) -> Iterator[EndShare]:
     taken: dict[tuple[str, str, str], list[Array]] = {}
+    reasons: dict[str, Texts | None] = {}
     for one in taken_of(group):
-        key = (one.member.quantity.id, one.first, one.second)
-        taken.setdefault(key, []).append(one.share)
+        declared = one.member.quantity
+        taken.setdefault((declared.id, one.first, one.second), []).append(one.share)
+        reasons[declared.id] = declared.one_end
     for (quantity, first, second), found in taken.items():
         shares = np.concatenate(found)
         shares = shares[np.isfinite(shares)]
         if len(shares):
+            share = float(shares.mean())
             yield EndShare(
-                group.family.scheme, quantity, first, second, len(shares), float(shares.mean())
+                group.family.scheme, quantity, first, second, len(shares), share, reasons[quantity]
             )
 
 
