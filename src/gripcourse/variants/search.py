@@ -270,7 +270,7 @@ def _first_round(lacking: Mapping[int, int], *, has_choice: bool) -> int:
     share = CHUNK // (2 * len(lacking))
     even = 1 << max(share.bit_length() - 1, 0)
     if has_choice:
-        return min(max(_FEWEST, even), _WIDE_CHOICE)
+        return min(max(2 * _FEWEST, even), _WIDE_CHOICE)
     wanted = 1 << max(2 * max(lacking.values()) - 1, 1).bit_length()
     return min(max(_FEWEST, min(even, _FIRST_ROUND), wanted), CHUNK)
 
