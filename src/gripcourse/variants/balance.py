@@ -17,6 +17,7 @@ from gripcourse.variants.feasible import Array, Mask
 from gripcourse.variants.monotony import taken_of
 
 _SWEEPS: Final = 3  # times that every choice is looked at again, beside the others
+_VERDICT_WEIGHT: Final = 3.0  # it has points of its own that a guess must not earn
 _END_WEIGHT: Final = 1.0  # of an end of a range
 _SIZE_WEIGHT: Final = 0.5  # of a size that more than half of the variants have
 _DIGITS: Final = 9  # of a size in SI units, by which the same sizes are known
@@ -86,7 +87,7 @@ def outcomes_of(group: Group) -> Outcomes:
         id_ = member.quantity.id
         own = member.of(group.values[id_])
         if member.quantity.kind is Kind.VERDICT and not member.quantity.must_hold:
-            column((id_,), 1.0)[member.at] = 2 * own - 1
+            column((id_,), _VERDICT_WEIGHT)[member.at] = 2 * own - 1
         elif member.quantity.kind in {Kind.CHOICE, Kind.PICK}:
             for value in np.unique(np.round(own[np.isfinite(own)], _DIGITS)):
                 has = np.isclose(own, value, rtol=0, atol=10.0**-_DIGITS)

@@ -26,11 +26,8 @@ if TYPE_CHECKING:
 
 CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
 MOST_TRIED = 1 << 18  # candidates of one combination before giving up
-_FEWEST, _FIRST_ROUND, _WIDE_CHOICE = (
-    32,
-    256,
-    1024,
-)  # candidates of one combination; powers of two, as Sobol wants
+_FEWEST, _FIRST_ROUND = 32, 256  # candidates of one combination; powers of two, as Sobol wants
+_WIDE_CHOICE = 2048  # the same where some are preferred to others
 
 
 @dataclass(frozen=True, slots=True)
