@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 # Errata that are no version of a quantity, and why.
 NOTHING_TO_COMPUTE: Mapping[str, str] = {
+    "E1": "a row of a table for jaws that nobody builds",
     "E7": "one letter for two ratios: the course has a name for each",
     "E8": "numbers of equations and an index",
     "E9": "the name of a steel",

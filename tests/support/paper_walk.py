@@ -38,7 +38,7 @@ SERIES: Final = {
     "row Ra10": "linear_ra10", "GOST 9563-60; row 1": "module", "round cups": "cup",
     "ejectors": "ejector", "vacuum hoses": "vacuum_hose", "vacuum switch": "vacuum_setting",
     "winding wire": "winding_wire", "GOST 8032-84": "preferred_r40", "GOST 12139": "motor_power",
-    "GOST 2144-76": "worm_module",
+    "GOST 2144-76": "worm_module", "whole numbers": "ejector_count",
 }  # fmt: skip
 _NUMBER: Final = re.compile(r"([−-]?\d[\d\s]*(?:\.\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?(.*)")
 # Where a symbol ends: `D_0²` is a square, `l_Fe,act` another symbol than `l_Fe`.

@@ -190,10 +190,13 @@ def _monotony_lines(found: "VariantAudit") -> Iterator[Message]:
                   count=len(verdicts), verdicts="; ".join(
                       f"{one.scheme} {one.quantity} {one.yes}/{one.variants}"
                       for one in verdicts[:_MOST_TOLD]) or "—")  # fmt: skip
-    yield message("{count} formulas always take the same of two values: {formulas}.",
+    yield message("{count} formulas mostly take the same of two values: {formulas}.",
                   count=len(ends), formulas="; ".join(
-                      f"{one.scheme} {one.quantity}" for one in ends[:_MOST_TOLD]) or "—",
-                  )  # fmt: skip
+                      f"{one.scheme} {one.quantity} {round(100 * one.same)} %"
+                      for one in ends[:_MOST_TOLD]) or "—")  # fmt: skip
+    if found.told_ends:
+        yield message("{count} formulas can take only one of two values: ends.csv says why.",
+                      count=len(found.told_ends))  # fmt: skip
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:

@@ -164,6 +164,8 @@ class Quantity:
         note_decides: whether the note of the source says it, or a part of it.
         formula_decides: whether its formula is no task but a convention, as of an overall size,
             and stands beside it.
+        one_end: why the formula always takes the same where it takes the greater or lesser of two
+            values; None where either occurs.
         source: where it comes from.
         formula: computes a FORMULA or PICK; the condition of a VERDICT; for a CHOICE the value
             that the chosen entry must not be below; None for the others.
@@ -196,6 +198,7 @@ class Quantity:
     decides: Texts | None
     note_decides: bool
     formula_decides: bool
+    one_end: Texts | None
     source: Source
     formula: Formula | None
     choice: Choice | None

@@ -108,6 +108,10 @@ _COMMON: Final = {
         "Whether the formula itself is printed there: it is a convention and no task, as that of "
         "an overall size."
     ),
+    "one_end": texts(
+        "Why the formula always takes the same where it takes the greater or lesser of two values: "
+        "with numbers. The audit does not complain then, unless it is not so."
+    ),
     "source": table("Where it comes from.", SOURCE, required=True),
 }
 _BOUNDED: Final = {

@@ -138,7 +138,7 @@ def _sizes(audit: VariantAudit) -> str:
 
 
 def _ends(audit: VariantAudit) -> str:
-    header = ("scheme", "quantity", "first", "second", "variants", "first_taken", "same")
+    header = ("scheme", "quantity", "first", "second", "variants", "first_taken", "same", "because")
     same = set(audit.same_ends)
     return table_text(header, (
         (
@@ -149,6 +149,7 @@ def _ends(audit: VariantAudit) -> str:
             str(one.variants),
             number_cell(one.share),
             _yes(one in same),
+            "" if one.because is None else one.because.of("en"),
         )
         for one in audit.ends
     ))  # fmt: skip

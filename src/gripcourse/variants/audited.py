@@ -141,10 +141,24 @@ class VariantAudit:
 
     @property
     def same_ends(self) -> tuple[EndShare, ...]:
-        """Formulas of which the same of two values is taken too often."""
+        """Formulas of which the same of two values is taken too often, and nothing says why.
+
+        With them those that are declared to take always the same, and do not.
+        """
         return tuple(
-            one for one in self.ends if one.same > self.rules.same_end and one.variants >= FEW
+            one
+            for one in self.ends
+            if (
+                one.variants >= FEW and one.same > self.rules.same_end
+                if one.because is None
+                else one.same < 1
+            )
         )
+
+    @property
+    def told_ends(self) -> tuple[EndShare, ...]:
+        """Formulas that always take the same of two values, as is declared with the reason."""
+        return tuple(one for one in self.ends if one.because is not None and one.same == 1)
 
     @property
     def lopsided_verdicts(self) -> tuple[VerdictShare, ...]:

@@ -5,7 +5,7 @@ and a range of which one end always governs tell no student from another.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from gripcourse.formula.tree import Call, Formula, Node, names, walk
 from gripcourse.solver.family import Member
 from gripcourse.solver.solve import from_si
 from gripcourse.text.units import dimension
+from gripcourse.text.words import Texts
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
 
@@ -60,6 +61,7 @@ class EndShare:
             those of the two ends of a range.
         variants: how many have it.
         share: of the variants in which the first is taken; half of those in which both are alike.
+        because: why it is always the same; None where that is not declared.
     """
 
     scheme: str
@@ -68,6 +70,7 @@ class EndShare:
     second: str
     variants: int
     share: float
+    because: Texts | None = field(default=None, hash=False)  # a mapping has no hash
 
     @property
     def same(self) -> float:
@@ -126,8 +129,25 @@ def _spread(member: Member, values: Array) -> SizeSpread:
     )
 
 
-def _ends(group: Group) -> Iterator[EndShare]:
-    taken: dict[tuple[str, str, str], list[Array]] = {}
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """Which of two values a formula takes, variant by variant.
+
+    Attributes:
+        member: whose formula it is.
+        first, second: ids on either side that the other side lacks.
+        share: of each variant that has it: 1 where the first is taken, 0 where the second is, a
+            half where both are alike; NaN without a value.
+    """
+
+    member: Member
+    first: str
+    second: str
+    share: Array
+
+
+def taken_of(group: Group) -> Iterator[Taken]:
+    """Yield what each formula takes that takes the greater or lesser of two values."""
     for member in group.family.answered:
         formula = member.plan.reference_formula(member.quantity.id)
         if formula is None or member.quantity.kind is not Kind.FORMULA:
@@ -143,19 +163,29 @@ def _ends(group: Group) -> Iterator[EndShare]:
                 for one in call.arguments
             )
             sides = [set(names(one)) for one in call.arguments]
-            key = (
-                member.quantity.id,
+            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
+            yield Taken(
+                member,
                 ", ".join(sorted(sides[0] - sides[1])),
                 ", ".join(sorted(sides[1] - sides[0])),
+                np.ravel((1 + sign) / 2),
             )
-            sign = np.sign(first - second) * (1 if call.function == "max" else -1)
-            taken.setdefault(key, []).append(np.ravel((1 + sign) / 2))
-    for (quantity, one, other), found in taken.items():
+
+
+def _ends(group: Group) -> Iterator[EndShare]:
+    taken: dict[tuple[str, str, str], list[Array]] = {}
+    reasons: dict[str, Texts | None] = {}
+    for one in taken_of(group):
+        declared = one.member.quantity
+        taken.setdefault((declared.id, one.first, one.second), []).append(one.share)
+        reasons[declared.id] = declared.one_end
+    for (quantity, first, second), found in taken.items():
         shares = np.concatenate(found)
         shares = shares[np.isfinite(shares)]
         if len(shares):
+            share = float(shares.mean())
             yield EndShare(
-                group.family.scheme, quantity, one, other, len(shares), float(shares.mean())
+                group.family.scheme, quantity, first, second, len(shares), share, reasons[quantity]
             )
 
 

@@ -1,8 +1,7 @@
 """What a drawn variant must satisfy besides being solvable: the rules that an audit measures."""
 
-from collections import deque
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from gripcourse.text.words import message
 from gripcourse.variants.accepted import Accepted
 from gripcourse.variants.answers import Group, items_of
 from gripcourse.variants.apart import limits_of
+from gripcourse.variants.balance import Balance, Outcomes, choose, outcomes_of
 from gripcourse.variants.fair import near_steps
 from gripcourse.variants.feasible import Mask
 from gripcourse.variants.overlaps import Overlap, OverlapCheck, overlap_in_short, overlaps_of
@@ -20,7 +20,7 @@ from gripcourse.variants.search import Batch, Filter, Sifted
 from gripcourse.variants.slip_distance import too_near
 from gripcourse.variants.tally import Refusal, summed
 
-_AT_ONCE = 4  # candidates of a combination that are looked at closely, for each that is wanted
+_AT_ONCE = 16  # candidates of a combination that are looked at closely, for each that is wanted
 
 
 def buildable(check: OverlapCheck) -> Filter:
@@ -29,22 +29,19 @@ def buildable(check: OverlapCheck) -> Filter:
     Args:
         check: tells whether bodies stand in each other.
     """
+    balance = Balance()
 
     def sift(batch: Batch) -> Sifted:
-        group = Group(batch.family, np.arange(len(batch.cases)), batch.evaluation.values, {})
-        waiting = _by_case(batch, _first_of_each(batch, np.arange(len(batch.cases))))
-        keep = np.zeros(len(batch.cases), dtype=np.bool_)
-        lacking = dict(batch.wanted)
+        waiting = _Waiting.of(batch, np.arange(len(batch.cases)), balance)
         overlaps: list[Overlap] = []
         # Few are refused: more candidates than are lacking are looked at only in the place of them.
-        while looked_at := _next_of_each(waiting, lacking):
-            refused = dict(overlaps_of(group, looked_at, check))
+        while looked_at := waiting.next():
+            refused = dict(overlaps_of(waiting.group, looked_at, check))
             overlaps += refused.values()
             for place in looked_at:
-                keep[place] = place not in refused
-                lacking[int(batch.cases[place])] -= int(keep[place])
+                waiting.decide(place, keep=place not in refused)
         refusals = (Refusal(overlap_in_short(one), 1) for one in overlaps)
-        return Sifted(keep, summed(refusals))
+        return Sifted(waiting.keep, summed(refusals))
 
     return sift
 
@@ -66,7 +63,7 @@ def sifter(
         others: variants of other tables, solved: what is drawn keeps as far from them as from
             each other, however near they are to one another.
     """
-    accepted = Accepted(limits_of(policy), sections)
+    accepted, balance = Accepted(limits_of(policy), sections), Balance()
     for other in others:
         items = items_of((replace(other, rows=np.arange(other.family.size)),), policy, Kind.FORMULA)
         answers = accepted.answers(items, other.family.size)
@@ -75,60 +72,96 @@ def sifter(
 
     def sift(batch: Batch) -> Sifted:
         count = len(batch.cases)
-        group = Group(batch.family, np.arange(count), batch.evaluation.values, {})
+        group = _group(batch)
         slips = _any(too_near(group, policy).values(), count)
         edges = _any(near_steps(group, policy.variants.step_margin).values(), count) & ~slips
-        open_ = _first_of_each(batch, np.flatnonzero(~slips & ~edges))
-        overlaps = {} if check is None else dict(overlaps_of(group, open_, check))
-        open_ = [place for place in open_ if place not in overlaps]
-        close = group.restricted(np.array(open_, dtype=np.intp))
-        answers = accepted.answers(items_of((close,), policy, Kind.FORMULA), len(open_))
-        keep = np.zeros(count, dtype=np.bool_)
-        wanted, alike = dict(batch.wanted), 0
-        for number, place in enumerate(open_):
-            case = int(batch.cases[place])
-            if wanted[case]:
-                keep[place] = accepted.take(answers, number)
-                wanted[case] -= int(keep[place])
-                alike += int(not keep[place])
+        waiting = _Waiting.of(batch, np.flatnonzero(~slips & ~edges), balance)
+        overlaps: list[Overlap] = []
+        alike = 0
+        while looked_at := waiting.next():
+            refused = {} if check is None else dict(overlaps_of(group, looked_at, check))
+            overlaps += refused.values()
+            close = group.restricted(np.array(looked_at, dtype=np.intp))
+            answers = accepted.answers(items_of((close,), policy, Kind.FORMULA), len(looked_at))
+            for number, place in enumerate(looked_at):
+                keep = place not in refused and accepted.take(answers, number)
+                alike += int(place not in refused and not keep)
+                waiting.decide(place, keep=keep)
         refusals = (
             Refusal(message("too near to another variant"), alike),
             Refusal(message("a slip gives nearly the right result"), int(slips.sum())),
             Refusal(message("a size lies at the edge of its step"), int(edges.sum())),
-            *(Refusal(overlap_in_short(one), 1) for one in overlaps.values()),
+            *(Refusal(overlap_in_short(one), 1) for one in overlaps),
         )
-        return Sifted(keep, summed(refusals))
+        return Sifted(waiting.keep, summed(refusals))
 
     return sift
 
 
-def _first_of_each(batch: Batch, places: Rows) -> list[int]:
-    """Return the first few candidates of each combination."""
-    left = {case: _AT_ONCE * wanted for case, wanted in batch.wanted.items()}
-    found = []
-    for place in places:
-        case = int(batch.cases[place])
-        if left[case]:
-            left[case] -= 1
-            found.append(int(place))
-    return found
+@dataclass(slots=True)
+class _Waiting:
+    """Candidates of a batch that may be drawn, the best balanced first.
+
+    Attributes:
+        group: the batch, solved.
+        outcomes: of its candidates.
+        balance: of what was drawn before.
+        cases: number of the combination of each candidate.
+        places: candidates that were not looked at yet, by combination.
+        lacking: how many of each combination are lacking.
+        left: how many more of each combination are looked at.
+        keep: which candidates are drawn.
+    """
+
+    group: Group
+    outcomes: Outcomes
+    balance: Balance
+    cases: Rows
+    places: dict[int, list[int]]
+    lacking: dict[int, int]
+    left: dict[int, int]
+    keep: Mask
+
+    @staticmethod
+    def of(batch: Batch, places: Rows, balance: Balance) -> "_Waiting":
+        """Let some candidates of a batch wait."""
+        by_case: dict[int, list[int]] = {}
+        for place in places:
+            by_case.setdefault(int(batch.cases[place]), []).append(int(place))
+        group, wanted = _group(batch), dict(batch.wanted)
+        return _Waiting(
+            group,
+            outcomes_of(group),
+            balance,
+            batch.cases,
+            by_case,
+            wanted,
+            {case: _AT_ONCE * count for case, count in wanted.items()},
+            np.zeros(len(batch.cases), dtype=np.bool_),
+        )
+
+    def next(self) -> list[int]:
+        """Take as many candidates of each combination as it lacks, as far as there are any."""
+        scheme = self.group.family.scheme
+        lacking = {case: min(count, self.left[case]) for case, count in self.lacking.items()}
+        ahead = self.balance.of(scheme, self.outcomes)
+        chosen = choose(self.outcomes, ahead, self.places, lacking)
+        for place in chosen:
+            case = int(self.cases[place])
+            self.places[case].remove(place)
+            self.left[case] -= 1
+        return chosen
+
+    def decide(self, place: int, *, keep: bool) -> None:
+        """Draw a candidate, or refuse it."""
+        if keep:
+            self.keep[place] = True
+            self.lacking[int(self.cases[place])] -= 1
+            self.balance.count(self.group.family.scheme, self.outcomes, place)
 
 
-def _by_case(batch: Batch, places: Sequence[int]) -> dict[int, deque[int]]:
-    """Return places of a batch by combination, in order."""
-    found: dict[int, deque[int]] = {}
-    for place in places:
-        found.setdefault(int(batch.cases[place]), deque()).append(place)
-    return found
-
-
-def _next_of_each(waiting: Mapping[int, deque[int]], lacking: Mapping[int, int]) -> list[int]:
-    """Take as many places of each combination as it lacks, as far as there are any; ascending."""
-    return sorted(
-        places.popleft()
-        for case, places in waiting.items()
-        for _ in range(min(lacking[case], len(places)))
-    )
+def _group(batch: Batch) -> Group:
+    return Group(batch.family, np.arange(len(batch.cases)), batch.evaluation.values, {})
 
 
 def _any(masks: Iterable[Mask], count: int) -> Mask:

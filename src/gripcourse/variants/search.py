@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 CHUNK = 1 << 14  # candidates in one evaluation: the fastest size for numpy
 MOST_TRIED = 1 << 18  # candidates of one combination before giving up
 _FEWEST, _FIRST_ROUND = 32, 256  # candidates of one combination; powers of two, as Sobol wants
+_WIDE_CHOICE = 2048  # the same where some are preferred to others
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +138,9 @@ class Search:
             open_cases = [case for case in lacking if self.tried[case] < limit[case]]
             if not open_cases:
                 break
-            size = min(2 * size, CHUNK) or _first_round(lacking)
+            size = min(2 * size, CHUNK) or _first_round(
+                lacking, has_choice=self._further is not None
+            )
             together = max(CHUNK // size, 1)
             for start in range(0, len(open_cases), together):
                 cases = open_cases[start : start + together]
@@ -254,10 +257,17 @@ class _Points:
         return coordinate
 
 
-def _first_round(lacking: Mapping[int, int]) -> int:
-    """Return how many candidates of each combination to begin with: many where few are searched."""
+def _first_round(lacking: Mapping[int, int], *, has_choice: bool) -> int:
+    """Return how many candidates of each combination to begin with: many where few are searched.
+
+    Args:
+        lacking: how many variants each combination lacks.
+        has_choice: whether a further condition prefers some candidates to others.
+    """
     share = CHUNK // (2 * len(lacking))
     even = 1 << max(share.bit_length() - 1, 0)
+    if has_choice:
+        return min(max(2 * _FEWEST, even), _WIDE_CHOICE)
     wanted = 1 << max(2 * max(lacking.values()) - 1, 1).bit_length()
     return min(max(_FEWEST, min(even, _FIRST_ROUND), wanted), CHUNK)
 

@@ -74,5 +74,16 @@ def _alike(
         yield (
             end.scheme,
             end.quantity,
-            words.say(message("always that of: {quantities}", quantities=named)),
-        )
+            words.say(message("that of: {quantities} — in {share}", quantities=named,
+                              share=percent_text(end.same, words))),
+        )  # fmt: skip
+    for end in audit.told_ends:
+        if end.because is not None:
+            taken = end.first if end.share > 1 / 2 else end.second
+            named = "; ".join(declared.get(id_, id_) for id_ in taken.split(", "))
+            yield (
+                end.scheme,
+                end.quantity,
+                words.say(message("always that of: {quantities}, because {reason}",
+                                  quantities=named, reason=end.because.of(words.language))),
+            )  # fmt: skip
