@@ -20,7 +20,8 @@ from gripcourse.variants.search import Batch, Filter, Sifted
 from gripcourse.variants.slip_distance import too_near
 from gripcourse.variants.tally import Refusal, summed
 
-_AT_ONCE = 16  # candidates of a combination that are looked at closely, for each that is wanted
+_AT_ONCE = 8  # candidates of a combination that are looked at closely, for each that is wanted
+_CHOICE = 256  # candidates of a combination that are compared
 
 
 def buildable(check: OverlapCheck) -> Filter:
@@ -126,9 +127,11 @@ class _Waiting:
     def of(batch: Batch, places: Rows, balance: Balance) -> "_Waiting":
         """Let some candidates of a batch wait."""
         by_case: dict[int, list[int]] = {}
-        for place in places:
-            by_case.setdefault(int(batch.cases[place]), []).append(int(place))
         group, wanted = _group(batch), dict(batch.wanted)
+        for place in places:
+            waiting = by_case.setdefault(int(batch.cases[place]), [])
+            if len(waiting) < _CHOICE + _AT_ONCE * wanted[int(batch.cases[place])]:
+                waiting.append(int(place))
         return _Waiting(
             group,
             outcomes_of(group),
