@@ -67,6 +67,8 @@ class TestOneWrongNumber:
             if shared is None:
                 continue
             wrong = solve_variant(case.plan, {**case.given, shared: 1.37 * case.given[shared]})
+            if not all(math.isfinite(wrong[one.id]) for one in case.plan.answered):
+                continue  # no size of a series is large enough: nobody could type these answers
             answers = {
                 one.id: typed(one.id, wrong[one.id], 5) if one.kind == "formula" else wrong[one.id]
                 for one in case.plan.answered

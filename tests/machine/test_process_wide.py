@@ -3,7 +3,7 @@
 import gc
 import threading
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 
 import pytest
@@ -12,6 +12,15 @@ from gripcourse.machine.process_wide import few_collections, without_warnings
 
 Change = Callable[[], AbstractContextManager[None]]
 BOTH = (few_collections, without_warnings)
+
+
+@pytest.fixture(autouse=True)
+def usual_collections() -> Iterator[None]:
+    """Garbage is collected as in a fresh process, whatever ran in this one before."""
+    before = gc.get_threshold()
+    gc.set_threshold(700, 10, 10)
+    yield
+    gc.set_threshold(*before)
 
 
 def settings() -> tuple[object, ...]:

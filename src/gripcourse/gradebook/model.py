@@ -1,5 +1,6 @@
 """What the gradebook keeps: attempts with their automatic results, and marks of persons."""
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -178,6 +179,14 @@ def latest_marks(entries: Iterable[GradebookEntry]) -> dict[str, GradebookEntry]
         if before is None or before.mark.number < entry.mark.number:
             latest[entry.mark.quantity] = entry
     return {name: entry for name, entry in latest.items() if entry.mark.credit is not None}
+
+
+def latest_marks_of_all(entries: Iterable[GradebookEntry]) -> dict[str, dict[str, GradebookEntry]]:
+    """Return for each student what `latest_marks` returns; who has no marks is left out."""
+    by_student: dict[str, list[GradebookEntry]] = defaultdict(list)
+    for entry in entries:
+        by_student[entry.mark.student].append(entry)
+    return {student: latest_marks(all_) for student, all_ in by_student.items()}
 
 
 def is_outdated(entry: GradebookEntry, digest: str, results: Sequence[Result]) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from statistics import mean, median
 from typing import Final
 
-from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks
+from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.solver.plan import Plan, plan_of
@@ -68,10 +68,7 @@ def group_figures(context: DeskContext) -> GroupFigures:
         GradebookError: the gradebook cannot be used.
     """
     register, book = context.register(), Gradebook(context.desk.engine)
-    entries: dict[str, list[GradebookEntry]] = defaultdict(list)
-    for entry in book.entries():
-        entries[entry.mark.student].append(entry)
-    marked = {student: latest_marks(all_) for student, all_ in entries.items()}
+    marked = latest_marks_of_all(book.entries())
     works = {
         student: attempt
         for student, attempt in latest_judged(book.standing()).items()

@@ -1,6 +1,5 @@
 """Regrading as a change that can be reviewed: shown first, applied with a reason, taken back."""
 
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
@@ -19,7 +18,7 @@ from gripcourse.gradebook.journal import (
     keep_undoing,
     published_works,
 )
-from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks
+from gripcourse.gradebook.model import Attempt, GradebookEntry, attempt_of, latest_marks_of_all
 from gripcourse.gradebook.regrade import Shift, WorkChange, change_of
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import StudentWork, points_of, works_of
@@ -223,10 +222,7 @@ def _demand_reason(signed: Signed) -> None:
 
 
 def _marked(book: Gradebook, students: set[str]) -> Mapping[str, Mapping[str, GradebookEntry]]:
-    entries: dict[str, list[GradebookEntry]] = defaultdict(list)
-    for entry in book.entries(students):
-        entries[entry.mark.student].append(entry)
-    return {student: latest_marks(all_) for student, all_ in entries.items()}
+    return latest_marks_of_all(book.entries(students))
 
 
 def _strangers(graded: Sequence[Graded], works: Mapping[tuple[str, str], StudentWork]) -> list[str]:

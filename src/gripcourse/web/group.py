@@ -1,13 +1,14 @@
 """The group as a table: who has handed in, who has a score, who asks for something."""
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
 from gripcourse.desk.model import HandIn
-from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.gradebook.works import latest_judged
+from gripcourse.gradebook.works import latest_judged, points_of
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.hand_in import latest, receipt_of
 from gripcourse.variants.model import Issued
@@ -23,6 +24,7 @@ class GroupMember:
         late: whether it came after the last day.
         files, checks, requests: how many.
         attempt: the last one that was judged; None for none.
+        marked: the marks of persons that count, by quantity.
     """
 
     issued: Issued
@@ -32,11 +34,12 @@ class GroupMember:
     checks: int
     requests: int
     attempt: Attempt | None
+    marked: Mapping[str, GradebookEntry]
 
     @property
     def points(self) -> float:
-        """What the program gave by itself, without the marks of persons."""
-        return 0.0 if self.attempt is None else sum(one.points for one in self.attempt.results)
+        """What the last work came to, with the marks of persons."""
+        return 0.0 if self.attempt is None else points_of(self.attempt.results, self.marked).score
 
 
 class GroupState(StrEnum):
@@ -87,7 +90,8 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
     files = Counter(one.student for one in hand_ins)
     checks = Counter(one.student for one in context.desk.checks())
     requests = Counter(one.student for one in context.desk.requests())
-    attempts = latest_judged(Gradebook(context.desk.engine).standing())
+    book = Gradebook(context.desk.engine)
+    attempts, marked = latest_judged(book.standing()), latest_marks_of_all(book.entries())
     rows = (
         GroupMember(
             issued=issued,
@@ -97,6 +101,7 @@ def rows_of(context: DeskContext) -> tuple[GroupMember, ...]:
             checks=checks[id_],
             requests=requests[id_],
             attempt=attempts.get(id_),
+            marked=marked.get(id_, {}),
         )
         for id_, issued in context.register().items()
     )

@@ -54,7 +54,7 @@ class MemberResult:
         last: when the last file came; null for none.
         late: whether it came after the last day.
         files, checks, requests: how many.
-        points: of the last file that was graded, without marks of persons; null for none.
+        points: of the last file that was graded, with marks of persons; null for none.
     """
 
     student: str
