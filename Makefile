@@ -74,6 +74,7 @@ fuzz: .venv/dev.stamp ## read 100 000 spoiled workbooks, twice; RUNS=… for ano
 .PHONY: gallery
 gallery: demo | test-packages ## pictures of every kind of page, in docs/gallery/
 	$(BIN)/python scripts/gallery.py $(OUT) docs/gallery
+	$(BIN)/python scripts/gallery_server.py $(OUT) docs/gallery
 
 .PHONY: docs
 docs: .venv/docs.stamp | run-packages ## the documentation site in build/docs/; warnings are errors

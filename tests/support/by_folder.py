@@ -9,8 +9,19 @@ from xdist.scheduler import LoadScopeScheduling
 
 # By the seconds of the processor that they took, longest first; the rest is short.
 DEAR = (
-    *("usecases", "contracts", "documents", "web", "drawing", "cli", "simulation", "demo"),
-    *("grading", "course", "jobs", "submission", "batch", "hostile", "examples", "likeness"),
+    *("usecases", "contracts", "documents", "web", "drawing", "variants", "cli", "simulation"),
+    *(
+        "demo",
+        "workbook",
+        "grading",
+        "course",
+        "jobs",
+        "submission",
+        "batch",
+        "hostile",
+        "examples",
+        "likeness",
+    ),
 )
 
 
