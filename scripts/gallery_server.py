@@ -24,10 +24,14 @@ from PIL import Image
 from selenium import webdriver
 from selenium.webdriver.common.by import By
 
+from gripcourse.course.load import load_course
+from gripcourse.issuing.store import read_register
+
 DESK, TELEPHONE = (1200, 900), (390, 844)
 SHADES = 64
 SECONDS = 120
 STUDENT, UKRAINIAN, READER = "smirnova-ev", "shevchenko-ok", "carter-jl"
+ITEM = "general_view_drawing"
 PAGES_OF_THE_DESK = {
     "group": "",
     "student": f"student/{STUDENT}",
@@ -65,8 +69,6 @@ class Camera:
         """Look at what students see: their assignment, a check, the receipt, their results."""
         homes = links_of(address, out)
         work = out / "submissions" / f"{STUDENT}.xlsx"
-        drawing = out / "drawing.pdf"
-        shutil.copy(out / "assignments" / STUDENT / f"assignment_{STUDENT}.pdf", drawing)
         self.window.get(homes[READER])
         self.take("server_assignment", DESK)
         self.window.get(homes[UKRAINIAN])
@@ -76,10 +78,12 @@ class Camera:
         self.send(work, "check")
         self.take("server_check", DESK)
         self.take("server_check_phone", TELEPHONE)
-        for file in (drawing, work):
-            self.window.get(homes[STUDENT])
-            self.send(file, "hand-in")
+        self.window.get(homes[STUDENT])
+        self.send(work, "hand-in")
         self.take("server_receipt_phone", TELEPHONE)
+        for file in (drawing_of(UKRAINIAN, out), out / "submissions" / f"{UKRAINIAN}.xlsx"):
+            self.window.get(homes[UKRAINIAN])
+            self.send(file, "hand-in")
 
     def desk(self, address: str, out: Path) -> None:
         """Look at what an instructor sees."""
@@ -92,7 +96,7 @@ class Camera:
         self.window.get(f"{address}/desk/")
         self.take("server_desk_phone", TELEPHONE)
         self.window.get(f"{address}/desk/marking")
-        self.window.find_element(By.CSS_SELECTOR, f"a[href*='marking/{STUDENT}/']").click()
+        self.window.find_element(By.CSS_SELECTOR, f"a[href*='marking/{UKRAINIAN}/{ITEM}']").click()
         self.take("server_desk_marking", DESK)
 
     def send(self, file: Path, act: str) -> None:
@@ -157,6 +161,13 @@ def browser(folder: Path) -> Iterator[webdriver.Chrome]:
         yield window
     finally:
         window.quit()
+
+
+def drawing_of(student: str, out: Path) -> Path:
+    """Return the general view of a student's variant, as he might have drawn it."""
+    variant = read_register(out / "course", load_course(out / "course").id).by_student()[student]
+    said("draw", variant.variant.id, "--course", out / "course", "--out", out / "drawn")
+    return next((out / "drawn").glob("*.svg"))
 
 
 def links_of(address: str, out: Path) -> dict[str, str]:
