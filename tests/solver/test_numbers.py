@@ -1,0 +1,33 @@
+"""Plain numbers and arrays are two ways through the same plan, and come to the same."""
+
+import numpy as np
+import pytest
+
+from gripcourse.course.model import Course
+from gripcourse.policy.model import Policy
+from gripcourse.simulation.cohort import make_classroom
+from gripcourse.simulation.mix import load_mix
+from gripcourse.solver.numbers import evaluate_numbers
+from gripcourse.solver.plan import plan_of
+from gripcourse.solver.solve import evaluate
+from gripcourse.text.units import factor
+
+STUDENTS = 40
+
+
+@pytest.mark.parametrize("misread", [1.0, 1.37, 0.0])
+def test_plain_numbers_come_to_what_arrays_come_to(
+    course: Course, policy: Policy, misread: float
+) -> None:
+    room = make_classroom(course, policy, load_mix(course), STUDENTS, 5)
+    for issued in room.context.register.values():
+        plan = plan_of(course, issued.variant.composition)
+        known = {
+            name: value * factor(plan.quantities[name].unit) * misread
+            for name, value in issued.variant.given.items()
+        }
+        plain, arrays = evaluate_numbers(plan, known), evaluate(plan, known)
+        assert plain.values.keys() == arrays.values.keys()
+        for found, expected in ((plain.values, arrays.values), (plain.computed, arrays.computed)):
+            for name, value in found.items():
+                assert np.array_equal(value, expected[name], equal_nan=True), name
