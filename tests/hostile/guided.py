@@ -5,6 +5,7 @@ of the reader, from one line to another, becomes a parent of others. Nothing of 
 call to the next but what fails, in `failed_guided.txt`.
 """
 
+import math
 import random
 import sys
 import time
@@ -68,8 +69,13 @@ def steps_of(do: Callable[[], object]) -> set[Step]:
     return seen
 
 
-def faults(data: bytes) -> list[str]:
-    """Return what is wrong with how a file is read, as a student's and as a table."""
+def faults(data: bytes, seconds: float = math.inf) -> list[str]:
+    """Return what is wrong with how a file is read, as a student's and as a table.
+
+    Args:
+        data: the file.
+        seconds: of processor time that it may take; a test sets none, as it may run anywhere.
+    """
     started, before = time.process_time(), peak_memory()
     try:
         read = as_student(data, quantities())
@@ -81,16 +87,19 @@ def faults(data: bytes) -> list[str]:
         wrong = [repr(fault)]
     # What the process grew by: what ran in it before is not this file's.
     taken, grown = time.process_time() - started, (peak_memory() - before) / 1e6
-    wrong += [f"{taken:.1f} s"] * (taken > SECONDS)
+    wrong += [f"{taken:.1f} s"] * (taken > seconds)
     return wrong + [f"{grown:.0f} MB"] * (grown > MEGABYTES)
 
 
-def explore(first: int, count: int) -> Iterator[tuple[Line, list[str], int]]:
+def explore(
+    first: int, count: int, seconds: float = math.inf
+) -> Iterator[tuple[Line, list[str], int]]:
     """Yield each file that is tried, what is wrong with it, and how many steps are known by then.
 
     Args:
         first: number that the first file is drawn from.
         count: of files.
+        seconds: see `faults`.
     """
     parents: list[Line] = []
     known: set[Step] = set()
@@ -99,7 +108,7 @@ def explore(first: int, count: int) -> Iterator[tuple[Line, list[str], int]]:
         begun = () if not parents or draw.random() < _NEW else draw.choice(parents)
         line = (*begun[-LONGEST + 1 :], number)
         data, wrong = descended(line), list[str]()
-        steps = steps_of(lambda: wrong.extend(faults(data)))  # noqa: B023 (done at once)
+        steps = steps_of(lambda: wrong.extend(faults(data, seconds)))  # noqa: B023 (done at once)
         if not steps <= known:
             known |= steps
             parents.append(line)
@@ -116,7 +125,7 @@ def once_failed() -> tuple[Line, ...]:
 def main(first: int, count: int) -> int:
     """Try that many; the exit code tells whether any failed."""
     failed, steps = 0, 0
-    for line, wrong, known in explore(first, count):
+    for line, wrong, known in explore(first, count, SECONDS):
         steps, failed = known, failed + bool(wrong)
         if wrong and line not in once_failed():
             with FAILED.open("a", encoding="utf-8") as kept:

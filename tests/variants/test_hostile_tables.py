@@ -1,7 +1,6 @@
 """A spreadsheet that an instructor gives as a table is refused or read, and nothing else."""
 
 import io
-import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -13,7 +12,6 @@ from gripcourse.errors import TableError
 from gripcourse.variants.sheet import read_sheet
 
 SHEET = "xl/worksheets/sheet1.xml"
-SECONDS = 10.0
 
 
 @pytest.fixture(scope="module")
@@ -67,10 +65,8 @@ def test_what_no_spreadsheet_program_writes_is_refused_with_a_sentence(
 ) -> None:
     path = tmp_path / "t.xlsx"
     path.write_bytes(patched(table, part, change))
-    begun = time.process_time()
     with pytest.raises(TableError):
         read_sheet(path)
-    assert time.process_time() - begun < SECONDS
 
 
 @pytest.mark.parametrize(
