@@ -68,7 +68,9 @@ def test_figures_show_how_scores_are_spread_and_say_it_in_words(
 def test_a_flag_stands_with_its_evidence_beside_the_other_work(
     server: "Server", signed_in: "TestClient"
 ) -> None:
-    flag = {"code": "same_answers", "message": "<b>alike</b>", "others": ["s02", "gone"]}
+    said = {"en": "<b>alike</b>", "ru": "<b>похожи</b>"}
+    flag = {"code": "same_answers", "message": said["ru"], "in_languages": said}
+    flag |= {"others": ["s02", "gone"]}
     flagged = {
         "file": "work/s01.xlsx",
         "student": "s01",
@@ -80,12 +82,15 @@ def test_a_flag_stands_with_its_evidence_beside_the_other_work(
     findings = [answer("grip_force", "123.4", 123.4)]
     with results(server, flagged, {**other, "findings": findings}, stranger):
         listed = signed_in.get("/desk/flags").text
+        english = signed_in.get("/desk/flags", headers={"Accept-Language": "en"}).text
         page = signed_in.get("/desk/student/s01").text
         group = signed_in.get("/desk/").text
-    assert listed.count("&lt;b&gt;alike&lt;/b&gt;") == 1
+    assert listed.count('<p lang="ru">&lt;b&gt;похожи&lt;/b&gt;') == 1
+    assert english.count('<p lang="en">&lt;b&gt;alike&lt;/b&gt;') == 1
+    assert '<p lang="ru">no ids' in english
     assert "x.xlsx" not in listed
     assert 'href="/desk/student/s01#flags"' in listed
-    assert "&lt;b&gt;alike&lt;/b&gt;" in page
+    assert "&lt;b&gt;похожи&lt;/b&gt;" in page
     assert 'href="/desk/student/s02"' in page
     row = page.split('<th scope="row">')[1].split("</tr>")[0]
     right = [
@@ -125,7 +130,7 @@ def test_a_batch_of_a_program_that_was_killed_keeps_nobody_from_beginning_again(
     path.write_text(json.dumps({**stale, "began": stale["at"]}), encoding="utf-8")
     ended = subprocess.Popen([sys.executable, "-c", "raise SystemExit(3)"])
     ended.wait()
-    monkeypatch.setattr("gripcourse.web.overview.begin_grading", lambda *_: ended)
+    monkeypatch.setattr("gripcourse.web.desk_acts.begin_grading", lambda *_: ended)
     key = form_key(signed_in)
     assert 'name="form_key"' in signed_in.get("/desk/grading").text.split("<main")[1]
     assert signed_in.post("/desk/grading", data={"form_key": key}).status_code == 200
@@ -140,11 +145,12 @@ def test_a_batch_is_the_command_of_the_command_line_on_the_last_workbooks_as_the
     monkeypatch.setattr(subprocess, "Popen", lambda command, **_: asked.append(command))
     handed_in(server, "s02", "a.xlsx", b"workbook")
     handed_in(server, "s02", "b.PDF", b"drawing")
-    begin_grading(server.context, server.graded, 2)
+    begin_grading(server.context, server.graded, 2, "Dr. Ray", "once")
     assert asked[0][1:4] == ["-m", "gripcourse", "grade"]
     work = Path(asked[0][4])
     assert (work / "s02.xlsx").read_bytes() == b"workbook"
     assert (work / "s02.xlsx").stat().st_mtime == server.clock.now.timestamp()
     assert "--out" in asked[0]
+    assert {"--by=Dr. Ray", "--why=once"} <= set(asked[0])
     assert f"--whose={work / 's02.xlsx'}=s02" in asked[0]
     assert not list(work.glob("*.pdf"))

@@ -1,5 +1,6 @@
 """The command that grades a batch: parse, one call, print, exit code. No logic."""
 
+import getpass
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -32,6 +33,7 @@ from gripcourse.cli.options import (
     say_limits,
     words_for,
 )
+from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
@@ -71,6 +73,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         bool,
         typer.Option("--grades-only", help="Print no reports: grades and findings alone."),
     ] = False,
+    by: ByOption = None,
+    why: Annotated[str, typer.Option("--why", help="Why, in a few words; it is kept.")] = "",
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
     cluster: ClusterOption = None,
@@ -79,11 +83,13 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
+    from gripcourse.gradebook.journal import Signed
     from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.jobs.cluster import open_workers
     from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
+    from gripcourse.usecases.begin_grading import note_batch
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
@@ -100,8 +106,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     versions = versions_of(root)
     context = open_grading(root)
     decided = read_whose(whose or (), files, context.register)
-    order = None if pattern is None else path_pattern(pattern, context.register)
-    context = replace(context, whose=decided, pattern=order, either_version=either_version)
+    context = replace(
+        context,
+        whose=decided,
+        pattern=None if pattern is None else path_pattern(pattern, context.register),
+        either_version=either_version,
+    )
     if recalculate:
         context = recalculating(context, workers)
     times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
@@ -120,7 +130,9 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     ):
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
-        graded = keep(graded, context, place, datetime.now(UTC), times)
+        signed = Signed(by or getpass.getuser(), datetime.now(UTC), why)
+        graded = keep(graded, context, place, signed.done_at, times)
+        note_batch(place, context.course.id, len(graded), signed)
         if not grades_only:
             tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(

@@ -16,6 +16,7 @@ from gripcourse.cli.options import (
     CourseOption,
     DateOption,
     LanguageOption,
+    LinkDaysOption,
     OutOption,
     TableOption,
     WorkersOption,
@@ -50,6 +51,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
         datetime | None,
         typer.Option(formats=["%Y-%m-%d"], help="Last day for handing in; default: as it was."),
     ] = None,
+    link_days: LinkDaysOption = 0,
     by: ByOption = None,
     on: DateOption = None,
     workers: WorkersOption = PROCESSORS,
@@ -70,6 +72,7 @@ def reissue(  # noqa: PLR0913 (one parameter per option)
         out=out,
         today=day_of(on),
         deadline=deadline.date() if deadline else None,
+        link_days=link_days,
     )
     say_limits(words)
     with cli_text.progress() as step:

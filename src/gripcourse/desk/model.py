@@ -64,6 +64,25 @@ class RegradeRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class GradedBatch:
+    """Files were graded into the gradebook.
+
+    Attributes:
+        number: counts from 1.
+        files: how many.
+        by: who had them graded.
+        why: may be empty.
+        at: the time of the attempts that it added.
+    """
+
+    number: int
+    files: int
+    by: str
+    why: str
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
 class Publication:
     """Results were published, or the last publication was withdrawn, by whom and why."""
 

@@ -51,6 +51,17 @@ publications = Table(
     Column("why", Text, nullable=False),
     Column("at", DateTime, nullable=False),
 )
+# Its time is that of the attempts which it added to the gradebook.
+batches = Table(
+    "desk_batch",
+    metadata,
+    Column("course", String, primary_key=True),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("files", Integer, nullable=False),
+    Column("by", String, nullable=False),
+    Column("why", Text, nullable=False),
+    Column("at", DateTime, nullable=False),
+)
 sign_ins = Table(
     "desk_sign_in",
     metadata,

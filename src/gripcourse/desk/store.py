@@ -9,7 +9,7 @@ from typing import Any, Final, TypeVar
 from sqlalchemy import Engine, Table, func, insert, select
 
 from gripcourse.desk import schema
-from gripcourse.desk.model import HandIn, LoggedCheck, Publication, RegradeRequest
+from gripcourse.desk.model import GradedBatch, HandIn, LoggedCheck, Publication, RegradeRequest
 from gripcourse.errors import GradebookError
 from gripcourse.machine.database.opening import (
     another_was_faster,
@@ -85,6 +85,15 @@ class Desk:
     def publications(self) -> tuple[Publication, ...]:
         """Return all publications and withdrawals, oldest first; the last one counts."""
         return self._rows(schema.publications, Publication, None)
+
+    def add_batch(self, files: int, by: str, why: str, now: datetime) -> GradedBatch:
+        """Keep that files were graded into the gradebook."""
+        row = {"files": files, "by": by, "why": why, "at": _utc(now)}
+        return GradedBatch(**_plain(self._append(schema.batches, {}, row)))
+
+    def batches(self) -> tuple[GradedBatch, ...]:
+        """Return all batches, oldest first."""
+        return self._rows(schema.batches, GradedBatch, None)
 
     def add_sign_in(self, token: str, name: str, expires: datetime) -> None:
         """Keep that a token lets somebody sign in once."""
@@ -182,6 +191,14 @@ class Desk:
 def open_desk(place: str, course: str) -> Desk:
     """Open the desk of a course; see `database.opening`."""
     return Desk(open_engine(place), course)
+
+
+def batches_by_time(engine: Engine) -> dict[datetime, GradedBatch]:
+    """Return the batches of every course of a database by the time of their attempts."""
+    with refusals_named(without_password(engine.url)), engine.connect() as connection:
+        found = connection.execute(select(schema.batches)).mappings()
+        batches = [GradedBatch(**_plain(dict(row))) for row in found]
+    return {one.at: one for one in batches}
 
 
 def digest_of(token: str) -> str:

@@ -121,7 +121,7 @@ def _read_scalar(kind: Any, plain: Any, place: str, problems: list[Problem]) -> 
     read: Callable[[Any], Any] = getattr(kind, "fromisoformat", kind)
     try:
         return read(plain)
-    except ValueError:
+    except (ValueError, OverflowError):
         return _refuse(place, wanted, problems)
 
 

@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from typing import Any, ClassVar
 
 from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
-from gripcourse.grading.model import Against, Decision, Finding, KnownBy, Outcome, Report
-from gripcourse.text.words import Message, Words
+from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
+from gripcourse.text.words import LANGUAGES, Message, Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +102,14 @@ class FlagResult:
         message: a sentence.
         others: ids of other students whom it concerns, the likeliest first.
         rests_on: ids of the quantities that are the evidence, the strongest first.
+        in_languages: the same sentence in every language, by its code.
     """
 
     code: str
     message: str
     others: tuple[str, ...] = ()
     rests_on: tuple[str, ...] = ()
+    in_languages: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,10 +258,7 @@ def report_result(report: Report, words: Words) -> ReportResult:
         score=report.score if report.judged else None,
         max_score=report.max_score if report.judged else None,
         open_points=report.open_points,
-        flags=tuple(
-            FlagResult(one.code, words.say(one.message), one.others, one.rests_on)
-            for one in report.flags
-        ),
+        flags=tuple(_flag_result(one, words) for one in report.flags),
         remarks=_said(report.remarks, words),
         causes=tuple(
             CauseResult(one.quantity, one.explains, words.say(one.message)) for one in report.causes
@@ -273,6 +272,12 @@ def report_result(report: Report, words: Words) -> ReportResult:
 def finite(value: float | None) -> float | None:
     """Return a number that JSON can hold, None for none."""
     return value if value is not None and math.isfinite(value) else None
+
+
+def _flag_result(flag: Flag, words: Words) -> FlagResult:
+    in_languages = {language: Words(language).say(flag.message) for language in LANGUAGES}
+    said = words.say(flag.message)
+    return FlagResult(flag.code, said, flag.others, flag.rests_on, in_languages)
 
 
 def _finding_result(finding: Finding, words: Words) -> FindingResult:

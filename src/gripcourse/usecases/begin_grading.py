@@ -1,4 +1,7 @@
-"""Grading what was handed in, begun by a server: the command of the command line, by itself."""
+"""Grading what was handed in, begun by a server: the command of the command line, by itself.
+
+Who had files graded is kept, whoever began it where.
+"""
 
 import shutil
 import subprocess
@@ -6,7 +9,10 @@ import sys
 from pathlib import Path
 from typing import Final
 
+from gripcourse.desk.store import open_desk
 from gripcourse.errors import Problem, UsageError
+from gripcourse.gradebook.journal import Signed
+from gripcourse.machine.database.home import exists
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.hand_in import collect_hand_ins
@@ -16,13 +22,33 @@ _WORK: Final = ".grading"
 _LOG: Final = "grading.log"
 
 
-def begin_grading(context: DeskContext, graded: Path, workers: int) -> "subprocess.Popen[bytes]":
+def note_batch(place: str, course: str, files: int, signed: Signed) -> None:
+    """Keep by whom, when and why files were graded.
+
+    Args:
+        place: of the gradebook; where there is none, nothing was kept of the files either.
+        course: id.
+        files: how many.
+        signed: at the time of the attempts that the gradebook keeps of them.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+    """
+    if exists(place):
+        open_desk(place, course).add_batch(files, signed.person, signed.why, signed.done_at)
+
+
+def begin_grading(
+    context: DeskContext, graded: Path, workers: int, by: str, why: str = ""
+) -> "subprocess.Popen[bytes]":
     """Collect the last workbook of everybody, and begin to grade them.
 
     Args:
         context: of the course.
         graded: folder of the results; what an earlier run found out there is taken over.
         workers: processes that open the workbooks.
+        by: who has them graded.
+        why: in a few words; may be empty.
 
     Raises:
         UsageError: nobody has handed in a workbook.
@@ -37,7 +63,7 @@ def begin_grading(context: DeskContext, graded: Path, workers: int) -> "subproce
     command = [
         *(sys.executable, "-m", "gripcourse", "grade", str(work), "--quiet"),
         *("--course", str(context.course.root), "--out", str(graded)),
-        *("--workers", str(workers)),
+        *("--workers", str(workers), f"--by={by}", f"--why={why}"),
     ]
     # Who handed a file in is known by the link that it came by, whatever the file says.
     command += [f"--whose={path}={student}" for student, path in collected.items()]

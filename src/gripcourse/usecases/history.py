@@ -4,6 +4,8 @@ from collections.abc import Container, Iterator
 from dataclasses import dataclass
 from datetime import datetime
 
+from gripcourse.desk.model import GradedBatch
+from gripcourse.desk.store import batches_by_time
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry
@@ -23,7 +25,7 @@ class Event:
 
     Attributes:
         at: when.
-        person: who did it; empty where the program graded.
+        person: who did it; empty where files were graded and nobody said by whom.
         what: happened.
         why: in the words of the person; empty for none.
     """
@@ -64,7 +66,8 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
                 else message("Regrade {number} was taken back.", number=one.undoes)
             )
             events.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
-    events += [_of_attempt(one) for one in attempts]
+    batches = batches_by_time(book.engine)
+    events += [_of_attempt(one, batches.get(one.graded_at)) for one in attempts]
     events += [_of_mark(entry) for entry in book.entries({student})]
     for told in publications(book):
         if told.student == student:
@@ -96,7 +99,7 @@ def versions_text(attempt: Attempt) -> str:
     return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
 
 
-def _of_attempt(attempt: Attempt) -> Event:
+def _of_attempt(attempt: Attempt, batch: GradedBatch | None) -> Event:
     said = " ".join(_parts(attempt))
     if not attempt.judged:
         what = message("Attempt {number}, {file}: not judged.", number=attempt.number, file=said)
@@ -109,7 +112,8 @@ def _of_attempt(attempt: Attempt) -> Event:
             points=round(sums.score, _DECIMALS),
             most=round(sums.max_score, _DECIMALS),
         )
-    return Event(attempt.graded_at, "", what, "")
+    person, why = ("", "") if batch is None else (batch.by, batch.why)
+    return Event(attempt.graded_at, person, what, why)
 
 
 def _parts(attempt: Attempt) -> Iterator[str]:

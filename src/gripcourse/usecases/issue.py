@@ -135,7 +135,7 @@ def issue_order(
     )
     by_student = extended.register.by_student()
     entries = [by_student[student.id] for student in students]
-    links = _links(course, policy, terms.key, order) if order.link_days else {}
+    links = links_on_sheets(course, policy, terms.key, order.today, order.link_days)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     made_key = _key_notes(course) if known is None else ()
     notes = (*made_key, *roster.notes, *extended.notes)
@@ -143,11 +143,23 @@ def issue_order(
     return Issuing(handouts, notes, extended.outdated)
 
 
-def _links(course: Course, policy: Policy, key: bytes, order: Order) -> Mapping[str, str]:
-    """Return the personal links that stand on the sheets; the same for the same day."""
+def links_on_sheets(
+    course: Course, policy: Policy, key: bytes, today: date, days: int
+) -> Mapping[str, str]:
+    """Return the personal links that stand on the sheets, by student; the same for the same day.
+
+    Args:
+        course: of everything that was issued.
+        policy: of the course.
+        key: of the course.
+        today: day of the issue.
+        days: that the links are good for; 0 for sheets without one.
+    """
+    if not days:
+        return {}
     context = DeskContext(course, policy, key, open_desk(home_of(course.root), course.id))
-    issued_at = datetime.combine(order.today, time(), UTC)
-    links = make_links(context, "", order.link_days, issued_at)
+    issued_at = datetime.combine(today, time(), UTC)
+    links = make_links(context, "", days, issued_at)
     return {one.issued.student.id: one.address for one in links}
 
 

@@ -21,7 +21,14 @@ from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import message
 from gripcourse.usecases.declarations import keep_declarations
 from gripcourse.usecases.handout import IssuingContext, issue_one
-from gripcourse.usecases.issue import IssueOne, Issuing, refuse_past, write_handouts
+from gripcourse.usecases.issue import (
+    IssueOne,
+    Issuing,
+    links_on_sheets,
+    refuse_past,
+    write_handouts,
+)
+from gripcourse.usecases.links import address_of
 from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
@@ -37,6 +44,8 @@ class CorrectedOrder:
         out: folder to write the students' folders to.
         today: day of the issue.
         deadline: last day for handing in; None for everybody's own.
+        link_days: how many days from `today` the personal link on each sheet is good for; 0 for
+            sheets without one.
     """
 
     correction: Correction
@@ -44,6 +53,7 @@ class CorrectedOrder:
     out: Path
     today: date
     deadline: date | None
+    link_days: int = 0
 
 
 def reissue_order(
@@ -69,6 +79,8 @@ def reissue_order(
         GripcourseError: something cannot be used or cannot be done; nothing was written.
     """
     refuse_past(order.deadline, order.today)
+    if order.link_days:
+        address_of(course)
     before = read_register(course.root, course.id)
     key = key_of(key_path(course.root), issued=bool(before.entries))
     if key is None:
@@ -86,7 +98,8 @@ def reissue_order(
     make_private_folder(order.out)
     keep_declarations(course.root)
     extended = extend_register(course.root, course.id, change)
-    context = IssuingContext(course, policy, partial(plan_of, course), order.out)
+    links = links_on_sheets(course, policy, key, order.today, order.link_days)
+    context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     entries = _fresh(extended.register, order)
     return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
 

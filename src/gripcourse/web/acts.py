@@ -22,6 +22,7 @@ from gripcourse.web.uploads import count
 
 LONGEST_SENTENCE: Final = 1000
 LONGEST_REASON: Final = 300
+ALREADY_SO: Final = message("That is marked just so already.")
 
 
 def check(
@@ -96,7 +97,7 @@ def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:
     if site.graded is None:
         return NOT_FOUND
     try:
-        return publish(site.context, site.graded, by, _reason(why), site.clock())
+        return publish(site.context, site.graded, by, reason(why), site.clock())
     except GradebookError:
         raise
     except GripcourseError as error:
@@ -106,12 +107,13 @@ def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:
 def take_back(site: Site, by: str, why: str) -> Publication | WebRefusal:
     """Let students see nothing any more."""
     try:
-        return withdraw(site.context, by, _reason(why), site.clock())
+        return withdraw(site.context, by, reason(why), site.clock())
     except GradebookError:
         raise
     except GripcourseError as error:
         return refusal_of_problem(error, Code.CONFLICT)
 
 
-def _reason(why: str) -> str:
+def reason(why: str) -> str:
+    """Return a reason as it is kept: one line, not too long."""
     return shown(" ".join(why.split()))[:LONGEST_REASON]

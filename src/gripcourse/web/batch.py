@@ -54,11 +54,25 @@ class OwnBatch:
 
 @dataclass(frozen=True, slots=True)
 class FoundFlag:
-    """Something a person should look at: a sentence, whom else it concerns, and by what numbers."""
+    """Something a person should look at.
 
+    Attributes:
+        code: why.
+        message: a sentence, in the language of the batch.
+        others: ids of other students whom it concerns.
+        rests_on: ids of the quantities that are the evidence.
+        in_languages: the sentence by language; empty in results of an earlier program.
+    """
+
+    code: str
     message: str
     others: tuple[str, ...]
     rests_on: tuple[str, ...]
+    in_languages: Mapping[str, str]
+
+    def said(self, language: str) -> str:
+        """Return the sentence in a reader's language, else as the batch wrote it."""
+        return self.in_languages.get(language, self.message)
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,4 +147,10 @@ def _work(report: Mapping[str, Any]) -> BatchWork:
 def _flag(plain: Mapping[str, Any]) -> FoundFlag:
     # Results of an earlier program name nobody.
     others: Sequence[str] = plain.get("others", ())
-    return FoundFlag(plain["message"], tuple(others), tuple(plain.get("rests_on", ())))
+    return FoundFlag(
+        code=plain["code"],
+        message=plain["message"],
+        others=tuple(others),
+        rests_on=tuple(plain.get("rests_on", ())),
+        in_languages=plain.get("in_languages", {}),
+    )

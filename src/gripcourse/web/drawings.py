@@ -24,7 +24,7 @@ from gripcourse.web.site import Site
 
 PICTURES: Final = ".pictures"
 """Folder of what was painted, among what is private; hidden, so that no backup carries it."""
-_NOT_SHOWN: Final = WebRefusal(
+NOT_SHOWN: Final = WebRefusal(
     Code.NOT_USABLE, message("This drawing cannot be shown. Download it to look at it.")
 )
 
@@ -57,17 +57,17 @@ def drawing_picture(seat: Seat) -> Response:
     kept = acts.kept_file(seat.site, str(path["student"]), int(path["number"]))
     if kept is None or not kept.is_drawing:
         return seat.refuse(NOT_FOUND)
-    painted = _painted(seat.site, kept, int(path["page"]))
-    if painted is None:
-        return seat.refuse(_NOT_SHOWN)
+    picture = painted(seat.site, kept, int(path["page"]))
+    if picture is None:
+        return seat.refuse(NOT_SHOWN)
     headers = {"Cache-Control": "private, max-age=3600"}
-    return FileResponse(painted[0], media_type="image/png", headers=headers)
+    return FileResponse(picture[0], media_type="image/png", headers=headers)
 
 
 def shown_drawing(seat: Seat, kept: HandIn, page: int) -> ShownDrawing:
     """Paint a page of a drawing, and return what a page of the desk needs to show it."""
-    painted = _painted(seat.site, kept, page)
-    pages = None if painted is None else painted[1]
+    picture = painted(seat.site, kept, page)
+    pages = None if picture is None else picture[1]
     page = page if pages is not None and 1 <= page <= pages else 1
     student = quote(kept.student, safe="")
     address = f"{seat.home}student/{student}/drawing/{kept.number}/{page}.png"
@@ -80,7 +80,7 @@ def drawings_of(hand_ins: Iterable[HandIn]) -> tuple[HandIn, ...]:
     return tuple(sorted(last.values(), key=lambda one: one.number, reverse=True))
 
 
-def _painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:
+def painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:
     """Return the picture of a page and how many pages there are; it is painted once."""
     folder = site.context.private / PICTURES
     kind = PurePath(kept.name).suffix.lower().removeprefix(".")

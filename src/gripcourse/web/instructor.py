@@ -110,7 +110,7 @@ def student(seat: Seat) -> Response:
         "marks": [entry.mark for entry in book.entries({id_})],
         "requests": context.desk.requests(id_),
         "report": published is not None and published.pdf is not None,
-        "flags": flags_of(seat, id_),
+        "flags": flags_of(seat.site, seat.words, id_),
         "titles": titles_of(context, seat.words),
     }
     return seat.page("student", values)

@@ -13,27 +13,24 @@ from starlette.routing import Route
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import UsageError
 from gripcourse.gradebook.enter import Draft
-from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.waiting import Waiting
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.rubric import Rubric
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import Words
+from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.hand_in import receipt_of
-from gripcourse.usecases.mark import enter_mark, what_waits
-from gripcourse.usecases.opening import grading_of
+from gripcourse.usecases.mark import what_waits
 from gripcourse.variants.model import Issued
+from gripcourse.web.desk_acts import keep_mark, marks_seen
 from gripcourse.web.drawings import drawings_of, shown_drawing
-from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
+from gripcourse.web.refusals import NOT_FOUND, WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
 _LINE: Final = "line:"
-_LONGEST_COMMENT: Final = 2000
+LONGEST_COMMENT: Final = 2000
 _LONGEST_NUMBER: Final = 5
-_MARKED_MEANWHILE: Final = WebRefusal(
-    Code.CONFLICT, message("Somebody marked this item since you opened it. Look at it again.")
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +62,7 @@ def marking_routes(site: Site) -> list[Route]:
 
 def waiting_items(seat: Seat) -> Response:
     """Show everything that waits for a person."""
-    found = [_item(seat, one) for one in _waiting(seat)]
+    found = [to_mark(seat.site.context, one) for one in _waiting(seat)]
     items = [
         {
             "address": _address(seat, one.issued.student.id, one.quantity.id),
@@ -89,28 +86,26 @@ def mark(seat: Seat) -> Response:
     here = _place(seat)
     following = _neighbour(_waiting(seat), here, 1)
     texts = seat.sent.texts
-    if texts.get("seen") != _seen(seat):
-        return seat.refuse(_MARKED_MEANWHILE)
     lines = {
         name.removeprefix(_LINE): _number(text)
         for name, text in texts.items()
         if name.startswith(_LINE)
     }
-    context = seat.site.context
     draft = Draft(
         student=here[0],
         quantity=here[1],
         lines=lines,
         credit=_number(texts["credit"]) if texts.get("credit") else None,
-        comment=texts.get("comment", "").strip()[:_LONGEST_COMMENT],
+        comment=texts.get("comment", "").strip()[:LONGEST_COMMENT],
     )
-    place, grading = home_of(context.course.root), grading_of(context.course, context.policy)
     try:
-        enter_mark(draft, grading, place, seat.name, seat.site.clock())
+        made = keep_mark(seat.site, seat.name, draft, texts.get("seen"))
     except UsageError as refused:
         words = seat.words
         said = [f"{words.say(one.what)} {words.say(one.remedy)}" for one in refused.problems]
         return _shown(seat, texts, said)
+    if isinstance(made, WebRefusal):
+        return seat.refuse(made)
     address = f"{seat.home}marking" if following is None else _address(seat, *following)
     return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
@@ -118,7 +113,7 @@ def mark(seat: Seat) -> Response:
 def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Response:
     waits, here = _waiting(seat), _place(seat)
     wanted = next((one for one in waits if (one.student, one.quantity) == here), None)
-    item = None if wanted is None else _item(seat, wanted)
+    item = None if wanted is None else to_mark(seat.site.context, wanted)
     if item is None:
         return seat.refuse(NOT_FOUND)
     context = seat.site.context
@@ -136,7 +131,7 @@ def _shown(seat: Seat, typed: Mapping[str, str], faults: Sequence[str]) -> Respo
         "again": item.again,
         "rubric": None if item.rubric is None else _form(item.rubric, typed, seat.words),
         "place": _address(seat, *here),
-        "seen": _seen(seat),
+        "seen": marks_seen(seat.site, *here),
         "number": [(one.student, one.quantity) for one in waits].index(here) + 1,
         "count": len(waits),
         "previous": None if neighbours[-1] is None else _address(seat, *neighbours[-1]),
@@ -172,9 +167,8 @@ def _form(rubric: Rubric, typed: Mapping[str, str], words: Words) -> dict[str, o
     return {"title": rubric.title.of(words.language), "lines": lines}
 
 
-def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:
+def to_mark(context: DeskContext, waits: Waiting) -> ItemToMark | None:
     """Return what is to be marked; None where its student is in the register no longer."""
-    context = seat.site.context
     issued = context.register().get(waits.student)
     if issued is None:
         return None
@@ -185,13 +179,6 @@ def _item(seat: Seat, waits: Waiting) -> ItemToMark | None:
     by_rubric = waits.outcome.traits.by_rubric
     rubric = context.policy.rubrics[quantity.rubric] if by_rubric else None
     return ItemToMark(issued, quantity, rubric, waits.again)
-
-
-def _seen(seat: Seat) -> str:
-    """Say which marks of the item there are: who marks in another tab changes it."""
-    student, item = _place(seat)
-    entries = Gradebook(seat.site.context.desk.engine).entries({student})
-    return str(sum(one.mark.quantity == item for one in entries))
 
 
 def _waiting(seat: Seat) -> tuple[Waiting, ...]:

@@ -8,17 +8,16 @@ from typing import Final
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import Route
 
-from gripcourse.errors import GradebookError, GripcourseError
 from gripcourse.solver.plan import plan_of
 from gripcourse.solver.solve import solve_variant
-from gripcourse.text.words import Words, message
-from gripcourse.usecases.begin_grading import begin_grading
+from gripcourse.text.words import Words
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.figures import Facility, group_figures
 from gripcourse.usecases.progress import batch_progress
 from gripcourse.variants.model import Issued
 from gripcourse.web.batch import BatchWork, FoundFlag
-from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.desk_acts import begin_batch
+from gripcourse.web.refusals import NOT_FOUND
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
@@ -26,6 +25,7 @@ _HARDEST: Final = 12
 _OTHERS: Final = 3  # works that one flag lays beside
 _NUMBERS: Final = 12
 _SECONDS: Final = 3
+_BATCHES: Final = 10  # that the page of grading names
 _FIGURES: Final = 7
 
 
@@ -46,9 +46,11 @@ class LaidBeside:
 
 @dataclass(frozen=True, slots=True)
 class ShownFlag:
-    """A flag with its evidence."""
+    """A flag with its evidence, and the language that its sentence is in."""
 
+    code: str
     message: str
+    language: str
     beside: tuple[LaidBeside, ...]
 
 
@@ -79,10 +81,14 @@ def figures(seat: Seat) -> Response:
 
 def flags(seat: Seat) -> Response:
     """Show whose work somebody should look at."""
-    batch, register = seat.site.batches.read(seat.site.graded), seat.site.context.register()
+    site = seat.site
+    batch, register = site.batches.read(site.graded), site.context.register()
     works = () if batch is None else batch.flagged
     names = {id_: issued.student.name or id_ for id_, issued in register.items()}
-    return seat.page("flags", {"batch": batch, "works": works, "names": names})
+    said = [
+        (work, [said_of(site.context, seat.words, flag) for flag in work.flags]) for work in works
+    ]
+    return seat.page("flags", {"batch": batch, "works": said, "names": names})
 
 
 def grading(seat: Seat) -> Response:
@@ -102,6 +108,7 @@ def grading(seat: Seat) -> Response:
         "last": None if batch is None else batch.at,
         "graded": 0 if batch is None else len(batch.works),
         "waiting": len({one.student for one in hand_ins if not one.is_drawing}),
+        "batches": site.context.desk.batches()[: -_BATCHES - 1 : -1],
     }
     response = seat.page("grading", values)
     if runs and live:
@@ -111,36 +118,31 @@ def grading(seat: Seat) -> Response:
 
 def grading_begun(seat: Seat) -> Response:
     """Begin to grade what was handed in."""
-    site = seat.site
-    if site.graded is None:
-        return seat.refuse(NOT_FOUND)
-    with site.own_batch.lock:
-        progress = batch_progress(site.graded)
-        running = progress is not None and not progress.is_silent(site.clock())
-        if running or site.own_batch.runs:
-            said = message("A batch is being graded already. Wait until it has ended.")
-            return seat.refuse(WebRefusal(Code.CONFLICT, said))
-        try:
-            site.own_batch.began(begin_grading(site.context, site.graded, site.checkers.workers))
-        except GradebookError:
-            raise
-        except GripcourseError as error:
-            return seat.refuse(refusal_of_problem(error, Code.CONFLICT))
+    refused = begin_batch(seat.site, seat.name, seat.sent.texts.get("why", ""))
+    if refused is not None:
+        return seat.refuse(refused)
     return RedirectResponse(f"{seat.home}grading?live=yes", HTTPStatus.SEE_OTHER)
 
 
-def flags_of(seat: Seat, student: str) -> tuple[ShownFlag, ...]:
+def flags_of(site: Site, words: Words, student: str) -> tuple[ShownFlag, ...]:
     """Return the flags of a student with their evidence."""
-    batch = seat.site.batches.read(seat.site.graded)
+    batch = site.batches.read(site.graded)
     if batch is None:
         return ()
     return tuple(
-        _shown(seat, work, flag, batch.works) for work in batch.of(student) for flag in work.flags
+        _shown(site.context, words, work, flag, batch.works)
+        for work in batch.of(student)
+        for flag in work.flags
     )
 
 
-def _shown(seat: Seat, work: BatchWork, flag: FoundFlag, works: tuple[BatchWork, ...]) -> ShownFlag:
-    context, words = seat.site.context, seat.words
+def _shown(
+    context: DeskContext,
+    words: Words,
+    work: BatchWork,
+    flag: FoundFlag,
+    works: tuple[BatchWork, ...],
+) -> ShownFlag:
     register, titles = context.register(), titles_of(context, words)
     others = {one.student: one for one in works}
     own = register.get(work.student)
@@ -163,7 +165,13 @@ def _shown(seat: Seat, work: BatchWork, flag: FoundFlag, works: tuple[BatchWork,
             for one in flag.rests_on[:_NUMBERS]
         )
         beside.append(LaidBeside(id_, "" if issued is None else issued.student.name or id_, rows))
-    return ShownFlag(flag.message, tuple(beside))
+    return ShownFlag(flag.code, *said_of(context, words, flag), tuple(beside))
+
+
+def said_of(context: DeskContext, words: Words, flag: FoundFlag) -> tuple[str, str]:
+    """Return a flag's sentence, and its language: the course's in results of an earlier program."""
+    known = words.language in flag.in_languages
+    return flag.said(words.language), words.language if known else context.course.language
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,26 +1,23 @@
 """Regrading at the desk: shown first, applied with a reason as it was shown, taken back."""
 
-import hashlib
-from collections.abc import Callable
 from http import HTTPStatus
-from pathlib import PurePath
 
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import Route
 
-from gripcourse.errors import GradebookError, GripcourseError
 from gripcourse.gradebook.journal import Signed, applied, regrades
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.machine.content import NamedBytes
-from gripcourse.machine.database.home import home_of
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import message
-from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import kept_path
-from gripcourse.usecases.opening import grading_of
-from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
-from gripcourse.web.refusals import Code, WebRefusal, refusal_of_problem
+from gripcourse.usecases.regrade import Regrading
+from gripcourse.web.desk_acts import (
+    apply_shown,
+    digest_of_changes,
+    regrading_now,
+    signed_by,
+    take_last_back,
+)
+from gripcourse.web.refusals import WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
@@ -42,56 +39,20 @@ def regrading(seat: Seat) -> Response:
 
 def regrading_preview(seat: Seat) -> Response:
     """Grade everything that was handed in again, and show what would change."""
-    return _page(seat, _found(seat))
+    return _page(seat, regrading_now(seat.site))
 
 
 def regrading_applied(seat: Seat) -> Response:
     """Let it count, if it still comes to what was shown."""
-    found, texts = _found(seat), seat.sent.texts
-    if texts.get("seen") != digest_of_changes(found):
-        said = message("It comes to something else than was shown by now. Look at it again.")
-        return seat.refuse(WebRefusal(Code.CONFLICT, said))
+    texts = seat.sent.texts
     lower = texts.get("allow_lower") == "yes"
-    return _done(seat, lambda signed, place: apply_regrade(found, place, signed, allow_lower=lower))
+    made = apply_shown(seat.site, _signed(seat), texts.get("seen"), allow_lower=lower)
+    return _done(seat, made)
 
 
 def regrading_undone(seat: Seat) -> Response:
     """Take the last regrade that stands back."""
-    return _done(seat, lambda signed, place: undo_regrade(place, signed))
-
-
-def digest_of_changes(found: Regrading) -> str:
-    """Return a name for what would change, the same for the same."""
-    changes = [
-        (one.work.student, one.work.digest, one.items, one.before, one.after, one.published)
-        for one in found.to_apply
-    ]
-    return hashlib.sha256(repr(changes).encode()).hexdigest()
-
-
-def works_handed_in(context: DeskContext) -> list[NamedBytes]:
-    """Return every workbook that was handed in, called like its student, each once.
-
-    Raises:
-        OSError: one cannot be read.
-    """
-    works = (one for one in context.desk.hand_ins() if not one.is_drawing)
-    files = {(one.student, one.digest): one for one in works}
-    return [
-        NamedBytes(
-            f"{student}{PurePath(one.name).suffix.lower()}", kept_path(context, digest).read_bytes()
-        )
-        for (student, digest), one in files.items()
-    ]
-
-
-def _found(seat: Seat) -> Regrading:
-    context = seat.site.context
-    grading, place = grading_of(context.course, context.policy), home_of(context.course.root)
-    files, workers = works_handed_in(context), seat.site.checkers.workers
-    # A file is never opened by the server itself, but where a test wants everything in one process.
-    workers = 0 if seat.site.checkers.pool is None else workers
-    return regrade(files, grading, place, workers, seat.site.clock())
+    return _done(seat, take_last_back(seat.site, _signed(seat)))
 
 
 def _page(seat: Seat, found: Regrading | None) -> Response:
@@ -117,12 +78,11 @@ def _page(seat: Seat, found: Regrading | None) -> Response:
     return seat.page("regrading", values)
 
 
-def _done(seat: Seat, act: Callable[[Signed, str], object]) -> Response:
-    signed = Signed(seat.name, seat.site.clock(), seat.sent.texts.get("why", "").strip())
-    try:
-        act(signed, home_of(seat.site.context.course.root))
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return seat.refuse(refusal_of_problem(error, Code.CONFLICT))
+def _signed(seat: Seat) -> Signed:
+    return signed_by(seat.site, seat.name, seat.sent.texts.get("why", ""))
+
+
+def _done(seat: Seat, made: object) -> Response:
+    if isinstance(made, WebRefusal):
+        return seat.refuse(made)
     return RedirectResponse(f"{seat.home}regrading", HTTPStatus.SEE_OTHER)

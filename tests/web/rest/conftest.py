@@ -1,6 +1,8 @@
 """A server that programs ask, with something in it."""
 
+import subprocess
 from dataclasses import dataclass
+from shutil import which
 from typing import TYPE_CHECKING
 
 import pytest
@@ -36,6 +38,14 @@ class Api:
                 graded=server.graded,
             )
         )
+
+    def batches_end_at_once(self, patch: pytest.MonkeyPatch) -> None:
+        """Let a batch that is begun be a process that does nothing."""
+
+        def begun(*_: object) -> "subprocess.Popen[bytes]":
+            return subprocess.Popen([which("true") or ""])  # noqa: S603 (of this machine)
+
+        patch.setattr("gripcourse.web.desk_acts.begin_grading", begun)
 
     def client(self) -> TestClient:
         """Return a program that asks it."""

@@ -7,7 +7,7 @@ import pytest
 
 from gripcourse.desk.links import SignedLink, link_text
 from gripcourse.web.rest.app import OPERATIONS, REST
-from gripcourse.web.rest.declare import ApiOperation, TokenRole
+from gripcourse.web.rest.declare import PLACES, ApiOperation, TokenRole
 
 if TYPE_CHECKING:
     from httpx2 import Response
@@ -23,7 +23,7 @@ EVERY = pytest.mark.parametrize("operation", OPERATIONS, ids=lambda one: f"{one.
 def ask(
     client: "TestClient", operation: ApiOperation, token: str | None, scheme: str = "Bearer"
 ) -> "Response":
-    path = operation.path.replace("{number:int}", "1").replace("{student}", "s03")
+    path = PLACES.sub(lambda place: "1" if place[2] else "s03", operation.path)
     headers = {} if token is None else {"Authorization": f"{scheme} {token}"}
     return client.request(operation.method, f"{REST}{path}", headers=headers)
 

@@ -199,6 +199,72 @@ def test_results_are_told_from_publication_to_withdrawal_without_any_reference(
     assert (again.status_code, again.json()["code"]) == (409, "conflict")
 
 
+def test_items_are_marked_once_by_their_rubric_and_as_they_were_seen(
+    api: "Api", server: "Server", filled: bytes, tmp_path: Path
+) -> None:
+    student(api, "s01").ask("POST", "/hand-ins", files={"file": ("work.xlsx", filled)})
+    server.grade(tmp_path)
+    desk = instructor(api)
+    first = next(
+        one
+        for one in desk.ask("GET", "/desk/marking").json()["items"]
+        if one["student"] == "s01" and one["item"] != "general_view_drawing"
+    )
+    described, path = "/desk/marking/{student}/{item}", f"/desk/marking/s01/{first['item']}"
+    shown = desk.ask("GET", path, described).json()
+    assert shown["waiting"] == first
+    lines = {
+        one["id"]: one["levels"][-1]["credit"] if one["levels"] else 1 for one in shown["rubric"]
+    }
+    wish = {"seen": shown["seen"], "lines": lines, "comment": "good"}
+    wrong = desk.ask("POST", path, described, json={**wish, "lines": {"nothing": 10**400}})
+    assert (wrong.status_code, wrong.json()["code"]) == (422, "not_usable")
+    unknown = desk.ask("POST", path, described, json={**wish, "lines": {"nothing": 1}})
+    assert unknown.json()["places"]
+    made = desk.ask("POST", path, described, json=wish)
+    assert (made.status_code, made.json()["marker"]) == (201, "Dr. Ноль")
+    again = desk.ask("POST", path, described, json=wish)
+    assert (again.status_code, again.json()["code"]) == (409, "conflict")
+    assert desk.ask("GET", path, described).status_code == 404
+    withdrawn = {"seen": str(int(shown["seen"]) + 1), "withdraw": True, "comment": "by mistake"}
+    assert desk.ask("POST", path, described, json=withdrawn).json()["credit"] is None
+
+
+def test_a_regrade_is_seen_before_it_counts_and_needs_a_reason(
+    api: "Api", server: "Server", filled: bytes, tmp_path: Path
+) -> None:
+    student(api, "s01").ask("POST", "/hand-ins", files={"file": ("work.xlsx", filled)})
+    server.grade(tmp_path)
+    desk = instructor(api)
+    seen = desk.ask("POST", "/desk/regrading").json()["seen"]
+    path = "/desk/regrading/apply"
+    stale = desk.ask("POST", path, json={"seen": "other", "why": "x"})
+    assert (stale.status_code, stale.json()["code"]) == (409, "conflict")
+    assert desk.ask("POST", path, json={"seen": seen, "why": " "}).status_code == 409
+    assert desk.ask("POST", path, json={"seen": seen, "why": "new policy"}).status_code == 201
+    assert desk.ask("GET", "/desk/regrading").json()["regrades"] == []
+    assert desk.ask("POST", "/desk/regrading/undo", json={"why": "x"}).status_code == 409
+
+
+def test_a_batch_is_begun_once_and_figures_and_flags_are_those_of_the_pages(
+    api: "Api", server: "Server", monkeypatch: pytest.MonkeyPatch, filled: bytes, tmp_path: Path
+) -> None:
+    student(api, "s01").ask("POST", "/hand-ins", files={"file": ("work.xlsx", filled)})
+    server.grade(tmp_path)
+    api.batches_end_at_once(monkeypatch)
+    desk = instructor(api)
+    server.context.desk.add_batch(3, "Dr. Ray", "first look", server.clock.now)
+    assert desk.ask("POST", "/desk/grading", json={"why": "term"}).status_code == 202
+    batch = desk.ask("GET", "/desk/grading").json()["batches"][-1]
+    assert (batch["files"], batch["by"], batch["why"]) == (3, "Dr. Ray", "first look")
+    found = desk.ask("GET", "/desk/figures").json()
+    assert found["works"] == sum(found["scores"]) == 1
+    assert desk.ask("GET", "/desk/flags").json()["at"]
+    flags = "/desk/students/{student}/flags"
+    assert desk.ask("GET", "/desk/students/s01/flags", flags).status_code == 200
+    assert desk.ask("GET", "/desk/students/nobody/flags", flags).status_code == 404
+
+
 def test_the_group_is_searched_as_on_the_page(api: "Api") -> None:
     desk = instructor(api)
 

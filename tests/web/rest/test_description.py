@@ -15,7 +15,7 @@ from gripcourse.web.rest.declare import PLACES, ApiOperation
 from web.rest.conftest import Api
 
 EXAMPLES = 4
-FIXED = {"number": 1, "student": "s02"}
+FIXED = {"number": 1, "page": 1, "student": "s02", "item": "general_view_drawing"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,8 @@ class Described:
 @pytest.fixture(scope="module")
 def described(api: Api) -> Iterator[Described]:
     app = api.app()
-    with get_client(app) as client:
+    with pytest.MonkeyPatch.context() as patch, get_client(app) as client:
+        api.batches_end_at_once(patch)
         yield Described(schemathesis.openapi.from_asgi(f"{REST}/openapi.json", app), client, api)
 
 

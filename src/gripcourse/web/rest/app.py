@@ -32,14 +32,21 @@ from gripcourse.web.refusals import (
 from gripcourse.web.rest.bodies import read_body, usable
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, StudentCall, TokenRole
 from gripcourse.web.rest.desk import DESK_OPERATIONS
+from gripcourse.web.rest.marking import MARKING_OPERATIONS
 from gripcourse.web.rest.openapi import description
 from gripcourse.web.rest.problems import NotUsable, problem
 from gripcourse.web.rest.student import STUDENT_OPERATIONS
+from gripcourse.web.rest.work import WORK_OPERATIONS
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import address_of, count
 
 REST: Final = "/api/v1"
-OPERATIONS: Final = (*STUDENT_OPERATIONS, *DESK_OPERATIONS)
+OPERATIONS: Final = (
+    *STUDENT_OPERATIONS,
+    *DESK_OPERATIONS,
+    *WORK_OPERATIONS,
+    *MARKING_OPERATIONS,
+)
 _NO_TOKEN: Final = WebRefusal(
     Code.NO_TOKEN, message("Send the token that you were given: Authorization: Bearer …")
 )
@@ -147,7 +154,7 @@ async def _desk_call(
 
 
 def _response(operation: ApiOperation, made: object, words: Words) -> Response:
-    if isinstance(made, WebRefusal):
+    if isinstance(made, WebRefusal | NotUsable):
         return problem(made, words)
     # What is described is what is sent: a declaration that lies is our mistake.
     if not isinstance(made, operation.gives):

@@ -1,0 +1,138 @@
+"""What pages of the desk and programs of instructors do alike, by one call of the library."""
+
+import hashlib
+from pathlib import PurePath
+
+from gripcourse.errors import GradebookError, GripcourseError
+from gripcourse.gradebook.enter import Draft
+from gripcourse.gradebook.journal import Regrade, Signed
+from gripcourse.gradebook.model import Attempt
+from gripcourse.gradebook.store import Gradebook
+from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.database.home import home_of
+from gripcourse.text.words import message
+from gripcourse.usecases.begin_grading import begin_grading
+from gripcourse.usecases.desk import DeskContext
+from gripcourse.usecases.hand_in import kept_path
+from gripcourse.usecases.mark import Marking, enter_mark
+from gripcourse.usecases.opening import grading_of
+from gripcourse.usecases.progress import batch_progress
+from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
+from gripcourse.web.acts import reason
+from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.site import Site
+
+_RUNS: WebRefusal = WebRefusal(
+    Code.CONFLICT, message("A batch is being graded already. Wait until it has ended.")
+)
+_OTHER_BY_NOW: WebRefusal = WebRefusal(
+    Code.CONFLICT,
+    message("It comes to something else than was shown by now. Look at it again."),
+)
+_MARKED_MEANWHILE: WebRefusal = WebRefusal(
+    Code.CONFLICT, message("Somebody marked this item since you opened it. Look at it again.")
+)
+
+
+def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
+    """Begin to grade the last workbook of everybody; None where it has begun."""
+    if site.graded is None:
+        return NOT_FOUND
+    with site.own_batch.lock:
+        progress = batch_progress(site.graded)
+        running = progress is not None and not progress.is_silent(site.clock())
+        if running or site.own_batch.runs:
+            return _RUNS
+        workers = site.checkers.workers
+        try:
+            process = begin_grading(site.context, site.graded, workers, by, reason(why))
+        except GradebookError:
+            raise
+        except GripcourseError as error:
+            return refusal_of_problem(error, Code.CONFLICT)
+        site.own_batch.began(process)
+    return None
+
+
+def marks_seen(site: Site, student: str, item: str) -> str:
+    """Say which marks of an item there are: who marks meanwhile changes it."""
+    entries = Gradebook(site.context.desk.engine).entries({student})
+    return str(sum(one.mark.quantity == item for one in entries))
+
+
+def keep_mark(site: Site, by: str, draft: Draft, seen: str | None) -> Marking | WebRefusal:
+    """Keep the mark of a person, if nobody else marked the item since it was seen.
+
+    Raises:
+        UsageError: with all that is wrong with the draft.
+    """
+    if seen != marks_seen(site, draft.student, draft.quantity):
+        return _MARKED_MEANWHILE
+    context = site.context
+    place, grading = home_of(context.course.root), grading_of(context.course, context.policy)
+    return enter_mark(draft, grading, place, by, site.clock())
+
+
+def regrading_now(site: Site) -> Regrading:
+    """Grade everything that was handed in by today's course and policy; nothing counts yet."""
+    context = site.context
+    grading, place = grading_of(context.course, context.policy), home_of(context.course.root)
+    # A file is never opened by the server itself, but where a test wants everything in one process.
+    workers = 0 if site.checkers.pool is None else site.checkers.workers
+    return regrade(works_handed_in(context), grading, place, workers, site.clock())
+
+
+def digest_of_changes(found: Regrading) -> str:
+    """Return a name for what would change, the same for the same."""
+    changes = [
+        (one.work.student, one.work.digest, one.items, one.before, one.after, one.published)
+        for one in found.to_apply
+    ]
+    return hashlib.sha256(repr(changes).encode()).hexdigest()
+
+
+def apply_shown(
+    site: Site, signed: Signed, seen: str | None, *, allow_lower: bool
+) -> tuple[Attempt, ...] | WebRefusal:
+    """Let a regrade count, if it still comes to what was shown."""
+    found = regrading_now(site)
+    if seen != digest_of_changes(found):
+        return _OTHER_BY_NOW
+    place = home_of(site.context.course.root)
+    try:
+        return apply_regrade(found, place, signed, allow_lower=allow_lower)
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return refusal_of_problem(error, Code.CONFLICT)
+
+
+def take_last_back(site: Site, signed: Signed) -> Regrade | WebRefusal:
+    """Take the last regrade that stands back."""
+    try:
+        return undo_regrade(home_of(site.context.course.root), signed)
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return refusal_of_problem(error, Code.CONFLICT)
+
+
+def signed_by(site: Site, by: str, why: str) -> Signed:
+    """Say who does something now, and why."""
+    return Signed(by, site.clock(), reason(why))
+
+
+def works_handed_in(context: DeskContext) -> list[NamedBytes]:
+    """Return every workbook that was handed in, called like its student, each once.
+
+    Raises:
+        OSError: one cannot be read.
+    """
+    works = (one for one in context.desk.hand_ins() if not one.is_drawing)
+    files = {(one.student, one.digest): one for one in works}
+    return [
+        NamedBytes(
+            f"{student}{PurePath(one.name).suffix.lower()}", kept_path(context, digest).read_bytes()
+        )
+        for (student, digest), one in files.items()
+    ]

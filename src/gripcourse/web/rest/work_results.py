@@ -1,0 +1,382 @@
+"""What the server tells programs of grading, marking and regrading; see `results`."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from typing import ClassVar
+
+from gripcourse.gradebook.regrade import Shift
+from gripcourse.usecases.progress import BatchPhase
+from gripcourse.web.rest.results import ReceiptResult, RequestResult
+
+
+@dataclass(frozen=True, slots=True)
+class FacilityResult:
+    """How much of its points a part of the assignment earned.
+
+    Attributes:
+        id: of the section or the quantity.
+        title: what it is.
+        share: mean over the works, 0 to 1.
+        works: in which it was asked and is decided.
+    """
+
+    id: str
+    title: str
+    share: float
+    works: int
+
+
+@dataclass(frozen=True, slots=True)
+class FiguresResult:
+    """What the last works of the group came to, with the marks of persons.
+
+    Attributes:
+        works: how many have points.
+        scores: how many of them earned a tenth of the points each, the lowest first.
+        mean, median: of the shares, 0 to 1; null where there is no work.
+        sections: in the order of the course.
+        items: the hardest first.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/figures/1"
+
+    works: int
+    scores: tuple[int, ...]
+    mean: float | None
+    median: float | None
+    sections: tuple[FacilityResult, ...]
+    items: tuple[FacilityResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class EvidenceResult:
+    """A number that a likeness rests on, as both typed it.
+
+    Attributes:
+        quantity: id.
+        title: what it is.
+        here, there: what was typed in either work; empty for nothing.
+        right_here, right_there: what would have been right in either variant.
+    """
+
+    quantity: str
+    title: str
+    here: str
+    there: str
+    right_here: str
+    right_there: str
+
+
+@dataclass(frozen=True, slots=True)
+class OtherWorkResult:
+    """A work that a flag lays beside the flagged one.
+
+    Attributes:
+        student: id.
+        name: empty where the register has the student no longer.
+        numbers: that the flag rests on.
+    """
+
+    student: str
+    name: str
+    numbers: tuple[EvidenceResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FlagWithEvidenceResult:
+    """Something a person should look at before results are published.
+
+    Attributes:
+        code: the same in every language.
+        message: a sentence.
+        beside: other works that it concerns.
+    """
+
+    code: str
+    message: str
+    beside: tuple[OtherWorkResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StudentFlagsResult:
+    """The flags of a student, with their evidence.
+
+    Attributes:
+        flags: in the order of the works.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/student_flags/1"
+
+    flags: tuple[FlagWithEvidenceResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FlaggedWorkResult:
+    """A work that somebody should look at.
+
+    Attributes:
+        student: id; empty where nobody can be told.
+        name: empty where the register has no such student.
+        file: its name.
+        codes: of the flags.
+        messages: the flags in sentences, in the same order.
+    """
+
+    student: str
+    name: str
+    file: str
+    codes: tuple[str, ...]
+    messages: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FlagsResult:
+    """What the last batch flagged; flags are questions, not verdicts.
+
+    Attributes:
+        at: when files were graded last; null for never.
+        works: that are flagged.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/flags/1"
+
+    at: datetime | None
+    works: tuple[FlaggedWorkResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class BatchResult:
+    """Files were graded into the gradebook.
+
+    Attributes:
+        number: counts from 1.
+        files: how many.
+        by: who had them graded.
+        why: may be empty.
+        at: when.
+    """
+
+    number: int
+    files: int
+    by: str
+    why: str
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class ProgressResult:
+    """How far a batch is.
+
+    Attributes:
+        phase: what is being done.
+        done, total: files of this phase.
+        began: when the batch began.
+        at: when something was done last.
+    """
+
+    phase: BatchPhase
+    done: int
+    total: int
+    began: datetime
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class GradingResult:
+    """The batch that is being graded, and those before.
+
+    Attributes:
+        runs: whether one is at work.
+        silent: whether nothing was heard of it for minutes: it may be begun again.
+        failed: whether the one that was begun here last did not come to its end.
+        progress: how far it is; null where none has begun, or it is about to begin or to end.
+        last: when files were graded last; null for never.
+        waiting: students whose last workbook a batch would grade.
+        batches: oldest first.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/grading/1"
+
+    runs: bool
+    silent: bool
+    failed: bool
+    progress: ProgressResult | None
+    last: datetime | None
+    waiting: int
+    batches: tuple[BatchResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class WaitingResult:
+    """An item that a person looks at.
+
+    Attributes:
+        student: id.
+        name: as the roster writes it.
+        item: id of the quantity.
+        title: what it is.
+        again: whether it was marked before its file or its result changed.
+    """
+
+    student: str
+    name: str
+    item: str
+    title: str
+    again: bool
+
+
+@dataclass(frozen=True, slots=True)
+class MarkingResult:
+    """Everything that waits for a person.
+
+    Attributes:
+        items: by student, in the order of the assignment.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/marking/1"
+
+    items: tuple[WaitingResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LevelResult:
+    """A step on which a line of a rubric may stand.
+
+    Attributes:
+        credit: share of the line's points, 0 to 1.
+        text: when it is given.
+    """
+
+    credit: float
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class RubricLineResult:
+    """One thing that a person looks at.
+
+    Attributes:
+        id: of the line.
+        share: of the item's points, 0 to 1.
+        text: what is asked for.
+        levels: the only credits that may be given; empty where any from 0 to 1 may.
+    """
+
+    id: str
+    share: float
+    text: str
+    levels: tuple[LevelResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ItemResult:
+    """An item to mark.
+
+    Attributes:
+        waiting: the item.
+        seen: of its marks up to now; goes back with the mark.
+        rubric: lines; empty where the share of the points is said at once.
+        hand_ins: files of the student.
+        requests: for another look at this item.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/item/1"
+
+    waiting: WaitingResult
+    seen: str
+    rubric: tuple[RubricLineResult, ...]
+    hand_ins: tuple[ReceiptResult, ...]
+    requests: tuple[RequestResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ChangedItemResult:
+    """What a regrade changes about an item; null where it is not asked for.
+
+    Attributes:
+        item: id of the quantity.
+        before, after: points.
+    """
+
+    item: str
+    before: float | None
+    after: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class ChangedWorkResult:
+    """What a regrade comes to for a work that would get other results.
+
+    Attributes:
+        student: id.
+        digest: SHA-256 of the file, hexadecimal.
+        direction: whether the share of all points grows or falls.
+        told: whether the student was told the result.
+        before, after: points, with the marks of persons.
+        items: those whose result is another.
+    """
+
+    student: str
+    digest: str
+    direction: Shift
+    told: bool
+    before: float
+    after: float
+    items: tuple[ChangedItemResult, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RegradingResult:
+    """What today's course and policy would change; nothing counts yet.
+
+    Attributes:
+        seen: of what would change; goes back to apply it.
+        raised, lowered, unchanged: how many works.
+        works: that would get other results.
+        failed: files that could not be graded.
+        missing: students with a work that was graded and is not here.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/regrading/1"
+
+    seen: str
+    raised: int
+    lowered: int
+    unchanged: int
+    works: tuple[ChangedWorkResult, ...]
+    failed: tuple[str, ...]
+    missing: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RegradeResult:
+    """A regrade that was applied, or one that takes another back.
+
+    Attributes:
+        number: counts all from 1.
+        undoes: number of the one that it takes back; null for one that was applied.
+        by: who did it.
+        why: the reason.
+        at: when.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/regrade/1"
+
+    number: int
+    undoes: int | None
+    by: str
+    why: str
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class RegradesResult:
+    """The regrades that stand.
+
+    Attributes:
+        regrades: oldest first.
+    """
+
+    SCHEMA: ClassVar[str] = "gripcourse/regrades/1"
+
+    regrades: tuple[RegradeResult, ...]
