@@ -133,6 +133,11 @@ _SYSTEM = {
 
 def system_problem(error: OSError) -> Problem:
     """Say what the system refuses; what is rare stays as the system says it."""
+    if error.errno == errno.ENOENT and error.filename is None:
+        # Only Python's search for a folder of temporary files misses something without a name.
+        what = message("Nothing can be written to any folder for temporary files.")
+        remedy = message("Make room, lift the limit (ulimit -f), or name a folder in TMPDIR.")
+        return Problem("", "", what, remedy)
     other = message("{reason}", reason=error.strerror or str(error))
     what, remedy = _SYSTEM.get(error.errno or 0, (other, message("Try again, or elsewhere.")))
     return Problem(str(error.filename or ""), "", what, remedy)

@@ -48,6 +48,17 @@ def test_the_version_is_told(say: Say) -> None:
     assert say("--version") == (0, f"gripcourse {__version__}\n", "")
 
 
+def test_nothing_is_done_for_a_closed_output(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("LC_ALL", "C")
+    monkeypatch.setattr(sys, "argv", ["gripcourse", "--version"])
+    monkeypatch.setattr(sys, "stdout", None)
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    assert (left.value.code, "closed" in capsys.readouterr().err) == (2, True)
+
+
 @pytest.mark.parametrize(
     ("arguments", "quiet", "verbose"),
     [

@@ -49,10 +49,24 @@ def test_every_other_file_is_named_with_the_reason(
     assert (Path(one.file).name, one.why, one.needs_person) == (name, why, needs_person)
 
 
-def test_a_broken_link_is_named(tmp_path: Path) -> None:
+def test_no_link_in_a_folder_is_followed_and_each_is_named(tmp_path: Path) -> None:
+    work, other = tmp_path / "work", tmp_path / "other"
+    made(other, "theirs.xlsx")
+    made(work, "a.xlsx")
+    targets = {"b.xlsx": other / "gone.xlsx", "c.xlsx": other / "theirs.xlsx", "d": other}
+    for name, target in targets.items():
+        (work / name).symlink_to(target)
+    found = collect([work])
+    assert found.files == (work / "a.xlsx",)
+    named = {Path(one.file).name: (one.why, one.needs_person) for one in found.passed_over}
+    assert named == dict.fromkeys(targets, (WhyNot.LINK, True))
+
+
+def test_a_link_that_a_person_names_is_followed(tmp_path: Path) -> None:
     made(tmp_path, "a.xlsx")
-    (tmp_path / "b.xlsx").symlink_to(tmp_path / "gone.xlsx")
-    assert [one.why for one in collect([tmp_path]).passed_over] == [WhyNot.NO_FILE]
+    link = tmp_path / "link.xlsx"
+    link.symlink_to(tmp_path / "a.xlsx")
+    assert collect([link]).files == (link,)
 
 
 def test_every_reason_has_its_sentence() -> None:

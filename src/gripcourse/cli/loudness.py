@@ -1,6 +1,7 @@
 """How much the command line says: `--quiet` and `--verbose`, in every command, and its streams."""
 
 import logging
+import os
 import sys
 from functools import lru_cache
 from io import TextIOWrapper
@@ -8,9 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gripcourse.machine.file_limits import largest_file
+
 if TYPE_CHECKING:
     # The library gives this type no public name.
     from typer._click import Parameter
+
+_ERROR_STREAM = 2  # number of its file
+_LARGEST_MODULE = 4_000_000  # bytes, more than any compiled module has
 
 _FLAGS = {"--quiet": "q", "--verbose": "v"}
 
@@ -62,8 +68,16 @@ def _take(quiet: QuietOption = False, verbose: VerboseOption = False) -> None:  
     """Take what every command takes."""
 
 
-def prepare_streams() -> None:
-    """Let no sentence fail on a terminal that lacks its letters, and show the log if asked."""
+def prepare_streams() -> bool:
+    """Let no sentence fail on a terminal that lacks its letters, and show the log if asked.
+
+    Returns:
+        Whether there is an output; where there is none, nothing that is opened takes its place.
+    """
+    while (opened := os.open(os.devnull, os.O_RDWR)) <= _ERROR_STREAM:
+        pass
+    os.close(opened)
+    _keep_no_bytecode_where_files_are_cut()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="replace")
@@ -73,3 +87,14 @@ def prepare_streams() -> None:
         handler = logging.StreamHandler()
         handler.setFormatter(logging.Formatter("%(asctime)s %(name)s: %(message)s"))
         logger.addHandler(handler)
+    return sys.stdout is not None
+
+
+def _keep_no_bytecode_where_files_are_cut() -> None:
+    """Let Python keep no compiled module where the system cuts files.
+
+    It would keep a part of one, and fail on it whenever it is called again.
+    """
+    most = largest_file()
+    if most is not None and most < _LARGEST_MODULE:
+        sys.dont_write_bytecode = True

@@ -236,12 +236,17 @@ def check(
 def main() -> None:
     """Run the command line; every failure is a sentence and an exit code, never a traceback."""
     # Not standalone: what the parser refuses comes here, like all other refusals.
-    prepare_streams()
+    is_heard = prepare_streams()
     collect_rarely()
     started = perf_counter()
-    code = _guard(lambda: app(prog_name="gripcourse", standalone_mode=False))
+    code = _guard(_run if is_heard else cli_text.refuse_closed_output)
     _log.info("exit code %d after %.1f s", code, perf_counter() - started)
     sys.exit(code)
+
+
+def _run() -> int | None:
+    code: int | None = app(prog_name="gripcourse", standalone_mode=False)
+    return code
 
 
 def _guard(run: Callable[[], int | None]) -> int:

@@ -44,6 +44,18 @@ def misuse(what: Message, remedy: Message | None = None) -> UsageError:
     return UsageError([Problem("", "", what, remedy or message("See --help."))])
 
 
+def refuse_closed_output() -> int:
+    """Refuse to work for nobody.
+
+    Raises:
+        UsageError: always.
+    """
+    raise misuse(
+        message("The output is closed: nothing could be shown."),
+        message("Leave it open; >/dev/null throws it away."),
+    )
+
+
 def chosen_convention(name: str | None) -> "Convention | None":
     """Read the convention that a user chose; None for the course's."""
     from gripcourse.course.quantity import Convention

@@ -16,6 +16,7 @@ from multiprocessing.shared_memory import SharedMemory
 from typing import Any, Final, Protocol, TypeAlias
 
 from gripcourse.jobs.limits import Limits
+from gripcourse.machine.file_limits import demand_file_of
 
 Initializer: TypeAlias = Callable[..., None]
 
@@ -58,6 +59,7 @@ def _processes(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> 
     # What a worker is started with goes through a pipe that nobody empties if it ends too early:
     # more than fits in there would be waited for in vain.
     packed = pickle.dumps((first, arguments))
+    demand_file_of(len(packed))
     memory = SharedMemory(create=True, size=len(packed))
     _content(memory)[: len(packed)] = packed
     # Fresh interpreters: a fork would copy the threads of a progress bar in an unknown state.

@@ -31,6 +31,7 @@ class WhyNot(StrEnum):
     NO_EXTENSION = "no_extension"
     LOCK_FILE = "lock_file"
     HIDDEN = "hidden"
+    LINK = "link"
     NO_FILE = Unusable.NO_FILE
     UNSAFE_PATH = Unusable.UNSAFE_PATH
     ENCRYPTED = Unusable.ENCRYPTED
@@ -48,6 +49,9 @@ REASONS: Final[Mapping[WhyNot, Message]] = {
         "The lock file of an open workbook; the workbook itself may not have been handed in."
     ),
     WhyNot.HIDDEN: message("A hidden file of some program."),
+    WhyNot.LINK: message(
+        "A link to another place, where anything may lie; put the file itself here."
+    ),
     WhyNot.NO_FILE: message("No file that can be read: a broken link or a device."),
     WhyNot.UNSAFE_PATH: message(
         "Its name in the archive leads out of it; nobody packs so by chance."
@@ -145,7 +149,12 @@ def _packed(archive: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
 def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
     for path in sorted(folder.rglob("*")):
         # What we keep of an earlier run is nobody's work, wherever the results were put.
-        if not path.is_dir() and EARLIER not in path.parts:
+        if EARLIER in path.parts:
+            continue
+        # Whoever made the folder may have laid a link to any file of ours, or of another student's.
+        if path.is_symlink():
+            yield path, WhyNot.LINK
+        elif not path.is_dir():
             yield path, why_not(path) if path.is_file() else WhyNot.NO_FILE
 
 
