@@ -90,14 +90,18 @@ class Formula:
         """Find the names once."""
         object.__setattr__(self, "names", names(self.tree))
 
-    def __getstate__(self) -> tuple[str, Node, dict[str, str], tuple[str, ...]]:
-        return self.text, self.tree, dict(self.units), self.names
+    def __reduce__(self) -> tuple[Callable[..., "Formula"], tuple[object, ...]]:
+        # Not by a state: Python before 3.11.4 puts its own in the place of ours.
+        return _sent, (self.text, self.tree, dict(self.units), self.names)
 
-    def __setstate__(self, state: tuple[str, Node, dict[str, str], tuple[str, ...]]) -> None:
-        # The names travel: a kept course has thousands of formulas, whose trees need no walk then.
-        for name, value in zip(("text", "tree", "units", "names"), state, strict=True):
-            object.__setattr__(self, name, value)
-        object.__setattr__(self, "made", {})
+
+def _sent(text: str, tree: Node, units: Mapping[str, str], names: tuple[str, ...]) -> Formula:
+    """Make a formula that was kept or sent; a course has thousands, whose trees need no walk."""
+    made = object.__new__(Formula)
+    values = {"text": text, "tree": tree, "units": units, "names": names, "made": {}}
+    for name, value in values.items():
+        object.__setattr__(made, name, value)
+    return made
 
 
 CONSTANTS: frozenset[str] = frozenset({"pi"})
