@@ -30,18 +30,37 @@ _FIGURES: Final = 7
 
 
 @dataclass(frozen=True, slots=True)
+class LaidNumber:
+    """A number that a likeness rests on, in either work.
+
+    Attributes:
+        quantity: id.
+        title: what it is.
+        here, there: what was typed; empty for nothing.
+        right_here, right_there: what would have been right.
+    """
+
+    quantity: str
+    title: str
+    here: str
+    there: str
+    right_here: str
+    right_there: str
+
+
+@dataclass(frozen=True, slots=True)
 class LaidBeside:
     """Another student's work beside the flagged one.
 
     Attributes:
         student: id; he may be in the register no longer.
         name: as the roster writes it; empty where he is not there.
-        rows: title of a quantity, what stands here and there, what would be right here and there.
+        rows: the numbers.
     """
 
     student: str
     name: str
-    rows: tuple[tuple[str, str, str, str, str], ...]
+    rows: tuple[LaidNumber, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +174,8 @@ def _shown(
         issued = register.get(id_)
         there = _Side(others.get(id_), _right(context, issued), words)
         rows = tuple(
-            (
+            LaidNumber(
+                one,
                 titles.get(one, one),
                 here.typed(one),
                 there.typed(one),

@@ -260,8 +260,19 @@ def test_a_batch_is_begun_once_and_figures_and_flags_are_those_of_the_pages(
     found = desk.ask("GET", "/desk/figures").json()
     assert found["works"] == sum(found["scores"]) == 1
     assert desk.ask("GET", "/desk/flags").json()["at"]
+    path = server.graded / "grades.json"
+    grades = json.loads(path.read_text(encoding="utf-8"))
+    flag = {"code": "same_answers", "message": "Alike.", "others": ["s02"]}
+    grades["reports"][0]["flags"] = [{**flag, "rests_on": ["grip_force"]}]
+    path.write_text(json.dumps(grades), encoding="utf-8")
+    (work,) = desk.ask("GET", "/desk/flags").json()["works"]
+    assert (work["student"], work["codes"]) == ("s01", ["same_answers"])
     flags = "/desk/students/{student}/flags"
-    assert desk.ask("GET", "/desk/students/s01/flags", flags).status_code == 200
+    (shown,) = desk.ask("GET", "/desk/students/s01/flags", flags).json()["flags"]
+    (beside,) = shown["beside"]
+    (number,) = beside["numbers"]
+    assert (beside["student"], number["quantity"]) == ("s02", "grip_force")
+    assert number["right_here"] != number["right_there"]
     assert desk.ask("GET", "/desk/students/nobody/flags", flags).status_code == 404
 
 

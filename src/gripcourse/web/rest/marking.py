@@ -123,6 +123,7 @@ def _lines(one: ItemToMark, words: Words) -> tuple[RubricLineResult, ...]:
 
 
 _DESK: Final = TokenRole.INSTRUCTOR
+_DRAWING: Final = "/desk/students/{student}/drawings/{number:int}"
 _ITEM: Final = "/desk/marking/{student}/{item}"
 MARKING_OPERATIONS: Final = (
     ApiOperation("GET", "/desk/marking", _DESK, marking, MarkingResult),
@@ -134,8 +135,7 @@ MARKING_OPERATIONS: Final = (
         status=HTTPStatus.CREATED,
     ),
     ApiOperation(
-        *("GET", "/desk/students/{student}/drawings/{number:int}/{page:int}"),
-        *(_DESK, drawing, SentFile),
+        *("GET", f"{_DRAWING}/{{page:int}}", _DESK, drawing, SentFile),
         refuses=(Code.NOT_USABLE,),
         media="image/png",
         waits=True,

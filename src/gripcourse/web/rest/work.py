@@ -18,7 +18,7 @@ from gripcourse.web.desk_acts import (
     signed_by,
     take_last_back,
 )
-from gripcourse.web.overview import flags_of, said_of, titles_of
+from gripcourse.web.overview import LaidNumber, flags_of, said_of, titles_of
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, TokenRole
 from gripcourse.web.rest.wishes import PublishingReason, RegradingWish
@@ -89,9 +89,7 @@ def student_flags(call: DeskCall) -> StudentFlagsResult | WebRefusal:
                 code=one.code,
                 message=one.message,
                 beside=tuple(
-                    OtherWorkResult(
-                        other.student, other.name, tuple(EvidenceResult(*row) for row in other.rows)
-                    )
+                    OtherWorkResult(other.student, other.name, tuple(map(_evidence, other.rows)))
                     for other in one.beside
                 ),
             )
@@ -169,6 +167,12 @@ def undo_regrading(call: DeskCall) -> RegradeResult | WebRefusal:
 
 def _last(call: DeskCall) -> LastBatch | None:
     return call.site.batches.read(call.site.graded)
+
+
+def _evidence(one: LaidNumber) -> EvidenceResult:
+    return EvidenceResult(
+        one.quantity, one.title, one.here, one.there, one.right_here, one.right_there
+    )
 
 
 def _facilities(found: Iterable[Facility], titles: dict[str, str]) -> tuple[FacilityResult, ...]:
