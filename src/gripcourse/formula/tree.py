@@ -127,5 +127,5 @@ def walk(node: Node) -> Iterator[Node]:
 
 def names(node: Node) -> tuple[str, ...]:
     """Return the ids of the quantities that a formula uses, each once, in order of appearance."""
-    found = (part.id for part in walk(node) if isinstance(part, Name))
-    return tuple(dict.fromkeys(name for name in found if name not in CONSTANTS))
+    found = {part.id: None for part in walk(node) if isinstance(part, Name)}
+    return tuple(name for name in found if name not in CONSTANTS)
