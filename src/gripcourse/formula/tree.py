@@ -122,12 +122,14 @@ def children(node: Node) -> tuple[Node, ...]:
 
 def walk(node: Node) -> Iterator[Node]:
     """Yield a node and everything below it, in reading order of the parents."""
-    yield node
-    for child in children(node):
-        yield from walk(child)
+    waiting = [node]
+    while waiting:
+        one = waiting.pop()
+        yield one
+        waiting.extend(reversed(children(one)))
 
 
 def names(node: Node) -> tuple[str, ...]:
     """Return the ids of the quantities that a formula uses, each once, in order of appearance."""
-    found = (part.id for part in walk(node) if isinstance(part, Name))
-    return tuple(dict.fromkeys(name for name in found if name not in CONSTANTS))
+    found = {part.id: None for part in walk(node) if isinstance(part, Name)}
+    return tuple(name for name in found if name not in CONSTANTS)

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 from gripcourse.jobs.limits import Limits, TookTooLongError, bind_worker, time_limit
 from gripcourse.jobs.lost import Lost
+from gripcourse.machine.process_wide import collect_rarely
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +39,8 @@ _KNOWN: _Known = {}
 def install(name: str, packed: bytes, limits: Limits | None) -> None:
     """Make a worker ready: bound it and unpack the task; what fails is said by each job."""
     try:
+        # What jobs share and what is made of it once live as long as the worker.
+        collect_rarely()
         if limits is not None:
             bind_worker(limits)
         _KNOWN[name] = pickle.loads(packed)  # noqa: S301 (packed by the program that started this)

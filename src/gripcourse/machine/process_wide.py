@@ -61,7 +61,7 @@ def few_collections() -> Iterator[None]:
 
 
 def collect_rarely() -> None:
-    """Collect garbage rarely from now on, in a process that runs one command and ends."""
+    """Collect garbage rarely from now on, in a process that runs one command or a worker's jobs."""
     gc.set_threshold(_COLLECTOR_THRESHOLD, *gc.get_threshold()[1:])
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from gripcourse.course.check_slips import same_value
 from gripcourse.course.column_symbols import column_symbols, readers_of
@@ -101,15 +101,23 @@ def _before(plan: Plan, identifier: str, names: Collection[str]) -> frozenset[st
 def _made_of(declared: _Declared) -> tuple[Candidate, ...]:
     quantity, formula, policy = declared.quantity, declared.formula, declared.policy
     found = [
-        Candidate(SlipId.declared(slip.id), slip.formula, policy.declared, slip.credit, slip.hint)
+        Candidate(
+            id=SlipId.declared(slip.id),
+            formula=slip.formula,
+            prior=policy.declared,
+            credit=slip.credit,
+            say=partial(_as_declared, slip.hint),
+        )
         for slip in quantity.slips
     ]
     found = [one for one in found if one.formula.tree != formula.tree]
     columns = declared.columns
     if quantity.kind in _GENERIC:
+        taken = {formula.tree, *(one.formula.tree for one in found)}
         for slip in declared.kinds:
-            taken = {formula.tree, *(one.formula.tree for one in found)}
-            found += _of_kind(_surroundings(declared, slip), taken)
+            new = tuple(_of_kind(_surroundings(declared, slip), taken))
+            taken.update(one.formula.tree for one in new)
+            found += new
     return tuple(one for one in found if not _is_accepted(quantity, one.formula, columns))
 
 
@@ -144,13 +152,17 @@ def _of_kind(around: Surroundings, taken: set[Node]) -> Iterator[Candidate]:
             formula=Formula("", one.tree, around.formula.units),
             prior=slip.prior / len(new),
             credit=slip.credit,
-            hint=_hint(around.quantities, slip, one.places),
+            say=partial(_hint, around.quantities, slip, one.places),
         )
 
 
 def _is_known(one: Rewritten, formula: Formula) -> bool:
     """An empirical formula computes only with names whose unit it states."""
     return not formula.units or set(names(one.tree)) <= formula.units.keys()
+
+
+def _as_declared(hint: Texts) -> Texts:
+    return hint
 
 
 def _hint(

@@ -1,6 +1,7 @@
 """What a student may have computed instead of a formula."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Self
 
 from gripcourse.formula.tree import Formula
@@ -56,16 +57,21 @@ class Candidate:
         formula: what is computed instead, in the same declared unit.
         prior: how common it is, on the scale of the slip policy.
         credit: share of the points for an answer that it explains, 0…1.
-        hint: for the student.
+        say: puts the hint for the student into words; few of thousands are ever wanted.
     """
 
     id: SlipId
     formula: Formula
     prior: float
     credit: float
-    hint: Texts
+    say: Callable[[], Texts] = field(compare=False)
 
     @property
     def kind(self) -> str:
         """Of generic slip, or `DECLARED`."""
         return self.id.kind
+
+    @property
+    def hint(self) -> Texts:
+        """For the student, in each language."""
+        return self.say()
