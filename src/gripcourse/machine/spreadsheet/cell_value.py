@@ -2,9 +2,8 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
@@ -20,8 +19,7 @@ _MOST_STYLES: Final = 100_000
 _DIGITS: Final = 9  # of an index
 
 
-@dataclass(frozen=True, slots=True)
-class CellContent:
+class CellContent(NamedTuple):
     """What a cell holds.
 
     Attributes:
