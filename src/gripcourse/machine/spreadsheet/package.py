@@ -47,6 +47,7 @@ class Package:
         members = archive.infolist()
         self._members = {part_name(member.filename): member for member in members}
         self._roots: dict[str, Element] = {}
+        self._related: dict[str, tuple[Related, ...]] = {}
         self._seen: set[str] = set()
 
     def has(self, part: str) -> bool:
@@ -135,6 +136,11 @@ class Package:
 
     def related(self, part: str) -> tuple[Related, ...]:
         """Return the parts that a part points to; of the archive itself where it is empty."""
+        if part not in self._related:
+            self._related[part] = self._find_related(part)
+        return self._related[part]
+
+    def _find_related(self, part: str) -> tuple[Related, ...]:
         folder, name = posixpath.split(part)
         relations = posixpath.join(folder, "_rels", f"{name}.rels")
         if not self.has(relations):
