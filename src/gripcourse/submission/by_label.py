@@ -7,10 +7,14 @@ inserts one with a program that leaves names where they were, has right numbers 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Final
 
 from gripcourse.course.quantity import Quantity
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import LANGUAGES
+
+_KEPT: Final = 1 << 13  # titles: all workbooks of a course have the same
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,5 +53,6 @@ def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
     return Relabelled(answers, tuple(moved))
 
 
+@lru_cache(maxsize=_KEPT)
 def _plain(text: str) -> str:
     return " ".join(text.split()).casefold()

@@ -4,6 +4,7 @@ import math
 import re
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from functools import lru_cache
 from typing import Final
 
 from gripcourse.course.quantity import Quantity
@@ -32,6 +33,7 @@ _PERCENT: Final = "%"
 _WRITTEN: Final = re.compile(r'"([^"]{1,20})"|((?:\\.|[^\W\d_a-zA-Z]){1,20})')
 # Commas behind the last digit show thousands, as 12.5 for 12500.
 _THOUSANDS: Final = re.compile(r"[0#?](,+)(?![0#?,])")
+_KEPT: Final = 1024  # number formats: a workbook has few
 _OUT_OF_RANGE: Final = message("The number is too large or too small to compute with.")
 
 
@@ -94,6 +96,7 @@ def from_number(
     return replace(plain, remarks=(remark,))
 
 
+@lru_cache(maxsize=_KEPT)
 def _unit_shown(number_format: str) -> str | None:
     """Return the unit that a number format writes behind every number; None for none."""
     written = _WRITTEN.findall(number_format.partition(";")[0])

@@ -157,7 +157,8 @@ def _cells(
     related = package.related(workbook)
     answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
     beside = set(_beside(answers))
-    wanted_places = {*named.values(), *beside, *map(_label_of, answers | beside)}
+    labels = {one: _label_of(one) for one in (*answers, *beside)}
+    wanted_places = {*named.values(), *beside, *labels.values()}
     parts = package.sheets(workbook)
     places: dict[str, set[Place]] = {}
     for one in wanted_places:
@@ -172,16 +173,16 @@ def _cells(
     shared = package.root(by_kind["sharedStrings"]).iter() if wanted else ()
     texts = shared_texts(shared, wanted)
     formats = formats_of(package, by_kind["styles"]) if any(one.style for one in stored) else ()
+    usual_format = formats[0] if formats else GENERAL
     from_1904 = counts_from_1904(package, workbook)
 
-    def shown(where: _Named) -> tuple[CellContent, str]:
-        _, cell = sheets[where.sheet].stored[where.place]
-        number_format = formats[cell.style] if cell.style else (*formats, GENERAL)[0]
+    def shown(cell: StoredCell) -> tuple[CellContent, str]:
+        number_format = formats[cell.style] if cell.style else usual_format
         return shown_value(cell, number_format, texts, from_1904=from_1904), number_format
 
     def raw(where: _Named, label: str = "") -> RawCell:
         place, cell = sheets[where.sheet].stored[where.place]
-        content, number_format = shown(where)
+        content, number_format = shown(cell)
         return RawCell(
             value=content.value,
             number_format=number_format,
@@ -192,7 +193,11 @@ def _cells(
         )
 
     def label_of(where: _Named) -> str:
-        label = shown(_label_of(where))[0].value
+        sheet, place = labels[where]
+        _, cell = sheets[sheet].stored[place]
+        if cell is EMPTY:
+            return ""
+        label = shown(cell)[0].value
         return " ".join(label.split()) if isinstance(label, str) else ""
 
     there = {name: where for name, where in named.items() if where.sheet in sheets}
@@ -212,8 +217,10 @@ def _label_of(where: _Named) -> _Named:
 
 def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
     """Yield the places of answers' columns that no name points to, some rows further down too."""
-    for sheet, column in {(one.sheet, one.place[1]) for one in answers}:
-        rows = {one.place[0] for one in answers if (one.sheet, one.place[1]) == (sheet, column)}
+    columns: dict[tuple[str, int], set[int]] = {}
+    for sheet, (row, column) in answers:
+        columns.setdefault((sheet, column), set()).add(row)
+    for (sheet, column), rows in columns.items():
         last = min(max(rows), min(rows) + _MOST_NAMES) + _FURTHER
         for row in set(range(min(rows), last)) - rows:
             yield _Named(sheet, (row, column))

@@ -5,10 +5,12 @@ A spreadsheet stores 5,00 as 5: zeros at the end are lost unless the cell's form
 
 import re
 from decimal import Decimal
+from functools import lru_cache
 from typing import Final
 
 from gripcourse.text.number_reading import Figures
 
+_KEPT: Final = 1024  # number formats: a workbook has few
 _DIGITS_STORED: Final = 15  # what a spreadsheet program keeps of a typed number
 _NOT_DIGITS: Final = re.compile(r'"[^"]*"|\[[^\]]*\]|\\.|_.')
 _DECIMALS: Final = re.compile(r"[0#?]\.(0+)(?![0#?,])")
@@ -37,13 +39,19 @@ def _certain(stored: Decimal) -> int:
 
 def _shown(stored: Decimal, number_format: str) -> int:
     """Count what a format with decimals shows, where it hides nothing."""
-    first = _NOT_DIGITS.sub("", number_format).partition(";")[0]
-    decimals = _DECIMALS.search(first)
-    if decimals is None:
+    first, places = _decimals(number_format)
+    if places is None:
         return 0
-    places = len(decimals[1])
     if "E" in first.upper():
         return 1 + places
     shown = stored.scaleb(2) if "%" in first else stored
     hides = -int(shown.normalize().as_tuple().exponent) > places
     return 0 if hides else len(f"{shown:.{places}f}".replace(".", "").lstrip("0"))
+
+
+@lru_cache(maxsize=_KEPT)
+def _decimals(number_format: str) -> tuple[str, int | None]:
+    """Return what a format says of positive numbers, and its decimals; None for no fixed ones."""
+    first = _NOT_DIGITS.sub("", number_format).partition(";")[0]
+    found = _DECIMALS.search(first)
+    return first, None if found is None else len(found[1])

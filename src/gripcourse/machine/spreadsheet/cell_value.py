@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
-from typing import Final, TypeAlias
+from functools import cache
+from typing import Final, NamedTuple, TypeAlias
 
 from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
@@ -20,8 +20,7 @@ _MOST_STYLES: Final = 100_000
 _DIGITS: Final = 9  # of an index
 
 
-@dataclass(frozen=True, slots=True)
-class CellContent:
+class CellContent(NamedTuple):
     """What a cell holds.
 
     Attributes:
@@ -43,8 +42,6 @@ def formats_of(package: Package, part: str) -> tuple[str, ...]:
     Raises:
         UnreadableContentError: there is a format that no program writes.
     """
-    from openpyxl.styles.numbers import BUILTIN_FORMATS  # noqa: PLC0415 (100 ms to import)
-
     declared: dict[str, str] = {}
     used: list[str] = []
     for element in package.root(part).iter():
@@ -54,8 +51,16 @@ def formats_of(package: Package, part: str) -> tuple[str, ...]:
             used = [one.get("numFmtId", "0") for one in element if local(one) == "xf"]
     if len(used) > _MOST_STYLES or any(len(one) > _LONGEST_FORMAT for one in declared.values()):
         raise UnreadableContentError
-    builtin = {str(number): code for number, code in BUILTIN_FORMATS.items()}
+    builtin = _builtin_formats()
     return tuple(declared.get(one) or builtin.get(one, GENERAL) for one in used)
+
+
+@cache
+def _builtin_formats() -> Mapping[str, str]:
+    """Return the formats that need no declaration, by their numbers as a file writes them."""
+    from openpyxl.styles.numbers import BUILTIN_FORMATS  # noqa: PLC0415 (100 ms to import)
+
+    return {str(number): code for number, code in BUILTIN_FORMATS.items()}
 
 
 def shown_value(

@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
-from xml.etree.ElementTree import Element, XMLPullParser
+from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
@@ -47,6 +47,7 @@ class Package:
         members = archive.infolist()
         self._members = {part_name(member.filename): member for member in members}
         self._roots: dict[str, Element] = {}
+        self._related: dict[str, tuple[Related, ...]] = {}
         self._seen: set[str] = set()
 
     def has(self, part: str) -> bool:
@@ -108,7 +109,7 @@ class Package:
         content = self._unpacked(member)
         try:
             if content:
-                self._scan.check(content)
+                self._check_content(content)
         except (
             expat.ExpatError,
             LookupError,
@@ -117,6 +118,12 @@ class Package:
             # The reader would stop at the same place; drawings of comments need not be sound XML.
             if member.filename.lower().endswith((".xml", ".rels")):
                 raise RefusedError(WhyRefused.INVALID_XML) from fault
+
+    def _check_content(self, content: bytes) -> None:
+        try:
+            self._scan.root(content)  # faster, but each prefix must mean something
+        except (ParseError, LookupError, UnicodeError):
+            self._scan.check(content)
 
     def _unpacked(self, member: zipfile.ZipInfo) -> bytes:
         """Return a part that is XML, however it is called; nothing of others: they stay packed."""
@@ -129,6 +136,11 @@ class Package:
 
     def related(self, part: str) -> tuple[Related, ...]:
         """Return the parts that a part points to; of the archive itself where it is empty."""
+        if part not in self._related:
+            self._related[part] = self._find_related(part)
+        return self._related[part]
+
+    def _find_related(self, part: str) -> tuple[Related, ...]:
         folder, name = posixpath.split(part)
         relations = posixpath.join(folder, "_rels", f"{name}.rels")
         if not self.has(relations):

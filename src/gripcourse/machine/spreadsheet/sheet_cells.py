@@ -54,13 +54,14 @@ def stored_cells(sheet: Element, wanted: Collection[Place]) -> Mapping[Place, St
         ValueError: a cell is stored twice: programs disagree which of the two counts.
     """
     rows = {row for row, _ in wanted}
+    space = namespace(sheet)
     found: dict[Place, StoredCell] = {}
-    for number, row in _rows(sheet.iter(f"{namespace(sheet)}row")):
-        for place, cell in _of_row(row, number) if number in rows else ():
-            if place in found:
-                raise ValueError(place)
+    for number, row in _numbered(sheet.iter(f"{space}row")):
+        for place, cell in _of_row(row, number, space) if number in rows else ():
             if place in wanted:
-                found[place] = _stored(cell)
+                if place in found:
+                    raise ValueError(place)
+                found[place] = _stored(cell, space)
     return found
 
 
@@ -71,25 +72,25 @@ def all_cells(elements: Iterable[Element]) -> Mapping[int, Mapping[int, StoredCe
         elements: of the sheet as they end; its rows are cleared.
     """
     found: dict[int, dict[int, StoredCell]] = {}
-    for number, row in _rows(elements):
-        for (_, column), cell in _of_row(row, number):
-            found.setdefault(number, {})[column] = _stored(cell)
+    for number, row in _numbered(one for one in elements if local(one) == "row"):
+        space = namespace(row)
+        for (_, column), cell in _of_row(row, number, space):
+            found.setdefault(number, {})[column] = _stored(cell, space)
         row.clear()
     return found
 
 
-def _rows(elements: Iterable[Element]) -> Iterator[tuple[int, Element]]:
-    """Yield the rows among the elements of a sheet with their numbers."""
+def _numbered(rows: Iterable[Element]) -> Iterator[tuple[int, Element]]:
+    """Yield the rows of a sheet with their numbers; one without stands below the last one."""
     number = 0
-    for element in elements:
-        if local(element) == "row":
-            number = _whole(element.get("r")) or number + 1
-            yield number, element
+    for row in rows:
+        number = _whole(row.get("r")) or number + 1
+        yield number, row
 
 
-def _of_row(row: Element, number: int) -> Iterator[tuple[Place, Element]]:
+def _of_row(row: Element, number: int, space: str) -> Iterator[tuple[Place, Element]]:
     """Yield the cells of a row; one that does not say where it is stands beside the last one."""
-    column, tag = 0, f"{namespace(row)}c"
+    column, tag = 0, f"{space}c"
     for cell in row:
         if cell.tag == tag:
             place = place_of(cell.get("r", "")) or (number, column + 1)
@@ -97,8 +98,7 @@ def _of_row(row: Element, number: int) -> Iterator[tuple[Place, Element]]:
             yield place, cell
 
 
-def _stored(cell: Element) -> StoredCell:
-    space = namespace(cell)
+def _stored(cell: Element, space: str) -> StoredCell:
     kind = cell.get("t", "n")
     value, formula = cell.find(f"{space}v"), cell.find(f"{space}f")
     inline = cell.find(f"{space}is") if kind == "inlineStr" else None

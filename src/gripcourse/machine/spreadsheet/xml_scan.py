@@ -4,6 +4,8 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import chain
+from operator import attrgetter
 from typing import Final
 from xml.etree.ElementTree import Element, TreeBuilder, XMLParser
 from xml.parsers import expat
@@ -19,6 +21,7 @@ MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
 
 _RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
 _COUNTED: Final = _RANGES | {"sheet", "Relationship"}
+_TAG_OF: Final = attrgetter("tag")
 _CORNERS: Final = re.compile(r"\$?([A-Za-z]{1,3})\$?(\d{1,7})(?::\$?([A-Za-z]{1,3})\$?(\d{1,7}))?")
 
 
@@ -115,7 +118,9 @@ class XmlScan:
         left = self._bounds.elements - self._elements
         if content.count(b"<") > left:  # each element begins with this byte in every encoding
             XmlScan(replace(self._bounds, elements=left)).check(content)
-        parser: XMLParser[Element] = XMLParser(target=_Builder())  # noqa: S314 (checked)
+        # A builder that is asked about declarations makes a tree slower than one that is not.
+        builder = _Builder() if _may_declare(content) else TreeBuilder()
+        parser: XMLParser[Element] = XMLParser(target=builder)  # noqa: S314 (checked)
         parser.feed(content)
         root: Element = parser.close()
         level, depth, tags = [root], 0, {root.tag}
@@ -126,8 +131,8 @@ class XmlScan:
                 raise RefusedError(WhyRefused.FOREIGN_CONTENT)
             if self._elements > self._bounds.elements:
                 raise RefusedError(WhyRefused.TOO_LARGE)
-            level = [inner for element in level for inner in element]
-            tags |= {element.tag for element in level}
+            level = list(chain.from_iterable(filter(len, level)))
+            tags.update(map(_TAG_OF, level))
         for tag in tags:
             if local_name(tag) in _COUNTED:
                 for element in root.iter(tag):
@@ -148,6 +153,11 @@ class XmlScan:
         self._seen[what] += number
         if self._seen[what] > most:
             raise RefusedError(reason)
+
+
+def _may_declare(content: bytes) -> bool:
+    """Tell whether a part may declare a type; text without zero bytes spells it in ASCII."""
+    return b"<!DOCTYPE" in content or b"\0" in content
 
 
 class _Builder(TreeBuilder):
