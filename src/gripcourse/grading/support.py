@@ -15,7 +15,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.policy.bands import within
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, depends_on_given
 from gripcourse.text.words import message
 
 _FEW: Final = 2  # mistakes that somebody makes who calculated
@@ -90,8 +90,10 @@ def _is_earned(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, boo
     traits = judged.judgement.outcome.traits
     if not (traits.calculated or traits.named) or _is_nothing(judged):
         return False
-    if traits.equals_reference and not judged.quantity.exact:
-        return True  # nobody meets a computed number within its band by guessing
+    # Nobody meets a computed number within its band by guessing; the same one for all is known.
+    is_met = traits.equals_reference and not judged.quantity.exact
+    if is_met and depends_on_given(case.plan, judged.quantity.id):
+        return True
     basis = list(_basis(case.plan, judged.quantity.id, earned))
     return bool(basis) and all(earned[name] for name in basis)
 
@@ -119,7 +121,11 @@ def _withheld(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool
     roots = tuple(
         name for name in _basis(case.plan, judged.quantity.id, earned) if not earned[name]
     )
-    said = message("It counts only with the numbers that it rests on, and these are not explained.")
+    said = (
+        message("It counts only with the numbers that it rests on, and these are not explained.")
+        if depends_on_given(case.plan, judged.quantity.id)
+        else message("It is the same in every variant, and counts only in a work that calculates.")
+    )
     return replace(
         judged,
         judgement=replace(
