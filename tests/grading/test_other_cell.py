@@ -62,3 +62,23 @@ def test_a_verdict_after_a_number_in_the_wrong_cell_is_judged_by_the_number_that
     written = {name: typed(name, values[other], 4) for name in ("bearing_stress", other)}
     assert values["bearing_ok"] == 1
     assert hydraulic.lost({**hydraulic.answers, **written}) == {"bearing_stress"}
+
+
+def test_two_numbers_in_each_others_cells_cost_once(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    ends = ("force_ratio_at_max", "force_ratio_at_min")
+    case = next(
+        one
+        for one in table
+        if set(ends) <= one.answers.keys()
+        and abs(one.reference[ends[0]] / one.reference[ends[1]] - 1) > FAR
+    )
+    exchanged = {
+        name: typed(name, case.reference[other], 4)
+        for name, other in zip(ends, ends[::-1], strict=True)
+    }
+    findings = case.findings({**case.answers, **exchanged})
+    assert case.lost({**case.answers, **exchanged}) == {ends[0]}
+    assert "are exchanged" in str(findings[ends[0]].message)
+    assert findings[ends[1]].roots == (ends[0],)
