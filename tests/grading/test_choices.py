@@ -1,5 +1,6 @@
 """Design decisions: a set of sound entries, by the reference or by the student's own numbers."""
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -92,6 +93,25 @@ class TestUnsound:
         smaller = entries[entries.index(pytest.approx(case.reference["bore"])) - 1]
         lost = case.lost(case.following(bore=smaller))
         assert lost == {"bore"}
+
+
+class TestRequiredValueCutOff:
+    """What is required with the reserve is no answer: 125.6 mm may be cut off to 125 on the way."""
+
+    @pytest.mark.parametrize(
+        ("required", "outcome"), [(125.6, Outcome.CARRIED), (126.4, Outcome.WRONG)]
+    )
+    def test_a_size_may_follow_from_it(
+        self, table: "tuple[Case, ...]", required: float, outcome: Outcome
+    ) -> None:
+        case = next(
+            one
+            for one in table
+            if "bore_required" in one.plan.inputs.get("bore", ()) and "drive_reserve" in one.given
+        )
+        own = required / math.sqrt(case.given["drive_reserve"])
+        findings = case.findings({**case.following(bore_required=own), "bore": 125.0})
+        assert findings["bore"].outcome is outcome
 
 
 class TestWrongRule:

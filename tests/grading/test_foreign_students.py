@@ -123,3 +123,19 @@ def test_a_square_forgotten_in_millimetres_is_named_though_unlike_things_are_add
     finding = case.without_errata.findings(answers)["piston_area"]
     assert finding.slip is not None
     assert finding.slip.kind == "power"
+
+
+def test_a_number_read_wrongly_is_seen_where_gravity_was_shortened_too(
+    table: "tuple[Case, ...]", rounded: "Rounded"
+) -> None:
+    """The answers that the mass spoils, of which one uses gravity, have one number in common."""
+    case = next(
+        one
+        for one in table
+        if {"load_lift", "load_extend"} <= one.plan.inputs.keys() and "mass" in one.given
+    )
+    misread = swapped(10 + case.given["mass"]) or 3 * case.given["mass"]
+    answers = rounded(case, case.following(mass=misread, gravity=9.8), 4)
+    findings = case.findings(answers)
+    assert len(lost(case, findings)) <= 1
+    assert {str(one.slip) for one in findings.values() if one.slip} <= {"used:mass"}

@@ -10,6 +10,8 @@ from gripcourse.submission.model import Answer
 if TYPE_CHECKING:
     from conftest import Case
 
+FAR = 0.1
+
 
 def test_the_number_of_the_next_cell_gets_no_name_and_says_whose_it_is(
     hydraulic: "Case", typed: Callable[[str, float, int], Answer]
@@ -25,3 +27,58 @@ def test_the_number_of_the_next_cell_gets_no_name_and_says_whose_it_is(
         if finding.outcome.traits.mistake and finding.slip is None:
             said += other.title.of("en") in " ".join(map(str, finding.remarks))
     assert said
+
+
+def test_the_number_of_the_other_end_is_named_beside_the_cell_that_it_stands_in(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    """The smaller ratio is both: taken for the larger, or written into its cell."""
+    case, smaller = next(
+        (one, min(ends, key=lambda name: one.reference[name]))
+        for one in table
+        if (ends := one.plan.inputs.get("force_ratio", ()))
+        and set(ends) == {"force_ratio_at_max", "force_ratio_at_min"}
+        and abs(one.reference[ends[0]] / one.reference[ends[1]] - 1) > FAR
+    )
+    number = case.reference[smaller]
+    written = {name: typed(name, number, 4) for name in ("force_ratio", smaller)}
+    answers = {**case.following(force_ratio=number), **written}
+    finding = case.findings(answers)["force_ratio"]
+    assert str(finding.slip) == "best_position"
+    assert "Or the number of another cell" in str(finding.message)
+    assert case.lost(answers) == {"force_ratio"}
+
+
+def test_a_verdict_after_a_number_in_the_wrong_cell_is_judged_by_the_number_that_was_meant(
+    hydraulic: "Case", typed: Callable[[str, float, int], Answer]
+) -> None:
+    quantities, values = hydraulic.plan.quantities, hydraulic.reference
+    other = next(
+        name
+        for name in hydraulic.answers
+        if quantities[name].kind is Kind.FORMULA
+        and values[name] > 2 * values["bearing_stress_allowed"]
+    )
+    written = {name: typed(name, values[other], 4) for name in ("bearing_stress", other)}
+    assert values["bearing_ok"] == 1
+    assert hydraulic.lost({**hydraulic.answers, **written}) == {"bearing_stress"}
+
+
+def test_two_numbers_in_each_others_cells_cost_once(
+    table: "tuple[Case, ...]", typed: Callable[[str, float, int], Answer]
+) -> None:
+    ends = ("force_ratio_at_max", "force_ratio_at_min")
+    case = next(
+        one
+        for one in table
+        if set(ends) <= one.answers.keys()
+        and abs(one.reference[ends[0]] / one.reference[ends[1]] - 1) > FAR
+    )
+    exchanged = {
+        name: typed(name, case.reference[other], 4)
+        for name, other in zip(ends, ends[::-1], strict=True)
+    }
+    findings = case.findings({**case.answers, **exchanged})
+    assert case.lost({**case.answers, **exchanged}) == {ends[0]}
+    assert "are exchanged" in str(findings[ends[0]].message)
+    assert findings[ends[1]].roots == (ends[0],)

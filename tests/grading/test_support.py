@@ -62,6 +62,21 @@ def test_what_is_not_supported_says_which_numbers_it_rests_on(hydraulic: "Case")
     assert "bearing_stress" in finding.roots
 
 
+def test_what_is_the_same_in_every_variant_is_not_earned_by_itself(
+    table: "tuple[Case, ...]",
+) -> None:
+    case = next(one for one in table if one.plan.scheme.id == "pinion_racks")
+    wrong = {
+        one.id: 1.37 * case.reference[one.id]
+        for one in case.plan.answered
+        if one.kind is Kind.FORMULA and one.id != "force_ratio"
+    }
+    finding = case.findings({**case.answers, **wrong})["force_ratio"]
+    assert (finding.outcome, finding.points) == (Outcome.UNSUPPORTED, 0.0)
+    assert "the same in every variant" in str(finding.message)
+    assert case.findings(case.answers)["force_ratio"].outcome is Outcome.CORRECT
+
+
 def test_one_unexplained_mistake_anywhere_costs_once(hydraulic: "Case") -> None:
     for one in hydraulic.plan.answered:
         if one.kind is Kind.FORMULA:

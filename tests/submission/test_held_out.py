@@ -4,6 +4,8 @@ A number in the declared unit, a unit that does not fit, or a question; where se
 each is honest. Texts of one outcome stand together, parted by a broken bar.
 """
 
+from dataclasses import replace
+
 import pytest
 
 from gripcourse.course.quantity import Kind
@@ -224,4 +226,38 @@ def test_a_number_means_what_its_format_shows(plan: Plan) -> None:
         for quantity, stored, shown, allowed in SHOWN
         if not _is_one_of(came_to := _came_to(quantity, stored, shown, plan), allowed)
     }
+    assert otherwise == {}
+
+
+OTHER_UNITS: tuple[tuple[str, object, str], ...] = (
+    ("N*m", 1.2, "1,2 Н·м¦1200 Н·мм¦1,2 Нм¦1.2 N m¦1,2 Дж¦0,0012 кН·м¦1.2 N⋅m¦1,2 ньютон-метра"),
+    ("N*m", 1.1768, "12 кгс·см"),
+    ("N*m", UNFIT, "1,2 Н/м¦1,2 Н"),
+    ("mm/s", 250.0, "0,25 м/с¦15 м/мин¦25 см/с¦0.25 m/s¦0,25 м/сек¦250 мм/сек.¦0,25 м·с⁻¹"),
+    ("mm/s", ASKED, "0,25…0,30 м/с¦250-"),
+    ("kW", 0.25, "250 Вт¦0,25 кВт¦0.25 kW¦250 W¦0,25 kВт"),
+    ("rpm", 1500.0, "1500 об/мин¦1500 rpm¦25 об/с¦1500 мин⁻¹¦1500 min^-1¦25 Гц"),
+    ("rpm", 1500.0, "157,0796 рад/с¦1500 об/хв¦1500 r/min¦1500 об./мин"),
+    ("rpm", ASKED, "25 с⁻¹¦25 s^-1¦1500 1/мин"),
+    ("mm**2", 78.54, "78,54 мм²¦0,7854 см²¦78,54 мм^2¦78,54 кв. мм¦7,854·10⁻⁵ м²¦7.854e-5 m2"),
+    ("mm**2", UNFIT, "78,54 мм³¦78,54 мм"),
+    ("N", -350.0, "-350 Н¦−350 Н¦- 350¦–350¦‑350"),
+    ("N", ASKED, "12,500.000.0¦1.25.00¦12-500¦€12500¦350 Н ± 5 %¦(350;360)¦350 … 360"),
+    ("deg", -12.5, "-12°30'¦−12° 30′¦- 12 град 30 мин"),
+    ("deg", ASKED, "36,52'¦36°52'72\"¦36° -12'¦52'"),
+    ("", 1.75, "1 ¾¦1¾"),
+    ("", ASKED, "3/0¦1/3/5¦3:4¦√3/2¦sin 30"),
+    ("", 0.001, "10⁻³¦10^-3¦1·10⁻³¦1*10^(-3)"),
+)
+
+
+def test_other_units_are_read_or_asked_about_and_never_guessed(plan: Plan) -> None:
+    otherwise = {}
+    for unit, allowed, texts in OTHER_UNITS:
+        asked = replace(plan.quantities[FORCE], unit=unit)
+        own = replace(plan, quantities={**plan.quantities, FORCE: asked})
+        for text in texts.split("¦"):
+            came_to = _came_to(FORCE, text, "@", own)
+            if not _is_one_of(came_to, allowed):
+                otherwise[unit, text] = came_to
     assert otherwise == {}

@@ -58,3 +58,13 @@ def test_a_floor_that_is_wide_beside_what_is_issued_is_named(
     found = said(course, wide, issued)
     assert found
     assert {key for key, _ in found} == {"tolerance.floor.deg"}
+
+
+def test_an_answer_that_is_the_same_in_all_variants_may_earn_little(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    """An angle that is 0 in all variants of a scheme; a ratio of no given number is exempt."""
+    heavy = {**policy.weights, "arm_angle_at_min": 9.0, "velocity_ratio": 9.0}
+    found = said(course, replace(policy, weights=heavy), issued)
+    assert [key for key, _ in found] == ["weight.quantity.arm_angle_at_min"]
+    assert "'rack_parallelogram'" in found[0][1]

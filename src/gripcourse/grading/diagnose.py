@@ -23,7 +23,7 @@ from gripcourse.grading.explain import (
     with_later_answers,
 )
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.other_cell import weigh_other_cell
+from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.solve import choose, reference_rounding
@@ -68,7 +68,22 @@ def diagnose(
     for earlier in _unwritten(comparison, Kind.FORMULA):
         weighed += _weigh_earlier(comparison, earlier, candidates_of(earlier))
     other, rival = weigh_other_cell(comparison)
+    if other is not None:
+        # A method that leads to the very number of the other answer is no rival of it.
+        explanation = conclude(comparison, weighed)
+        if explanation is not None and is_number_of(comparison, other, explanation.likeliest):
+            return _with_other_end(comparison, judgement, explanation, other)
     explanation = conclude(comparison, weighed, rival)
+    return _explained(comparison, judgement, explanation, other)
+
+
+def _explained(
+    comparison: Comparison,
+    judgement: Judgement,
+    explanation: Explanation | None,
+    other: str | None,
+) -> Judgement:
+    """Say what explains an answer; `other` is one that has the same number."""
     if explanation is None:
         return judgement if other is None else _with_other_cell(comparison, judgement, other)
     if explanation.likeliest.of == comparison.quantity.id:
@@ -107,6 +122,22 @@ def _with_other_cell(comparison: Comparison, judgement: Judgement, other: str) -
     title = comparison.plan.quantities[other].title
     said = message("The same number stands in another cell: {title}.", title=title)
     return replace(judgement, remarks=(*judgement.remarks, said), elsewhere=other)
+
+
+def _with_other_end(
+    comparison: Comparison, judgement: Judgement, explanation: Explanation, other: str
+) -> Judgement:
+    """Name a method by which the number of another answer is computed: which it was shows nowhere.
+
+    What follows is looked at as with a number in the wrong cell.
+    """
+    said = message(
+        "A known slip: {hint} Or the number of another cell was written here: {title}.",
+        hint=explanation.likeliest.candidate.hint,
+        title=comparison.plan.quantities[other].title,
+    )
+    slip = _with_slip(comparison, judgement, explanation)
+    return replace(slip, message=said, elsewhere=other)
 
 
 def _with_slip(comparison: Comparison, judgement: Judgement, explanation: Explanation) -> Judgement:

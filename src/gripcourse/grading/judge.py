@@ -12,6 +12,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.grading.causes import causes_of, roots_of, spoiled_first, spoiled_later
 from gripcourse.grading.charged_once import shortened_once
 from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.exchanged import exchanged_once
 from gripcourse.grading.extended import extended
 from gripcourse.grading.flags import flags_of
 from gripcourse.grading.intended import as_intended
@@ -50,7 +51,7 @@ def judge(
     1. compared: with the reference, and with the formula at the student's own earlier numbers.
     2. explained: a wrong answer that a known wrong method gives becomes a slip.
     3. intended: what follows from a number that was only written down wrongly is no mistake; a
-       constant that was shortened too far costs once.
+       constant that was shortened too far, or two numbers in each other's cells, cost once.
     4. settled: what one number used wrongly explains costs once, where it is used first.
     5. supported: in a work that hardly calculates, what follows needs what it follows from.
     6. findings: conclusions with points, remarks, and the wrong answers at their root.
@@ -66,7 +67,7 @@ def judge(
     case = make_case(submission, issued, plan, policy, methods)
     compared = [judge_answer(case, one, submission.answers.get(one.id)) for one in _in_order(plan)]
     explained = explain(case, compared)
-    intended = shortened_once(case, as_intended(case, explained))
+    intended = exchanged_once(case, shortened_once(case, as_intended(case, explained)))
     found = substitutions(case, intended)
     substituted = extended(case, intended, found)
     settled = [_substituted(case, one, by_answer(substituted)) for one in intended]

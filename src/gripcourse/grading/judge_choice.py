@@ -1,9 +1,13 @@
 """Judging a design decision against the required value, the reference's or the student's own."""
 
+import math
+
+from gripcourse.formula.tree import Name
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.rounding import cuts_off, figure_half_unit
 from gripcourse.text.units import factor
 from gripcourse.text.words import message
 
@@ -35,6 +39,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
         said = message("A sound decision.")
         return conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
     own_required = comparison.at_own(formula)
+    is_answer = isinstance(formula.tree, Name)
+    written = () if is_answer else _as_written(own_required.value, comparison)
     # What is needed is known as finely as the earlier numbers were typed.
     verdicts = [
         judge_choice(
@@ -44,7 +50,7 @@ def _judge_size(comparison: Comparison) -> Judgement:
             end * scale,
             comparison.follow_through.numbers.values,
         )
-        for end in (own_required.value, own_required.low, own_required.high)
+        for end in (own_required.value, own_required.low, own_required.high, *written)
     ]
     follow_through = verdicts[0]
     # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
@@ -63,6 +69,19 @@ def _judge_size(comparison: Comparison) -> Judgement:
         0.0,
         follow_through.fault or message("The required value cannot be told from your numbers."),
     )
+
+
+def _as_written(required: float, comparison: Comparison) -> tuple[float, ...]:
+    """Return what is needed as people write it down who keep as many figures as are asked.
+
+    It is computed on the way to the size and no answer of its own, so it was not typed: whoever
+    rounds or cuts off every number does so with this one too.
+    """
+    unit = 2 * figure_half_unit(required, comparison.policy.figures)
+    if not unit:
+        return ()
+    cut = (math.floor(required / unit) * unit,) if cuts_off(comparison.policy) else ()
+    return (round(required / unit) * unit, *cut)
 
 
 def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | None:

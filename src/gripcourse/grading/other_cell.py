@@ -4,12 +4,15 @@ import math
 from typing import Final
 
 from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.explain import Weighed
 from gripcourse.grading.rounding import typed_half_unit
 from gripcourse.text.units import factor
 
 # How common it is, on the scale of the priors of slips: from the cell beside, from elsewhere.
 _BESIDE, _ELSEWHERE = 3.0, 1.0
 _SAME: Final = 1e-9
+# Results that are alike so far come from one calculation.
+_ALIKE: Final = 1e-6
 _RIGHT: Final = 0.02
 
 
@@ -30,6 +33,21 @@ def weigh_other_cell(comparison: Comparison) -> tuple[str | None, float]:
     elsewhere = (len(same) - len(near)) / max(1, len(order) - len(beside))
     prior = _BESIDE * len(near) / max(1, len(beside)) + _ELSEWHERE * elsewhere
     return (near or same)[0], prior / (2 * half_unit)
+
+
+def is_number_of(comparison: Comparison, other: str, method: Weighed) -> bool:
+    """Tell whether a wrong method computes what another answer is, as its own formula does.
+
+    The height at the other end of a range is what the next answer asks for.
+    """
+    if method.of != comparison.quantity.id:
+        return False
+    unit = factor(comparison.plan.quantities[other].unit)
+    numbers = (
+        comparison.follow_through.numbers.computed.get(other, math.nan),
+        comparison.follow_through.known.get(other, math.nan),
+    )
+    return any(math.isclose(method.value, one / unit, rel_tol=_ALIKE) for one in numbers)
 
 
 def _holds_the_same(comparison: Comparison, name: str) -> bool:

@@ -27,6 +27,11 @@ def inward(policy: Policy) -> float:
     return min(2 * policy.last_digit, 1.0)
 
 
+def cuts_off(policy: Policy) -> bool:
+    """Tell whether the policy thinks of people who cut digits off."""
+    return 2 * policy.last_digit > 1.0
+
+
 def typed_half_unit(answer: Answer, policy: Policy) -> float:
     """Return half a unit of the last digit that an answer counts as written with."""
     if answer.value is None:

@@ -7,15 +7,16 @@ most of its computed answers are right, follow, or are understood, every consequ
 most are neither, an answer counts only if what it rests on does.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.policy.bands import within
-from gripcourse.solver.plan import Plan
+from gripcourse.slips.model import USED
+from gripcourse.solver.plan import Plan, depends_on_given
 from gripcourse.text.words import message
 
 _FEW: Final = 2  # mistakes that somebody makes who calculated
@@ -56,21 +57,48 @@ def is_calculated(case: GradingCase, judged: Sequence[JudgedAnswer]) -> bool:
         for one in judged
         if one.quantity.kind is Kind.FORMULA and one.comparison is not None and not _is_nothing(one)
     ]
-    calculated, unexplained = _counted(computed)
+    counted = _counted(computed, _is_unexplained)
     share = case.policy.calculated_share
-    if not calculated or calculated < share * (calculated + unexplained):
+    if not counted.calculated or counted.share < share:
         return False
-    calculated, unexplained = _counted(
-        one for one in computed if _uses_issued(case.plan, one.quantity.id)
-    )
-    return unexplained <= _FEW or calculated >= share * (calculated + unexplained)
+    # One or two numbers are read wrongly; who has more of them wrong has somebody else's.
+    misread = {one.judgement.slip for one in computed if _is_misread(case.plan, one)}
+    is_mistaken = _is_mistake if len(misread) > _FEW else _is_unexplained
+    own = [one for one in computed if _uses_issued(case.plan, one.quantity.id)]
+    counted = _counted(own, is_mistaken)
+    return counted.mistaken <= _FEW or counted.share >= share
 
 
-def _counted(judged: Iterable[JudgedAnswer]) -> tuple[int, int]:
-    """Return how many answers show that somebody calculated, and how many nothing explains."""
-    traits = [one.judgement.outcome.traits for one in judged]
-    return sum(one.calculated for one in traits), sum(
-        one.mistake and not one.named for one in traits
+@dataclass(frozen=True, slots=True)
+class _Counted:
+    """How many answers show that somebody calculated, and how many speak against it."""
+
+    calculated: int
+    mistaken: int
+
+    @property
+    def share(self) -> float:
+        return self.calculated / max(1, self.calculated + self.mistaken)
+
+
+def _counted(judged: Sequence[JudgedAnswer], counts: Callable[[JudgedAnswer], bool]) -> _Counted:
+    calculated = sum(one.judgement.outcome.traits.calculated for one in judged)
+    return _Counted(calculated, sum(map(counts, judged)))
+
+
+def _is_unexplained(judged: JudgedAnswer) -> bool:
+    return _is_mistake(judged) and not judged.judgement.outcome.traits.named
+
+
+def _is_mistake(judged: JudgedAnswer) -> bool:
+    return judged.judgement.outcome.traits.mistake
+
+
+def _is_misread(plan: Plan, judged: JudgedAnswer) -> bool:
+    """Tell whether an answer is the first that follows from another number than was issued."""
+    slip = judged.judgement.slip
+    return (
+        slip is not None and slip.kind == USED and plan.quantities[slip.detail].kind is Kind.GIVEN
     )
 
 
@@ -90,8 +118,10 @@ def _is_earned(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, boo
     traits = judged.judgement.outcome.traits
     if not (traits.calculated or traits.named) or _is_nothing(judged):
         return False
-    if traits.equals_reference and not judged.quantity.exact:
-        return True  # nobody meets a computed number within its band by guessing
+    # Nobody meets a computed number within its band by guessing; the same one for all is known.
+    is_met = traits.equals_reference and not judged.quantity.exact
+    if is_met and depends_on_given(case.plan, judged.quantity.id):
+        return True
     basis = list(_basis(case.plan, judged.quantity.id, earned))
     return bool(basis) and all(earned[name] for name in basis)
 
@@ -119,7 +149,11 @@ def _withheld(case: GradingCase, judged: JudgedAnswer, earned: Mapping[str, bool
     roots = tuple(
         name for name in _basis(case.plan, judged.quantity.id, earned) if not earned[name]
     )
-    said = message("It counts only with the numbers that it rests on, and these are not explained.")
+    said = (
+        message("It counts only with the numbers that it rests on, and these are not explained.")
+        if depends_on_given(case.plan, judged.quantity.id)
+        else message("It is the same in every variant, and counts only in a work that calculates.")
+    )
     return replace(
         judged,
         judgement=replace(

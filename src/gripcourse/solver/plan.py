@@ -141,6 +141,19 @@ def usual_values(plan: Plan) -> dict[str, float]:
     }
 
 
+def depends_on_given(plan: Plan, name: str) -> bool:
+    """Tell whether a quantity depends on what was issued: others are the same in every variant."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        one = waiting.pop()
+        if plan.quantities[one].kind is Kind.GIVEN:
+            return True
+        if one not in seen:
+            seen.add(one)
+            waiting += plan.inputs[one]
+    return False
+
+
 def _scheme(course: Course, scheme_id: str) -> Scheme:
     if scheme_id in course.schemes:
         return course.schemes[scheme_id]

@@ -29,6 +29,9 @@ _FIT: Final = re.compile(
 _FIT_LEFT_OUT: Final = message("The tolerance behind the size was left out.")
 _ANGLES: Final = frozenset({"deg", "rad", "gon"})
 _PERCENT: Final = "%"
+# Where turns are asked, one in a minute is a turn; one in a second is a turn or a radian.
+_TURNS: Final = {"1/min": "rpm", "Hz": "rps"}
+_TURNS_OR_RADIANS: Final = "1/s"
 # What a number format writes: quoted, letter by letter behind backslashes, or as it stands.
 _WRITTEN: Final = re.compile(r'"([^"]{1,20})"|((?:\\.|[^\W\d_a-zA-Z]){1,20})')
 # Commas behind the last digit show thousands, as 12.5 for 12500.
@@ -137,6 +140,14 @@ def from_text(quantity: Quantity, text: str) -> Understood | Message:
 
 def _measured(read: NumberRead, unit: str, quantity: Quantity) -> Understood | Message:
     """Read a number in another unit than the declared one: converted, or told that it is unfit."""
+    if quantity.unit in _TURNS.values():
+        if unit == _TURNS_OR_RADIANS:
+            return message(
+                "{number} turns or radians in a second? Write the number in {declared}.",
+                number=readable(read.value),
+                declared=_written(quantity.unit),
+            )
+        unit = _TURNS.get(unit, unit)
     if _fits(unit, quantity.unit):
         return _converted(read, unit, quantity)
     remarks = (*read.remarks, _unfit(unit, quantity))

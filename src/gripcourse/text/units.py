@@ -216,7 +216,7 @@ def _table() -> Mapping[str, _Row]:
     rows = [
         _Row(
             unit=row["unit"],
-            size=Fraction(row["size"].replace("pi/", "1/")),
+            size=Fraction(row["size"].replace("pi/", "1/").removesuffix("*pi")),
             pi=row["size"].count("pi"),
             si=row["si"],
             texts={name: row[name] for name in LANGUAGES},

@@ -13,7 +13,7 @@ from gripcourse.policy.bands import FLOOR_SHARE, tolerance_of
 from gripcourse.policy.load import policy_path
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
-from gripcourse.solver.plan import plan_of
+from gripcourse.solver.plan import depends_on_given, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import message
 from gripcourse.variants.model import Variant
@@ -21,6 +21,8 @@ from gripcourse.variants.model import Variant
 MOST_APART = 1.5
 """How many times as much the same mistake may cost in another variant."""
 _NOTABLE = 0.03  # of all points: what costs less makes no difference to a mark
+_SAME_POINTS = 0.02  # of all points: what an answer may earn that is the same in all variants
+_LEAST_VARIANTS = 3  # of a scheme: fewer are the same by chance
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +47,17 @@ class MistakeCost:
     def apart(self) -> float:
         """How many times the least the most is."""
         return self.most / self.least if self.least else np.inf
+
+
+@dataclass(frozen=True, slots=True)
+class _IssuedAnswer:
+    """What an issued variant has for an answer, in the declared unit, and what it earns."""
+
+    quantity: Quantity
+    scheme: str
+    value: float
+    points: float
+    is_from_given: bool
 
 
 def mistake_costs(
@@ -80,7 +93,9 @@ def paying_rules(course: Course, policy: Policy, variants: Sequence[Variant]) ->
     """
     file = str(policy_path(course.root).relative_to(course.root))
     yield from _without_main_results(file, policy, mistake_costs(course, policy, variants))
-    yield from _too_wide(file, course, policy, variants)
+    issued = _issued(course, policy, variants)
+    yield from _too_wide(file, policy, issued)
+    yield from _same_for_all(file, policy, issued)
 
 
 def _without_main_results(
@@ -112,16 +127,17 @@ def _without_main_results(
 
 
 def _too_wide(
-    file: str, course: Course, policy: Policy, variants: Sequence[Variant]
+    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]]
 ) -> Iterator[Problem]:
     """Name absolute tolerances that are wide beside what is issued.
 
     A floor by unit is cut where a value cannot be zero; of others that come near zero the usual
     value counts, because a relative band is empty there.
     """
-    for quantity, values in _issued(course, variants).values():
+    for answers in issued.values():
+        quantity = answers[0].quantity
         absolute = tolerance_of(quantity, policy).absolute
-        sizes = np.abs(np.asarray(values))
+        sizes = np.abs([one.value for one in answers if one.value])
         own = policy.tolerances.get(quantity.id) or quantity.tolerance
         low, high = quantity.bounds
         is_own = own is not None and own.absolute > 0
@@ -145,6 +161,37 @@ def _too_wide(
         yield Problem(file, key, what, remedy)
 
 
+def _same_for_all(
+    file: str, policy: Policy, issued: Mapping[str, Sequence[_IssuedAnswer]]
+) -> Iterator[Problem]:
+    """Name answers that earn much though all variants of a scheme have the same one.
+
+    One that depends on nothing issued is left out: it earns only in a work that calculates.
+    """
+    for name, answers in issued.items():
+        for scheme in dict.fromkeys(one.scheme for one in answers):
+            own = [one for one in answers if one.scheme == scheme]
+            values, points = [one.value for one in own], min(one.points for one in own)
+            within = tolerance_of(own[0].quantity, policy).relative * max(map(abs, values))
+            if (
+                len(own) < _LEAST_VARIANTS
+                or max(values) - min(values) > within
+                or points <= _SAME_POINTS * policy.total
+                or not own[0].is_from_given
+            ):
+                continue
+            what = message(
+                "'{quantity}' is the same in all {count} variants of the scheme '{scheme}', and "
+                "earns {points} points: a neighbour's number earns them too.",
+                quantity=name,
+                count=len(own),
+                scheme=scheme,
+                points=round(points, 2),
+            )
+            remedy = message("Write a smaller weight, or draw the variants from wider ranges.")
+            yield Problem(file, f"weight.quantity.{name}", what, remedy)
+
+
 def _no_more_than(number: float) -> float:
     """Round a positive number down to one figure."""
     step = 10.0 ** np.floor(np.log10(number))
@@ -152,14 +199,19 @@ def _no_more_than(number: float) -> float:
 
 
 def _issued(
-    course: Course, variants: Sequence[Variant]
-) -> Mapping[str, tuple[Quantity, list[float]]]:
-    """Return the computed values that are not zero over the variants, in declared units."""
-    found: dict[str, tuple[Quantity, list[float]]] = {}
+    course: Course, policy: Policy, variants: Sequence[Variant]
+) -> Mapping[str, Sequence[_IssuedAnswer]]:
+    """Return the computed answers of the variants, by quantity."""
+    found: dict[str, list[_IssuedAnswer]] = defaultdict(list)
     for variant in variants:
         plan = plan_of(course, variant.composition)
-        values = solve_variant(plan, variant.given)
+        values, points = solve_variant(plan, variant.given), points_of(plan, policy)
         for one in plan.answered:
-            if one.kind is Kind.FORMULA and np.isfinite(values[one.id]) and values[one.id]:
-                found.setdefault(one.id, (one, []))[1].append(values[one.id])
+            if one.kind is Kind.FORMULA and np.isfinite(values[one.id]):
+                is_from_given = depends_on_given(plan, one.id)
+                found[one.id].append(
+                    _IssuedAnswer(
+                        one, variant.scheme, values[one.id], points[one.id], is_from_given
+                    )
+                )
     return found

@@ -1,0 +1,79 @@
+"""Two numbers that stand in each other's cells: one mistake, which costs the first of them."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+from gripcourse.course.quantity import Kind
+from gripcourse.grading.comparison import Comparison
+from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
+from gripcourse.policy.bands import within
+from gripcourse.text.words import message
+
+
+def exchanged_once(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[JudgedAnswer]:
+    """Let the second of two answers count that were written into each other's cells.
+
+    Whoever takes the ends of a range for each other has made one mistake too.
+
+    Args:
+        case: the submission.
+        judged: every answer.
+
+    Returns:
+        The same in the same order.
+    """
+    changed: dict[str, JudgedAnswer] = {}
+    for one, other in _pairs(judged):
+        if one.quantity.id not in changed and other.quantity.id not in changed:
+            changed[one.quantity.id] = _first(one, other)
+            changed[other.quantity.id] = _second(case, one, other)
+    return [changed.get(one.quantity.id, one) for one in judged]
+
+
+def _pairs(judged: Sequence[JudgedAnswer]) -> Iterator[tuple[JudgedAnswer, JudgedAnswer]]:
+    """Yield wrong answers of one unit each of which is what the other should be."""
+    wrong = [
+        (one, one.comparison)
+        for one in judged
+        if one.quantity.kind is Kind.FORMULA
+        and one.comparison is not None
+        and one.judgement.outcome.traits.mistake
+    ]
+    for (one, here), (other, there) in combinations(wrong, 2):
+        if (
+            one.quantity.unit == other.quantity.unit
+            and _is_for(here.value, there)
+            and _is_for(there.value, here)
+        ):
+            yield one, other
+
+
+def _is_for(value: float, comparison: Comparison) -> bool:
+    """Tell whether a number is what an answer should be, by the reference or by own numbers."""
+    wanted = (comparison.reference, comparison.follows.nearest(value))
+    return any(within(value, one, comparison.band_round(one)) for one in wanted)
+
+
+def _first(one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
+    said = message(
+        "The numbers of two answers are exchanged: this one and {title}. It costs once.",
+        title=other.quantity.title,
+    )
+    return replace(one, judgement=replace(one.judgement, message=said))
+
+
+def _second(case: GradingCase, one: JudgedAnswer, other: JudgedAnswer) -> JudgedAnswer:
+    said = message("Exchanged with {title}, which has cost already.", title=one.quantity.title)
+    judgement = replace(
+        other.judgement,
+        outcome=Outcome.CARRIED,
+        against=Against.OWN_INPUTS,
+        credit=case.policy.carried_credit,
+        slip=None,
+        tied=(),
+        roots=(one.quantity.id,),
+        message=said,
+    )
+    return replace(other, judgement=judgement)
