@@ -80,6 +80,12 @@ def in_short(plan: Plan, reason: Reason) -> Message:
             return message("{quantity} is out of bounds", quantity=named)
         case RefusalCause.NOT_WHOLE:
             return message("{quantity} is no whole number", quantity=named)
+        case _:
+            return _broken_in_short(reason, named)
+
+
+def _broken_in_short(reason: Reason, named: Message) -> Message:
+    match reason.cause:
         case RefusalCause.CONDITION:
             return message("no size of its series will do for {quantity}", quantity=named)
         case RefusalCause.VERDICT:
