@@ -9,7 +9,8 @@ from gripcourse.course.model import Course
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, default_options, make_plan, usual_values
-from gripcourse.text.words import Words
+from gripcourse.text.words import LANGUAGES, Texts, Words
+from gripcourse.variants.constraint import Constraint
 from gripcourse.variants.explain import in_short, why_infeasible
 from gripcourse.variants.feasible import RefusalCause, reasons_infeasible
 
@@ -82,9 +83,17 @@ def test_a_missing_given_is_named(plan: Plan) -> None:
 
 def test_a_constraint_is_told_with_its_values(plan: Plan) -> None:
     text = "mass <= 50"
-    constraint = Formula(text, parse(text), {"mass": "kg"})
+    constraint = Constraint(Formula(text, parse(text), {"mass": "kg"}))
     (sentence,) = why_infeasible(plan, SOUND, [constraint])
     assert str(sentence) == "mass <= 50 does not hold, where mass = 60 kg."
+    titled = replace(constraint, title=Texts(dict.fromkeys(LANGUAGES, "objects are light")))
+    (sentence,) = why_infeasible(plan, SOUND, [titled])
+    assert str(sentence) == (
+        "Not so: objects are light. mass <= 50 does not hold, where mass = 60 kg."
+    )
+    heavy = {id_: np.array([value]) for id_, value in SOUND.items()}
+    (reason,) = reasons_infeasible(plan, heavy, [titled]).refused
+    assert str(in_short(plan, reason)) == "not so: objects are light"
 
 
 def test_candidates_of_a_batch_are_judged_one_by_one(plan: Plan) -> None:

@@ -143,7 +143,10 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
             )
         )
         refusals = (*tally.refusals[:5], *tally.set_aside)
-        lines += [f"  {refusal.count}: {words.say(refusal.what)}" for refusal in refusals]
+        lines += [
+            f"  {refusal.count} ({refusal.count / tally.tried:.0%}): {words.say(refusal.what)}"
+            for refusal in refusals
+        ]
     return "\n".join(lines)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Self
 
-from gripcourse.formula.tree import Formula
+from gripcourse.variants.constraint import Constraint
 from gripcourse.variants.ranges import Follower
 
 _REMEMBERED = 256
@@ -28,7 +28,7 @@ class SpaceCase:
     options: Mapping[str, str]
     given: Mapping[str, tuple[float, ...]]
     followers: Mapping[str, Follower]
-    constraints: tuple[Formula, ...]
+    constraints: tuple[Constraint, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,6 +1,7 @@
 """The constraints of a space: conditions over given and computed quantities."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
@@ -10,13 +11,26 @@ from gripcourse.formula.tree import Formula, Name, Node, Number, Operation, name
 from gripcourse.solver.plan import Plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, factor, known
-from gripcourse.text.words import message
+from gripcourse.text.words import Texts, message
 
 _COMPARISONS = ("<", "<=", ">", ">=", "==")
 
 
-def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
-    """Read `[[constraint]]`: a formula and, where numbers stand beside units, `evaluated_in`.
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """What a variant must satisfy besides being solvable.
+
+    Attributes:
+        formula: the condition.
+        title: what it asks for, as a sentence; None where nobody wrote one.
+    """
+
+    formula: Formula = field(hash=False)  # its units are a mapping, which has no hash
+    title: Texts | None = field(default=None, hash=False)
+
+
+def read_constraints(table: Table) -> list[tuple[Table, Constraint]]:
+    """Read `[[constraint]]`: a formula, `title` and, beside bare numbers, `evaluated_in`.
 
     Args:
         table: the space; problems are recorded there.
@@ -24,15 +38,16 @@ def read_constraints(table: Table) -> list[tuple[Table, Formula]]:
     Returns:
         The constraints that could be read, each with its table.
     """
-    found: list[tuple[Table, Formula]] = []
+    found: list[tuple[Table, Constraint]] = []
     for place in table.tables("constraint"):
         place.known_keys()
         text = place.text("formula")
         units = _units(place)
+        title = place.texts("title") if place.has("title") else None
         if not text:
             continue
         try:
-            found.append((place, Formula(text, parse(text), units)))
+            found.append((place, Constraint(Formula(text, parse(text), units), title)))
         except FormulaFault as fault:
             place.add(
                 "formula", fault.what, message("Correct the formula."), caret(text, fault.span)

@@ -9,15 +9,16 @@ from gripcourse.course.model import Option, Scheme
 from gripcourse.course.option_rule import OptionRule
 from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import names
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
+from gripcourse.variants.constraint import Constraint
 from gripcourse.variants.feasible import Feasibility, Reason, RefusalCause, reasons_infeasible
 
 
 def why_infeasible(
-    plan: Plan, given: Mapping[str, float], constraints: Sequence[Formula] = ()
+    plan: Plan, given: Mapping[str, float], constraints: Sequence[Constraint] = ()
 ) -> tuple[Message, ...]:
     """Say why one variant cannot be handed out.
 
@@ -70,7 +71,7 @@ def in_short(plan: Plan, reason: Reason) -> Message:
         return _rule_in_short(plan, reason, reason.rule)
     quantity = plan.quantities.get(reason.quantity)
     if quantity is None:
-        return message("{rule} does not hold", rule=reason.formula.text if reason.formula else "")
+        return _constraint_in_short(reason)
     named = _named(quantity)
     match reason.cause:
         case RefusalCause.NO_VALUE:
@@ -79,6 +80,16 @@ def in_short(plan: Plan, reason: Reason) -> Message:
             return message("{quantity} is out of bounds", quantity=named)
         case RefusalCause.NOT_WHOLE:
             return message("{quantity} is no whole number", quantity=named)
+        case _:
+            return _broken_in_short(reason, named)
+
+
+def _broken_in_short(reason: Reason, named: Message) -> Message:
+    match reason.cause:
+        case RefusalCause.CONDITION:
+            return message("no size of its series will do for {quantity}", quantity=named)
+        case RefusalCause.VERDICT:
+            return message("the answer is no: {quantity}", quantity=named)
         case _:
             rule = reason.formula.text if reason.formula else ""
             return message("{quantity}: {rule} does not hold", quantity=named, rule=rule)
@@ -125,6 +136,12 @@ def _no_value_in_short(quantity: Quantity) -> Message:
     if quantity.choice is not None:
         return message("{quantity} is not in the catalogue", quantity=_named(quantity))
     return message("{quantity} has no value", quantity=_named(quantity))
+
+
+def _constraint_in_short(reason: Reason) -> Message:
+    if reason.title is not None:
+        return message("not so: {title}", title=reason.title)
+    return message("{rule} does not hold", rule=reason.formula.text if reason.formula else "")
 
 
 def _rule_in_short(plan: Plan, reason: Reason, rule: OptionRule) -> Message:
@@ -193,6 +210,9 @@ def _broken_rule(plan: Plan, feasibility: Feasibility, reason: Reason, row: int)
     if formula is None:
         return in_short(plan, reason)
     values = _values(plan, feasibility, names(formula.tree), row)
+    if reason.title is not None:
+        return message("Not so: {title}. {rule} does not hold, where {values}.",
+                       title=reason.title, rule=formula.text, values=values)  # fmt: skip
     if not reason.quantity:
         return message("{rule} does not hold, where {values}.", rule=formula.text, values=values)
     return message(

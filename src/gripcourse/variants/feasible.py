@@ -20,6 +20,8 @@ from gripcourse.solver.family import Family, Member, Rows, evaluate_family, fami
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.solve import Evaluation
 from gripcourse.text.units import factor
+from gripcourse.text.words import Texts
+from gripcourse.variants.constraint import Constraint
 
 Mask: TypeAlias = NDArray[np.bool_]
 Array: TypeAlias = NDArray[np.float64]
@@ -51,12 +53,14 @@ class Reason:
             option whose choice is forbidden, or the given that differs from the first.
         formula: what does not hold; None for bounds and missing values.
         rule: the rule among options that is broken; None where it is no such rule.
+        title: of a constraint, as its author says it; None where nobody says it.
     """
 
     cause: RefusalCause
     quantity: str
     formula: Formula | None = field(hash=False)  # its units are a mapping, which has no hash
     rule: OptionRule | None = field(default=None, hash=False)
+    title: Texts | None = field(default=None, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +79,7 @@ class Feasibility:
 
 
 def reasons_infeasible(
-    plan: Plan, given: Mapping[str, Array], constraints: Sequence[Formula] = ()
+    plan: Plan, given: Mapping[str, Array], constraints: Sequence[Constraint] = ()
 ) -> Feasibility:
     """Judge a batch of candidates with the same options in one evaluation; see `judge`.
 
@@ -90,7 +94,7 @@ def reasons_infeasible(
 
 
 def judge(
-    family: Family, given: Mapping[str, Array], constraints: Sequence[Formula] = ()
+    family: Family, given: Mapping[str, Array], constraints: Sequence[Constraint] = ()
 ) -> Feasibility:
     """Judge candidates of one scheme, each with its own options, in one evaluation.
 
@@ -115,10 +119,12 @@ def judge(
         _judge_member(batch, member)
     for rule in family.course.schemes[family.scheme].rules:
         _judge_rule(batch, rule)
-    for formula in constraints:
-        if set(formula.names) <= batch.evaluation.values.keys():
+    for constraint in constraints:
+        if set(constraint.formula.names) <= batch.evaluation.values.keys():
+            formula = constraint.formula
             broken = _broken(batch, formula, batch.evaluation.values)
-            batch.add(Reason(RefusalCause.CONSTRAINT, "", formula), None, broken)
+            reason = Reason(RefusalCause.CONSTRAINT, "", formula, title=constraint.title)
+            batch.add(reason, None, broken)
     infeasible = np.zeros(family.size, dtype=np.bool_)
     for where in batch.refused.values():
         infeasible |= where

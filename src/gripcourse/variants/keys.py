@@ -3,7 +3,7 @@
 from typing import Final
 
 from gripcourse.course.quantity_keys import RANGE
-from gripcourse.course.shape import Shape, by_name, number, strings, table, tables, text
+from gripcourse.course.shape import Shape, by_name, number, strings, table, tables, text, texts
 
 SPACE: Final = Shape(
     {
@@ -20,6 +20,7 @@ SPACE: Final = Shape(
             "Conditions that each variant satisfies.",
             {
                 "formula": text("A comparison of quantities.", required=True),
+                "title": texts("What it asks for, as a sentence that whoever draws reads."),
                 "evaluated_in": by_name(
                     "The unit in which a name enters.", text("A unit.", required=True)
                 ),

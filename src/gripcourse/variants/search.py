@@ -9,10 +9,10 @@ import numpy as np
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
-from gripcourse.formula.tree import Formula
 from gripcourse.solver.family import Family, Rows, families_of
 from gripcourse.solver.solve import Evaluation
 from gripcourse.text.words import Message, message
+from gripcourse.variants.constraint import Constraint
 from gripcourse.variants.explain import in_short
 from gripcourse.variants.feasible import Array, Feasibility, Mask, judge
 from gripcourse.variants.space import Space
@@ -176,12 +176,16 @@ class Search:
         given: Mapping[str, Array],
         cases: Rows,
         wanted: Mapping[int, int],
-        constraints: Sequence[Formula],
+        constraints: Sequence[Constraint],
     ) -> None:
         feasibility = judge(family, given, constraints)
+        said: dict[str, tuple[Message, Mask]] = {}
         for reason, where in feasibility.refused.items():
-            plan = family.plan(int(np.argmax(where)))
-            self._reasons.add(in_short(plan, reason), cases[where])
+            what = in_short(family.plan(int(np.argmax(where))), reason)
+            _, so_far = said.get(str(what), (what, np.zeros_like(where)))
+            said[str(what)] = what, so_far | where  # two constraints may have one title
+        for what, where in said.values():
+            self._reasons.add(what, cases[where])
         batch = _batch(family, given, feasibility, cases, wanted)
         self.sound += len(batch.cases)
         keep = np.ones(len(batch.cases), dtype=np.bool_)

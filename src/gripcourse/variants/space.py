@@ -23,7 +23,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.cases import Cases, SpaceCase
-from gripcourse.variants.constraint import check_constraint, read_constraints
+from gripcourse.variants.constraint import Constraint, check_constraint, read_constraints
 from gripcourse.variants.contradiction import check_reach
 from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import Allowed, Follower, Range, RangeReader
@@ -44,7 +44,7 @@ class Space:
     scheme: str
     weight: float
     cases: Cases
-    constraints: tuple[Formula, ...]
+    constraints: tuple[Constraint, ...]
     file: str
 
 
@@ -148,7 +148,7 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
 
 
 def _cases(
-    course: Course, table: Table, scheme: Scheme, constraints: Sequence[tuple[Table, Formula]]
+    course: Course, table: Table, scheme: Scheme, constraints: Sequence[tuple[Table, Constraint]]
 ) -> Cases:
     """Read the ranges and constraints of a scheme; thousands of combinations share them.
 
@@ -175,7 +175,8 @@ def _cases(
             )
     options = {option.id: {choice.id for choice in option.choices} for option in mixed.options}
     for line, constraint in constraints:
-        check_constraint(line, constraint, (*plans, *_plans_with(course, mixed, plans, constraint)))
+        formula = constraint.formula
+        check_constraint(line, formula, (*plans, *_plans_with(course, mixed, plans, formula)))
     reader = RangeReader(course, givens, options)
     declared = {id(one): one for plan in plans for one in plan.givens}
     found = ((key, one, _written(one, own, table)) for key, one in declared.items())
@@ -185,14 +186,14 @@ def _cases(
     }
     _check_bound(table, mixed, plans, read)
     reader.check_leaders([(place, one.id, read[key]) for key, (one, place) in places.items()])
-    formulas = [one for _, one in constraints]
+    own_constraints = [one for _, one in constraints]
     if not table.problems:  # else ranges may be empty, and names unknown
         drawn = [(plan, _case(plan, plan.options, read, ())) for plan in plans]
         for line, constraint in constraints:
-            check_reach(line, constraint, drawn)
+            check_reach(line, constraint.formula, drawn)
 
     def make(options: Mapping[str, str]) -> SpaceCase:
-        return _case(make_plan(course, scheme.id, options), options, read, formulas)
+        return _case(make_plan(course, scheme.id, options), options, read, own_constraints)
 
     return Cases.made_by(option_sets(mixed), make)
 
@@ -260,7 +261,7 @@ def _case(
     plan: Plan,
     options: Mapping[str, str],
     read: Mapping[int, Range],
-    constraints: Sequence[Formula],
+    constraints: Sequence[Constraint],
 ) -> SpaceCase:
     """Take from the ranges what counts for one combination of options."""
     chosen = {
@@ -275,7 +276,7 @@ def _case(
         options,
         {id_: one for id_, one in chosen.items() if not isinstance(one, Follower)},
         {id_: one for id_, one in chosen.items() if isinstance(one, Follower)},
-        tuple(one for one in constraints if plan.quantities.keys() >= set(one.names)),
+        tuple(one for one in constraints if plan.quantities.keys() >= set(one.formula.names)),
     )
 
 
