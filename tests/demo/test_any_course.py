@@ -27,6 +27,12 @@ def small_course(root: Path) -> Path:
     return root
 
 
+@pytest.fixture(autouse=True)
+def _no_sheets(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody reads these sheets, and laying one out takes a second."""
+    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
+
+
 def test_stories_without_an_occasion_are_left_out(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

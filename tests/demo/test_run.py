@@ -3,7 +3,7 @@
 import io
 import json
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,9 +17,15 @@ from gripcourse.cli.grading_text import demo_text
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.demo.run import MARKED_STORY, Demo, run_demo
-from gripcourse.demo.students import COPIED
-from gripcourse.documents.assignment_sheet import STYLES, TEMPLATE, sheet_values
+from gripcourse.demo.students import COPIED, fill_workbooks
+from gripcourse.documents.assignment_sheet import (
+    STYLES,
+    TEMPLATE,
+    assignment_sheet,
+    sheet_values,
+)
 from gripcourse.documents.pdf import Document, render_html
+from gripcourse.documents.report.student import student_report
 from gripcourse.grading.model import Outcome, Report
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import read_register
@@ -38,19 +44,40 @@ from support.leaks import Piece, numbers_in, numbers_told, pieces, places_told, 
 # One student of each language, with schemes of their own.
 LOOKED_AT = ("ivanova-ap", "shevchenko-ok", "carter-jl")
 USER = "somebody-at-the-desk"
+# Whose reports are read, by their stories: a sound one, an empty one, one with a marked drawing.
+REPORTS_READ = ("correct", "blank", MARKED_STORY)
+PAGE = b"%PDF-1.7 that nobody reads\n"
 
 
 @pytest.fixture(scope="session")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The real thing, once: a dozen assignments, eight workbooks, eight reports (half a minute)."""
+    """The real thing, once; of sheets and reports only those are laid out that are read here.
+
+    Each takes more than a second, and `make demo` lays out all of them.
+    """
     out = tmp_path_factory.mktemp("demo")
     steps: list[object] = []
+    stories: dict[str, str] = {}
 
     def step(name: object, _total: int) -> Callable[[], None]:
         steps.append(name)
         return lambda: None
 
+    def filled(*told: object) -> Mapping[str, str]:
+        stories.update(fill_workbooks(*told))  # type: ignore[arg-type]
+        return stories
+
+    def sheet(entry: Issued, *told: object) -> bytes:
+        return assignment_sheet(entry, *told) if entry.student.id in LOOKED_AT else PAGE
+
+    def report(judged: Report, *told: object, **more: object) -> bytes:
+        read = stories[judged.student] in REPORTS_READ
+        return student_report(judged, *told, **more) if read else PAGE
+
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("gripcourse.demo.run.fill_workbooks", filled)
+        patch.setattr("gripcourse.usecases.handout.assignment_sheet", sheet)
+        patch.setattr("gripcourse.documents.report.student.student_report", report)
         for name in ("USER", "LOGNAME", "USERNAME"):
             patch.setenv(name, USER)
         done = run_demo(course_root(), out, Words("en"), 0, step)
@@ -150,7 +177,11 @@ def test_everything_that_is_promised_is_there(demo: Demo) -> None:
     assert len(folders) == 12
     assert all(len(list((demo.assignments / one).iterdir())) == 2 for one in folders)
     assert (demo.course / "private" / "gradebook.sqlite").exists()
-    assert all(path.stat().st_size > 10_000 for path in demo.graded.rglob("*.pdf"))
+    made = [path.read_bytes() for path in demo.graded.rglob("*.pdf")]
+    assert all(pdf.startswith(b"%PDF") for pdf in made)
+    whole = [pdf for pdf in made if pdf != PAGE]
+    assert len(whole) == len(REPORTS_READ) + 1  # and the report on the batch
+    assert all(len(pdf) > 10_000 for pdf in whole)
 
 
 def test_nothing_failed_on_our_side(demo: Demo) -> None:

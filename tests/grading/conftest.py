@@ -37,8 +37,8 @@ _METHODS: dict[tuple[int, int], tuple[Plan, Policy, CandidatesOf]] = {}
 
 
 def methods_of(plan: Plan, policy: Policy) -> CandidatesOf:
-    """Make the wrong methods of a composition's quantities once, not for every answer."""
-    key = (id(plan), id(policy))
+    """Make the wrong methods of a composition's quantities once, not for every answer or policy."""
+    key = (id(plan), id(policy.slips))
     if key not in _METHODS:  # with what its numbers are of, which is thus not given away
         methods = cache(lambda name: candidates_of(plan, name, policy.slips))
         _METHODS[key] = (plan, policy, methods)

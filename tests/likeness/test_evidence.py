@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .conftest import School
 
 RULE = LikenessRule(1e3, 3, 3)
-SEEDS = (1, 2, 3)
+SEEDS = (1,)
 
 
 def told(found: tuple[Evidence, ...]) -> dict[str, set[str]]:

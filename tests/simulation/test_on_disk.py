@@ -26,7 +26,7 @@ from gripcourse.submission.interpret import interpret
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 
-COUNT = 24
+COUNT = 14
 
 
 @pytest.fixture(scope="module")

@@ -28,7 +28,7 @@ from gripcourse.variants.space import load_spaces
 
 @pytest.fixture(scope="module")
 def variants(course: Course) -> Sequence[Variant]:
-    return draw(course, load_spaces(course), 8, 9).variants
+    return draw(course, load_spaces(course), 4, 9).variants
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def test_the_rule_is_the_graders(
     """Answers typed as text; a narrow band makes the grader refuse some of them."""
     strict = replace(policy, tolerance=replace(policy.tolerance, relative=narrow), floors={})
     hands = hands_of(mix)
-    variants = draw(course, load_spaces(course), 8, 4).variants
+    variants = draw(course, load_spaces(course), 5, 4).variants
     behaviour = next(iter(room.behaviours.values()))
     accepted = refused = 0
     for number, issued in enumerate(issue_to_nobody(course, mix, variants, 1)):
@@ -132,7 +132,7 @@ def test_what_a_declaration_allows_is_not_narrowed(found: ToleranceAudit) -> Non
 def test_nothing_is_narrowed_after_few_answers(
     course: Course, policy: Policy, mix: Mix, variants: Sequence[Variant]
 ) -> None:
-    few = audit_tolerances(course, policy, mix, variants[:4], 1)
+    few = audit_tolerances(course, policy, mix, variants[:2], 1)
     for one in few.quantities:
         assert one.proposed.relative >= one.now.relative
         assert one.proposed.absolute >= one.now.absolute

@@ -32,7 +32,10 @@ def documents(course: Course, policy: Policy) -> list[Document]:
 
 @pytest.fixture
 def spoiled(documents: list[Document], tmp_path: Path) -> Spoil:
-    """Replace text in templates, (file, old, new) each, and judge them."""
+    """Replace text in templates, (file, old, new) each, and judge them.
+
+    Where whole templates are changed, only their documents are filled: nobody else takes them in.
+    """
 
     def spoil(*edits: tuple[str, str, str]) -> list[Problem]:
         templates = tmp_path / "templates"
@@ -43,7 +46,10 @@ def spoiled(documents: list[Document], tmp_path: Path) -> Spoil:
             assert old in text
             path.write_text(text.replace(old, new, 1), encoding="utf-8")
         read, problems = read_templates(templates)
-        return [*problems, *filling_problems(documents, templates, WORDS, read)]
+        changed = {file for file, _, _ in edits}
+        whole = changed and changed <= {one.template for one in documents}
+        filled = [one for one in documents if not whole or one.template in changed]
+        return [*problems, *filling_problems(filled, templates, WORDS, read)]
 
     return spoil
 

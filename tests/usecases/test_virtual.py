@@ -26,7 +26,7 @@ from gripcourse.usecases.virtual import (
 )
 
 BELTS = Path(__file__).parents[2] / "examples" / "belt_drive"  # validated in two seconds
-COHORT = Cohort(count=4, seed=3, scheme="rack_parallelogram")
+COHORT = Cohort(count=2, seed=3, scheme="rack_parallelogram")
 
 
 def nothing() -> None:
@@ -44,7 +44,7 @@ def narrow(tmp_path_factory: pytest.TempPathFactory) -> tuple[Course, Policy, To
     path.write_text(text, encoding="utf-8")
     policy = load_policy(own)
     table = own.root / "variants" / "tables" / "main.csv"
-    variants = variants_of(own, ToleranceSample(table, count=0, seed=1))[:6]
+    variants = variants_of(own, ToleranceSample(table, count=0, seed=1))[:2]
     return own, policy, audit(own, policy, variants, 0, nothing)
 
 

@@ -64,9 +64,9 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
     if strange:
         raise CourseError(strange)
     digest = course_digest(root)
-    kept = None if digest is None else _kept(digest)
+    kept = None if digest is None else _kept_at(digest, root)
     if kept is not None:
-        return replace(kept, root=root), digest
+        return kept, digest
     course, problems = read_course(root)
     if course is not None:
         problems += check_course(course)
@@ -75,7 +75,8 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
     # What changed while it was read is not kept under the digest of what was there before.
     if digest is not None and digest == course_digest(root):
         keep(digest, course)
-        _kept.cache_clear()  # it remembers that there was none
+        for remembered in (_kept, _kept_at):  # that there was none
+            remembered.cache_clear()
     return course, digest
 
 
@@ -93,6 +94,13 @@ def course_digest(root: Path) -> str | None:
 def _kept(digest: str) -> Course | None:
     found = read_kept(digest)
     return found if isinstance(found, Course) else None
+
+
+@lru_cache(maxsize=4)
+def _kept_at(digest: str, root: Path) -> Course | None:
+    """Return the same course to who loads it again, with all that was made of it since."""
+    kept = _kept(digest)
+    return None if kept is None else replace(kept, root=root)
 
 
 def read_course(root: Path) -> tuple[Course | None, list[Problem]]:

@@ -10,6 +10,8 @@ nothing has to be rounded later.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
 
 from gripcourse.course.compose import all_part_ids, compose
 from gripcourse.course.model import Course, Option, Scheme
@@ -55,9 +57,24 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
         CourseError: with every problem of every file: unknown names, ranges that allow nothing or
             leave the bounds, givens without a range, constraints that mean nothing.
     """
+    paths = sorted((course.root / "variants" / "spaces").glob("*.toml"))
+    try:
+        told = tuple((path, path.read_bytes()) for path in paths)
+    except OSError:  # which is told with its file and a remedy
+        return _spaces_of(course, paths)
+    return _remembered(course, told)
+
+
+@lru_cache(maxsize=4)
+def _remembered(course: Course, told: tuple[tuple[Path, bytes], ...]) -> tuple[Space, ...]:
+    """Make the spaces that files tell of a course once, as long as they tell the same."""
+    return _spaces_of(course, [path for path, _ in told])
+
+
+def _spaces_of(course: Course, paths: Sequence[Path]) -> tuple[Space, ...]:
     problems: list[Problem] = []
     spaces: list[Space] = []
-    for path in sorted((course.root / "variants" / "spaces").glob("*.toml")):
+    for path in paths:
         table = read_toml(path, course.root, problems, SPACE)
         space = None if table is None else _space(course, table)
         if table is not None and space is not None:
