@@ -39,7 +39,7 @@ JSON: Final = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
     max_leaves=6,
 )
-quick = settings(max_examples=60, derandomize=True, database=None, deadline=None)
+quick = settings(max_examples=25, derandomize=True, database=None, deadline=None)
 
 
 def answering(body: Callable[[], bytes]) -> httpx2.Client:
