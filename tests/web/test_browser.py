@@ -312,3 +312,47 @@ def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "W
         )
         broken[page] = broken_rules(sized)
     assert {page: rules for page, rules in broken.items() if rules} == {}
+
+
+@pytest.mark.usefixtures("published")
+def test_both_sides_see_at_once_what_the_other_does(
+    server: "Server", desk: str, address: str, browser: "WebDriver", tmp_path: Path
+) -> None:
+    run_scripts(browser, allowed=False)
+    work, sentence = tmp_path / "both.xlsx", "Look at both sides."
+    work.write_bytes(server.filled("s01", tmp_path))
+    at_desk, home = browser.current_window_handle, f"{address}{server.home('s01', days=4000)}"
+    browser.switch_to.new_window("tab")
+    at_home = browser.current_window_handle
+
+    def press(action: str) -> None:
+        browser.find_element(By.CSS_SELECTOR, f"form[action$={action}] button").click()
+
+    def the_student(page: str) -> None:
+        browser.switch_to.window(at_home)
+        browser.get(page)
+
+    def the_instructor(page: str) -> str:
+        browser.switch_to.window(at_desk)
+        browser.get(f"{desk}{page}")
+        return browser.find_element(By.TAG_NAME, "main").text
+
+    the_student(home)
+    browser.find_element(By.ID, "file").send_keys(str(work))
+    browser.find_element(By.CSS_SELECTOR, "button[formaction$=hand-in]").click()
+    assert "/receipt/" in browser.current_url
+    assert work.name in the_instructor("student/s01")
+    the_student(home)
+    browser.find_element(By.NAME, "sentence").send_keys(sentence)
+    press("request")
+    assert sentence in the_instructor("student/s01")
+    the_instructor("")
+    press("withdraw")
+    the_student(home)
+    assert not browser.find_elements(By.NAME, "sentence")
+    the_instructor("")
+    press("publish")
+    the_student(home)
+    assert browser.find_elements(By.NAME, "sentence")
+    browser.close()
+    browser.switch_to.window(at_desk)

@@ -269,6 +269,8 @@ FORGED: dict[str, tuple[str, Callable[[Attempt], str]]] = {
     "alg_none": ("algorithm", no_algorithm),
     "alg_hs256": ("algorithm", secret_of_public_key),
     "alg_rs512": ("algorithm", with_header(alg="RS512")),
+    "asks_for_more": ("form", with_header(crit=["b64"], b64=True)),
+    "asks_for_nothing_sensible": ("form", with_header(crit=[None])),
     "key_unknown": ("key", with_header(kid="k9")),
     "key_unnamed": ("key", with_header(kid=None)),
     "key_brought_along": ("key", with_header(kid="mine", jwk={"kty": "RSA"}, jku="https://evil")),

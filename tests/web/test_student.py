@@ -191,6 +191,38 @@ def test_who_closes_in_the_middle_of_an_upload_has_handed_in_nothing(server: "Se
     assert (server.context.desk.hand_ins(), server.context.desk.checks()) == before
 
 
+@pytest.mark.parametrize(
+    ("head", "body", "status"),
+    [
+        ({"content-type": "multipart/form-data"}, b"x", 400),
+        (
+            {"content-type": "multipart/form-data; boundary=x", "content-length": "30000000"},
+            b"",
+            413,
+        ),
+    ],
+)
+def test_whatever_is_wrong_with_a_form_is_said_in_the_students_language_with_a_way_back(
+    server: "Server", head: dict[str, str], body: bytes, status: int
+) -> None:
+    home = server.home("s02")
+    answer = server.client().post(
+        f"{home}hand-in", content=body, headers={**head, "accept-language": "en"}
+    )
+    assert answer.status_code == status
+    assert 'lang="uk"' in answer.text
+    assert f'href="{home}"' in answer.text
+
+
+@pytest.mark.parametrize("name", [".", "a/..", "/", "   "])
+def test_a_file_is_called_something(server: "Server", name: str) -> None:
+    answer = server.client().post(
+        f"{server.home('s03')}hand-in", files={"file": (name, name.encode() * 9)}
+    )
+    assert answer.status_code == 200
+    assert server.context.desk.hand_ins("s03")[-1].name == "file"
+
+
 def test_a_form_without_a_file_is_answered_with_a_sentence(server: "Server") -> None:
     client, home = server.client(), server.home("s03")
     for action in ("check", "hand-in"):

@@ -161,6 +161,9 @@ def _signed(token: str, platform: Platform, keys: KeySets) -> dict[str, Any]:
     # Before any key is looked for: a public key is no secret to compute a signature with.
     if header.get("alg") != ALGORITHM:
         raise LaunchRefusedError(LaunchRefusal.ALGORITHM)
+    # What has to be understood beyond the standard is none of ours; the library stumbles over it.
+    if "crit" in header:
+        raise LaunchRefusedError(LaunchRefusal.FORM)
     key_id = header.get("kid")
     if not isinstance(key_id, str):
         raise LaunchRefusedError(LaunchRefusal.KEY)

@@ -20,6 +20,7 @@ from gripcourse.variants.model import Issued
 
 _MOST: Final = 200_000_000
 """Bytes that one student may keep here: a term of large workbooks many times over."""
+_NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
 _PURPOSE: Final = b"gripcourse receipt 1\n"
 
@@ -65,6 +66,8 @@ def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetim
         write_bytes(path, file.data, private=True)
         _make_durable(path.parent)
     name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
+    if not name.strip(". "):
+        name = _NAMELESS
     kept = context.desk.add_hand_in(student, digest, len(file.data), name, now)
     return receipt_of(context, issued, kept)
 

@@ -20,7 +20,7 @@ from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.marking import marking_routes
 from gripcourse.web.overview import overview_routes
-from gripcourse.web.pages import notice, visitor_words
+from gripcourse.web.pages import notice, visitor_words, way_back
 from gripcourse.web.refusals import (
     WebRefusal,
     refusal_of_incident,
@@ -54,7 +54,8 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         return FileResponse(sheet, media_type="text/css", headers=headers)
 
     def said(request: Request, why: WebRefusal) -> Response:
-        return notice(site, request, visitor_words(site, request), why.said, why.status)
+        words, back = visitor_words(site, request), way_back(request)
+        return notice(site, request, words, why.said, why.status, back)
 
     async def refused(request: Request, fault: Exception) -> Response:
         response = said(request, refusal_of_request(fault))

@@ -13,6 +13,8 @@ from gripcourse.documents.pdf import template_environment
 from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.web.site import Site
 
+_LANGUAGE: Final = "visitor_language"
+_HOME: Final = "visitor_home"
 _TIME: Final = "d MMM y, HH:mm:ss z"
 
 
@@ -76,8 +78,29 @@ def notice(
 
 
 def visitor_words(site: Site, request: Request) -> Words:
-    """Return the language of somebody unknown: the browser's first that we speak."""
-    return Words(asked_language(request) or site.context.course.language)
+    """Return the language of a visitor: the student's once the link was opened, else the browser's.
+
+    Whatever goes wrong later, with the form for example, is said in that language too.
+    """
+    known: str | None = getattr(request.state, _LANGUAGE, None)
+    return Words(known or asked_language(request) or site.context.course.language)
+
+
+def remember_visitor(request: Request, words: Words, home: str = "") -> None:
+    """Keep for the rest of a request what its visitor reads, and where the way back leads.
+
+    Args:
+        request: that is answered.
+        words: language of the visitor.
+        home: path of the visitor's page; empty for none.
+    """
+    setattr(request.state, _LANGUAGE, words.language)
+    setattr(request.state, _HOME, home)
+
+
+def way_back(request: Request) -> str:
+    """Return where a link leads from a page that says what went wrong; empty for nowhere."""
+    return str(getattr(request.state, _HOME, ""))
 
 
 def asked_language(request: Request) -> str | None:

@@ -1,7 +1,7 @@
 """A student's pages: all below the personal link, and nothing of anybody else."""
 
 from collections.abc import Awaitable, Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from http import HTTPStatus
 from pathlib import Path
 from typing import Final, TypeAlias
@@ -26,7 +26,7 @@ from gripcourse.usecases.links import open_link
 from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
-from gripcourse.web.pages import notice, page, visitor_words
+from gripcourse.web.pages import notice, page, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
 from gripcourse.web.site import Site
@@ -112,8 +112,10 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
             count(site, REFUSED_LINKS, address_of(request))
             words, status = visitor_words(site, request), _REFUSED_STATUS[issued]
             return notice(site, request, words, LINK_SAID[issued], status)
-        sent = await read_form(request) if request.method == "POST" else Sent({}, None)
-        visit = Visit(site, request, issued, sent)
+        visit = Visit(site, request, issued, Sent({}, None))
+        remember_visitor(request, visit.words, visit.home)
+        if request.method == "POST":
+            visit = replace(visit, sent=await read_form(request))
         # Checks wait for workers, which must not take the threads of those who hand in.
         limiter = site.waiting if answer is check else None
         return await to_thread.run_sync(answer, visit, limiter=limiter)

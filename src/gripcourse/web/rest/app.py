@@ -18,7 +18,7 @@ from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.links import open_link
 from gripcourse.web.guard import TooMuchError
-from gripcourse.web.pages import asked_language, visitor_words
+from gripcourse.web.pages import asked_language, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import (
     LINK_SAID,
@@ -127,6 +127,7 @@ async def _student_call(
         count(site, REFUSED_LINKS, address_of(request))
         return WebRefusal(_CODES[issued], LINK_SAID[issued])
     language = asked_language(request) or issued.student.language or site.context.course.language
+    remember_visitor(request, Words(language))
     body = await read_body(operation, request)
     if isinstance(body, WebRefusal | NotUsable):
         return body
