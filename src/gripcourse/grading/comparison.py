@@ -12,7 +12,7 @@ from gripcourse.formula.evaluate import evaluate_number, evaluate_sound
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.policy.bands import BandRule, band_rule, computed_band_rule, within
+from gripcourse.policy.bands import BandRule, band_rules, within
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -100,15 +100,16 @@ class Comparison:
     def __post_init__(self) -> None:
         """Find once what every judge asks for."""
         name, put = self.quantity.id, object.__setattr__
-        put(self, "bands", band_rule(self.quantity, self.policy))
-        put(self, "widest", computed_band_rule(self.quantity, self.policy))
+        bands, widest = band_rules(self.quantity, self.policy)
+        put(self, "bands", bands)
+        put(self, "widest", widest)
         scale = factor(self.quantity.unit)
         put(self, "reference", self.reference_values.get(name, math.nan) / scale)
         put(self, "follows", NOWHERE if name in self.follow_through.bridged else self._following())
 
     def _following(self) -> ExpectedRange:
         name, own = self.quantity.id, self.follow_through
-        return self._range(own.numbers.computed[name], own.moved.computed[name])
+        return self._range(own.numbers.computed[name], own.ranges[name])
 
     @property
     def has_reference(self) -> bool:
@@ -127,7 +128,7 @@ class Comparison:
     def at_own(self, formula: Formula) -> ExpectedRange:
         """Evaluate a formula at the student's inputs, in the declared unit."""
         value = self._number(formula, self.follow_through.numbers.values)
-        return self._range(value, self._moved(formula, self.follow_through.moved.values))
+        return self._range(value, self._ends(formula, self.follow_through.moved.values))
 
     def near_own(self, formula: Formula, furthest: float) -> ExpectedRange:
         """Do the same; the range is only looked at where it may come so near to the answer."""
@@ -135,7 +136,7 @@ class Comparison:
         declared = value / factor(self.quantity.unit)
         if not abs(self.value - declared) <= self._widest(declared) + furthest:
             return ExpectedRange(declared, declared, declared)
-        return self._range(value, self._moved(formula, self.follow_through.moved.values))
+        return self._range(value, self._ends(formula, self.follow_through.moved.values))
 
     def following(self, name: str, value: float) -> ExpectedRange:
         """Return what follows here if another quantity is exactly a value (declared units)."""
@@ -148,7 +149,7 @@ class Comparison:
         own = self.follow_through
         result = self._number(formula, {**own.numbers.values, name: exact})
         moved = {**own.moved.values, name: np.asarray(exact)}
-        return self._range(result, self._moved(formula, moved))
+        return self._range(result, self._ends(formula, moved))
 
     def fits(self, expected: float) -> bool:
         """Tell whether the answer lies in the band round an expected value."""
@@ -163,11 +164,10 @@ class Comparison:
         """The quantities whose values at the student's numbers are not those of the reference."""
         return self.follow_through.own
 
-    def _range(self, value: float, moved: NDArray[np.float64]) -> ExpectedRange:
+    def _range(self, value: float, ends: tuple[float, float]) -> ExpectedRange:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""
         size = factor(self.quantity.unit)
-        low, high = range_of(moved)
-        value, low, high = value / size, low / size, high / size
+        value, low, high = value / size, ends[0] / size, ends[1] / size
         most = self._widest(value)
         return ExpectedRange(value, max(low, value - most), min(high, value + most))
 
@@ -179,10 +179,10 @@ class Comparison:
     def _number(self, formula: Formula, values: Mapping[str, float]) -> float:
         return evaluate_number(formula, self.quantity.unit, values, self.plan.columns)
 
-    def _moved(
+    def _ends(
         self, formula: Formula, values: Mapping[str, NDArray[np.float64]]
-    ) -> NDArray[np.float64]:
-        return evaluate_sound(formula, self.quantity.unit, values, self.plan.columns)
+    ) -> tuple[float, float]:
+        return range_of(evaluate_sound(formula, self.quantity.unit, values, self.plan.columns))
 
 
 def conclude(  # noqa: PLR0913 (the parts of a conclusion)

@@ -37,6 +37,7 @@ class FollowThrough:
         evaluation: the same as arrays of shape ().
         moved: the same with the typed numbers moved, arrays of shape (1 + 2n,): as typed first,
             then for each of n typed numbers its lower and its upper end.
+        ranges: the lowest and the highest value that each formula gives for the moved numbers.
         not_carried: ids of answers that were read and are not carried on, because they fail their
             guard or are physically unthinkable.
         bridged: ids that could not be computed from the student's numbers; the reference stands in
@@ -48,6 +49,7 @@ class FollowThrough:
     numbers: PlainNumbers
     evaluation: Evaluation
     moved: Evaluation
+    ranges: Mapping[str, tuple[float, float]]
     not_carried: frozenset[str]
     bridged: frozenset[str]
     own: frozenset[str]
@@ -84,11 +86,13 @@ def follow(
     evaluation = numbers.as_arrays()
     read = {name for name, answer in answers.items() if answer.reading is Reading.READ}
     known = inputs | kept | stand_in
+    moved = _moved(plan, evaluation, known, _reaches(plan, answers, kept, policy))
     return FollowThrough(
         known=known,
         numbers=numbers,
         evaluation=evaluation,
-        moved=_moved(plan, evaluation, known, _reaches(plan, answers, kept, policy)),
+        moved=moved,
+        ranges=_ranges(moved.computed),
         not_carried=frozenset(read - set(kept)),
         bridged=frozenset(stand_in),
         own=frozenset(_differing(numbers.values, reference)),
@@ -138,13 +142,32 @@ def range_of(moved: NDArray[np.float64]) -> tuple[float, float]:
     """
     if moved.ndim == 0:
         return float(moved), float(moved)
+    down, up = _moves(moved)
     base = float(moved[0])
-    moves = moved[1:] - base
-    moves[np.isnan(moves)] = 0.0
-    lower, upper = moves[0::2], moves[1::2]
-    down = np.minimum(np.minimum(lower, upper), 0.0).sum()
-    up = np.maximum(np.maximum(lower, upper), 0.0).sum()
     return base + float(down), base + float(up)
+
+
+def _ranges(moved: Mapping[str, NDArray[np.float64]]) -> dict[str, tuple[float, float]]:
+    """Return the same of many formulas, looked at together."""
+    ranges = {name: range_of(one) for name, one in moved.items() if one.ndim == 0}
+    names = [name for name in moved if name not in ranges]
+    if names:
+        table = np.stack([moved[name] for name in names])
+        down, up = _moves(table)
+        columns = (names, table[:, 0].tolist(), down.tolist(), up.tolist())
+        for name, base, lower, upper in zip(*columns, strict=True):
+            ranges[name] = (base + lower, base + upper)
+    return ranges
+
+
+def _moves(moved: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return how far down and up all moves together lead; they stand along the last axis."""
+    moves = moved[..., 1:] - moved[..., :1]
+    moves[np.isnan(moves)] = 0.0
+    lower, upper = moves[..., 0::2], moves[..., 1::2]
+    down = np.minimum(np.minimum(lower, upper), 0.0).sum(axis=-1)
+    up = np.maximum(np.maximum(lower, upper), 0.0).sum(axis=-1)
+    return down, up
 
 
 def _moved(

@@ -51,6 +51,12 @@ def band_rule(quantity: Quantity, policy: Policy) -> BandRule:
     return _rule(quantity, _tolerance_of_kind(quantity, policy), policy)
 
 
+def band_rules(quantity: Quantity, policy: Policy) -> tuple[BandRule, BandRule]:
+    """Return both rules: round an expected value, and for a computed one."""
+    rule = computed_band_rule(quantity, policy)
+    return (band_rule(quantity, policy) if quantity.exact else rule), rule
+
+
 def computed_band_rule(quantity: Quantity, policy: Policy) -> BandRule:
     """Return the rule for a computed value; of a decision: what it must not be below."""
     return _rule(quantity, tolerance_of(quantity, policy), policy)

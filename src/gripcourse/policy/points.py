@@ -23,17 +23,19 @@ def points_of(plan: Plan, policy: Policy) -> Mapping[str, float]:
     weights: dict[str, float] = {}
     for quantity in marked:
         _count(quantity, policy, fixed, weights)
-    return {
-        quantity.id: float(
-            shares_of(
-                quantity,
-                policy,
-                np.asarray(fixed.get(quantity.section, 0.0)),
-                np.asarray(weights.get(quantity.section, 0.0)),
-            )
-        )
-        for quantity in marked
-    }
+    points: dict[str, float] = {}
+    shares: dict[tuple[str, float | None, float], float] = {}  # most of a section have the same
+    for quantity in marked:
+        section = quantity.section
+        own, weight = policy.main_points.get(quantity.id), weight_of(quantity, policy)
+        share = shares.get((section, own, weight))
+        if share is None:
+            all_fixed = np.asarray(fixed.get(section, 0.0))
+            all_weights = np.asarray(weights.get(section, 0.0))
+            share = float(shares_of(quantity, policy, all_fixed, all_weights))
+            shares[section, own, weight] = share
+        points[quantity.id] = share
+    return points
 
 
 def _count(

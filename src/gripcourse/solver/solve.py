@@ -107,18 +107,22 @@ def _evaluate(plan: Plan, known: Values) -> Evaluation:
             continue
         computed[name] = compute(plan, quantity, values)
         if name in known:
-            values[name] = finite(_supplied(known[name], computed[name]))
+            values[name] = _supplied(known[name], computed[name])
         else:
             values[name] = computed[name]
     return Evaluation(values, computed)
 
 
 def _supplied(known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Take what is known, and what is computed where nothing is."""
+    """Take what is known, and what is computed where nothing is; finite or NaN."""
     if known.ndim == 0:  # one number: half of all the time of a solution otherwise
-        return computed if math.isnan(known) else np.broadcast_to(known, computed.shape)
-    missing = np.isnan(known)
-    return np.where(missing, computed, known) if missing.any() else known
+        if math.isnan(known):
+            return computed
+        number = finite(known)
+        return np.broadcast_to(number, computed.shape) if computed.ndim else number
+    if np.isfinite(known).all():
+        return known
+    return finite(np.where(np.isnan(known), computed, known))
 
 
 def solve_variant(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:

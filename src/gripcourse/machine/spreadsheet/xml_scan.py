@@ -131,7 +131,7 @@ class XmlScan:
                 raise RefusedError(WhyRefused.FOREIGN_CONTENT)
             if self._elements > self._bounds.elements:
                 raise RefusedError(WhyRefused.TOO_LARGE)
-            level = list(chain.from_iterable(filter(len, level)))
+            level = list(chain.from_iterable(one for one in level if len(one)))
             tags.update(map(_TAG_OF, level))
         for tag in tags:
             if local_name(tag) in _COUNTED:
