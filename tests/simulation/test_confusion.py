@@ -110,6 +110,31 @@ def test_planted_judgements_are_counted_where_they_belong(planted: Plant, mix: M
     assert sorted(one.action.quantity for one in found.misses) == ["a", "e", "f", "g", "i"]
 
 
+@pytest.mark.parametrize(
+    ("follows", "roots", "counted"),
+    [
+        ((1.0, 1.0), ("root",), ("slip_joined", "slip_accepted")),
+        ((None, None), ("root",), ("slip_joined", "slip_accepted")),
+        ((1.9, 2.1), ("root",), ("slip_accepted", "slip_joined")),
+        ((1.0, 1.0), (), ("slip_accepted", "slip_joined")),
+    ],
+    ids=["another number", "no number", "follows from what was typed", "no root"],
+)
+def test_a_mistake_that_cost_with_another_one_is_not_taken_for_right(
+    planted: Plant,
+    mix: Mix,
+    follows: tuple[float | None, float | None],
+    roots: tuple[str, ...],
+    counted: tuple[str, str],
+) -> None:
+    slip = action("b", ActionKind.SLIP, "unit:kN")  # 2.0 was typed
+    one = planted.student("one", Conduct.TWO_SLIPS, [(slip, Outcome.CARRIED, "", ())])
+    low, high = follows
+    finding = replace(one.report.findings[0], low=low, high=high, band=0.01, roots=roots)
+    rates = evaluate([replace(one, report=replace(one.report, findings=(finding,)))], mix).rates
+    assert [(rates[name].hits, rates[name].total) for name in counted] == [(1, 1), (0, 1)]
+
+
 def test_copies_are_flagged_by_what_says_that_they_are_copies(planted: Plant, mix: Mix) -> None:
     right = [(action("a", ActionKind.RIGHT), Outcome.CORRECT, "", ())]
     found = evaluate(

@@ -8,7 +8,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.model import Policy
 from gripcourse.variants.model import Variant
-from gripcourse.variants.pays import MOST_APART, mistake_costs, paying_rules
+from gripcourse.variants.pays import MOST_APART, mistake_costs, paying_rules, uneven_costs
 from gripcourse.variants.table import read_table
 
 
@@ -33,6 +33,14 @@ def test_a_mistake_in_a_main_result_costs_alike(
     main = [one for one in mistake_costs(course, policy, issued) if one.is_main]
     assert {"grip_force", "drive_force"} <= {one.quantity for one in main}
     assert all(one.apart <= MOST_APART for one in main)
+
+
+def test_what_costs_much_more_in_some_variants_is_told_of_other_answers_too(
+    course: Course, policy: Policy, issued: tuple[Variant, ...]
+) -> None:
+    found = uneven_costs(mistake_costs(course, policy, issued), policy)
+    assert "lifting_load" in {one.quantity for one in found}
+    assert not [one for one in found if one.is_main]
 
 
 def test_weights_without_main_results_are_named(

@@ -7,11 +7,25 @@ from gripcourse.cli.text import table_text
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from gripcourse.usecases.tolerance import Paying
+    from gripcourse.variants.pays import MistakeCost
 
 
 def paying_text(found: "Paying", words: Words) -> str:
-    """Return the table of main results with what a mistake costs, and the rules to be mended."""
+    """Return tables of what mistakes cost, main results first, and the rules to be mended."""
+    lines = [
+        words.say(message("Points that a mistake in a main result costs over the issued table:")),
+        _costs_text(found.costs, words),
+    ]
+    if found.uneven:
+        said = message("Of other answers, what costs more than 1.5 times as much in some variants:")
+        lines += [words.say(said), _costs_text(found.uneven, words)]
+    return "\n\n".join((*lines, *(spoken(one, words) for one in found.problems)))
+
+
+def _costs_text(costs: "Sequence[MistakeCost]", words: Words) -> str:
     heads = (
         message("a mistake in"), message("section"), message("variants"), message("costs at least"),
         message("at most"), message("times"),
@@ -25,11 +39,6 @@ def paying_text(found: "Paying", words: Words) -> str:
             words.number(one.most),
             words.number(one.apart, 3),
         )
-        for one in found.costs
+        for one in costs
     ]
-    lines = [
-        words.say(message("Points that a mistake in a main result costs over the issued table:")),
-        table_text([words.say(one) for one in heads], rows, right={2, 3, 4, 5}),
-        *(spoken(one, words) for one in found.problems),
-    ]
-    return "\n\n".join(lines)
+    return table_text([words.say(one) for one in heads], rows, right={2, 3, 4, 5})

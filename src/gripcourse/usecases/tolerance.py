@@ -17,7 +17,7 @@ from gripcourse.simulation.tolerance import AuditedBand, ToleranceAudit, audit_t
 from gripcourse.simulation.tolerance_policy import apply_tolerances
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
-from gripcourse.variants.pays import MistakeCost, mistake_costs, paying_rules
+from gripcourse.variants.pays import MistakeCost, mistake_costs, paying_rules, uneven_costs
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table
 
@@ -39,9 +39,16 @@ class ToleranceSample:
 
 @dataclass(frozen=True, slots=True)
 class Paying:
-    """What a mistake in each main result costs over the issued table, and rules that pay."""
+    """What mistakes cost over the issued table, and rules that pay.
+
+    Attributes:
+        costs: of each main result.
+        uneven: of other answers, where they cost much more in some variants than in others.
+        problems: rules that let guesses pay.
+    """
 
     costs: tuple[MistakeCost, ...]
+    uneven: tuple[MistakeCost, ...]
     problems: tuple[Problem, ...]
 
 
@@ -75,8 +82,12 @@ def paying(course: Course, policy: Policy, sample: ToleranceSample) -> Paying:
         GripcourseError: the table cannot be used.
     """
     issued = read_table(sample.table, course)
-    costs = tuple(one for one in mistake_costs(course, policy, issued) if one.is_main)
-    return Paying(costs, tuple(paying_rules(course, policy, issued)))
+    costs = mistake_costs(course, policy, issued)
+    return Paying(
+        costs=tuple(one for one in costs if one.is_main),
+        uneven=tuple(one for one in uneven_costs(costs, policy) if not one.is_main),
+        problems=tuple(paying_rules(course, policy, issued)),
+    )
 
 
 def apply(found: ToleranceAudit, course: Course, policy: Policy) -> int:

@@ -79,6 +79,12 @@ def mistake_costs(
     return tuple(sorted(costs, key=lambda one: (-one.most, one.quantity)))
 
 
+def uneven_costs(costs: Sequence[MistakeCost], policy: Policy) -> tuple[MistakeCost, ...]:
+    """Return what costs much more in some variants than in others, of what matters to a mark."""
+    notable = _NOTABLE * policy.total
+    return tuple(one for one in costs if one.apart > MOST_APART and one.most >= notable)
+
+
 def _is_main(name: str, policy: Policy) -> bool:
     return name in policy.main_points
 
@@ -103,14 +109,9 @@ def _without_main_results(
 ) -> Iterator[Problem]:
     """Name the sections where the same mistake costs much more in some variants than in others."""
     with_main = {one.section for one in costs if one.is_main}
+    all_uneven = uneven_costs(costs, policy)
     for section in dict.fromkeys(one.section for one in costs):
-        uneven = [
-            one
-            for one in costs
-            if one.section == section
-            and one.apart > MOST_APART
-            and one.most >= _NOTABLE * policy.total
-        ]
+        uneven = [one for one in all_uneven if one.section == section]
         if section in with_main or not uneven or not policy.section_points[section]:
             continue
         worst = uneven[0]

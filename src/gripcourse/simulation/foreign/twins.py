@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.model import Report
+from gripcourse.simulation.foreign.kinds import Writing
 from gripcourse.simulation.foreign.model import ForeignWork
 from gripcourse.simulation.foreign.practical import size_of
+from gripcourse.simulation.foreign.writing import written
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor
 
 _SAME = 1e-6  # relative
+_WAYS = 8  # of writing that are tried where each number has figures of its own
 _POWERS_OF_PI = 3  # that a shortened pi may stand in a formula with
 
 
@@ -61,8 +64,20 @@ def _found(
             if candidate.id in {finding.slip, *finding.tied}:
                 at = {one: values.get(one, np.asarray(np.nan)) for one in candidate.formula.names}
                 value = evaluate(candidate.formula, quantity.unit, at, plan.columns)
-                if math.isclose(float(value) / factor(quantity.unit), wrong, rel_tol=same):
+                declared = float(value) / factor(quantity.unit)
+                # A number that was copied or typed is one as it was written.
+                if math.isclose(declared, wrong, rel_tol=same) or (
+                    math.isfinite(made) and is_written_as(declared, made, work.habits.writing)
+                ):
                     yield name, candidate.id
+
+
+def is_written_as(value: float, number: float, writing: Writing) -> bool:
+    """Tell whether somebody who writes in this way may write a value as this number."""
+    return math.isfinite(value) and any(
+        math.isclose(float(written(value, writing, np.random.default_rng(seed))), number)
+        for seed in range(_WAYS)
+    )
 
 
 def _values(
