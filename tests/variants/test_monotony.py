@@ -7,15 +7,17 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
+from gripcourse.text.words import LANGUAGES, Texts
 from gripcourse.variants.answers import solve_groups
 from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.fair import VerdictShare
 from gripcourse.variants.model import Variant
-from gripcourse.variants.monotony import ends_of, sizes_of
+from gripcourse.variants.monotony import EndShare, ends_of, sizes_of
 from gripcourse.variants.space import load_spaces
 
 SCHEMES = ("screw", "slot_lever")
+BECAUSE = Texts(dict.fromkeys(LANGUAGES, "the pivot carries less"))
 
 
 @pytest.fixture(scope="module")
@@ -82,3 +84,27 @@ def test_a_verdict_that_is_rarely_or_mostly_no_is_named(found: VariantAudit) -> 
     verdicts.append(VerdictShare("asked", "screw", 10, 1.0, 10, must_hold=True))
     named = [one.quantity for one in replace(found, verdicts=tuple(verdicts)).lopsided_verdicts]
     assert named == ["rare", "mostly"]
+
+
+@pytest.mark.parametrize(
+    ("share", "because", "is_named", "is_told"),
+    [
+        (0.9, None, True, False),
+        (0.55, None, False, False),
+        (1.0, BECAUSE, False, True),
+        (0.0, BECAUSE, False, True),
+        (0.98, BECAUSE, True, False),  # it was said that this cannot be
+    ],
+)
+def test_an_end_that_is_declared_to_govern_always_is_told_and_checked(
+    found: VariantAudit,
+    share: float,
+    because: Texts | None,
+    *,
+    is_named: bool,
+    is_told: bool,
+) -> None:
+    end = EndShare("press", "force", "at_max", "at_min", 50, share, because)
+    told = replace(found, ends=(end,))
+    assert bool(told.same_ends) == is_named
+    assert bool(told.told_ends) == is_told

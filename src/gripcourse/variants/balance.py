@@ -20,6 +20,7 @@ _SWEEPS: Final = 3  # times that every choice is looked at again, beside the oth
 _VERDICT_WEIGHT: Final = 3.0  # it has points of its own that a guess must not earn
 _END_WEIGHT: Final = 1.0  # of an end of a range
 _SIZE_WEIGHT: Final = 0.5  # of a size that more than half of the variants have
+_LEAST_SHARE: Final = 0.1  # of the candidates that have what is balanced; fewer count as so many
 _DIGITS: Final = 9  # of a size in SI units, by which the same sizes are known
 
 Name: TypeAlias = tuple[str, ...]
@@ -97,7 +98,14 @@ def outcomes_of(group: Group) -> Outcomes:
         column(name, _END_WEIGHT)[one.member.at] = 2 * one.share - 1
     marks = np.array(list(columns.values())).reshape(len(columns), group.family.size).T
     is_size = np.array([len(name) == 2 for name in columns], dtype=np.bool_)  # noqa: PLR2004
-    return Outcomes(tuple(columns), np.array(list(weights.values())), is_size, np.nan_to_num(marks))
+    marks = np.nan_to_num(marks)
+    return Outcomes(tuple(columns), np.array(list(weights.values())) / _held(marks), is_size, marks)
+
+
+def _held(marks: Array) -> Array:
+    """Return what weights are divided by, shape (m,): fewer make uneven what few have."""
+    share = (marks != 0).mean(axis=0) if len(marks) else np.ones(marks.shape[1])
+    return np.asarray(np.maximum(share, _LEAST_SHARE) ** 2)
 
 
 def choose(
