@@ -76,6 +76,12 @@ def plan(course: Course, example: WorkedExample) -> Plan:
     return make_plan(course, SCHEME, example.options)
 
 
+@pytest.fixture
+def few_slips_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Count slips of all kinds in two variants: most of an audit's time, and no rule of it."""
+    monkeypatch.setattr("gripcourse.variants.one_by_one.COUNTED", 2)
+
+
 WORD = re.compile(r"<word ([^>]*)>(.*?)</word>")
 EDGE = 12.0  # points, 4.2 mm: what a common printer leaves out
 

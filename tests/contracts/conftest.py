@@ -321,14 +321,6 @@ def of_the_guide(composition: Composition) -> Composition:
     return composition
 
 
-@pytest.fixture
-def printed_composition(
-    composition_key: tuple[str, tuple[tuple[str, str], ...]], composed: Callable[..., Composition]
-) -> Composition:
-    """The same as the source prints it, errata included."""
-    return composed(composition_key, Convention.AS_PRINTED)
-
-
 def _composition(
     course: Course,
     key: tuple[str, tuple[tuple[str, str], ...]],

@@ -1,5 +1,7 @@
 """What is issued keeps the rules that the policy demands of variants."""
 
+import pytest
+
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
 from gripcourse.variants.audit import audit
@@ -7,6 +9,7 @@ from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_the_issued_table_passes_its_audit(
     course: Course, policy: Policy, spaces: tuple[Space, ...], issued: tuple[Variant, ...]
 ) -> None:

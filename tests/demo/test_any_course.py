@@ -28,9 +28,13 @@ def small_course(root: Path) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def _no_sheets(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nobody reads these sheets, and laying one out takes a second."""
-    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
+def _no_pages(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody reads these sheets and reports, and laying one out takes a second."""
+    for name in (
+        "gripcourse.usecases.handout.assignment_sheet",
+        "gripcourse.documents.report.student.student_report",
+    ):
+        monkeypatch.setattr(name, lambda *_, **__: b"%PDF-1.7\n")
 
 
 def test_stories_without_an_occasion_are_left_out(

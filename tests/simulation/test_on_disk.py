@@ -63,7 +63,7 @@ def test_the_workbooks_hold_what_the_truth_says(folder: Path, small: Classroom) 
 def test_grading_the_folder_says_what_judging_in_memory_says(
     folder: Path, small: Classroom, course: Course, policy: Policy
 ) -> None:
-    on_disk = evaluate(grade_cohort(folder, course, policy, 1, lambda: None), small.mix)
+    on_disk = evaluate(grade_cohort(folder, course, policy, 0, lambda: None), small.mix)
     in_memory = evaluate(judge_in_memory(small, 1), small.mix)
     assert on_disk.table == in_memory.table
     assert on_disk.rates == in_memory.rates

@@ -31,6 +31,7 @@ class Returned:
     """Fills in the blank workbook and reads it back."""
 
     blank: bytes
+    opened: Workbook
     plan: Plan
     folder: Path
 
@@ -54,13 +55,17 @@ class Returned:
 
     def filled(self, values: Mapping[str, object]) -> Submission:
         """Return what is read after cells were set to values, as a spreadsheet program would."""
-        book = self.book()
-        for quantity, value in values.items():
-            cell = self.cell(book, quantity)
+        cells = {quantity: self.cell(self.opened, quantity) for quantity in values}
+        formats = {quantity: cell.number_format for quantity, cell in cells.items()}
+        for quantity, cell in cells.items():
+            value = values[quantity]
             cell.value = value  # type: ignore[assignment]
             if isinstance(value, str) and not value.startswith("=#"):
                 cell.data_type = "s"  # text stays text, also `=1,5*2` and `#N/A`
-        return self.read(self.saved(book))
+        path = self.saved(self.opened)
+        for quantity, cell in cells.items():  # blank again for the next test
+            cell.value, cell.number_format = None, formats[quantity]
+        return self.read(path)
 
     def patched(self, changes: Mapping[str, Callable[[bytes], bytes]]) -> Path:
         """Return a file in which parts of the blank workbook were rewritten."""
@@ -109,6 +114,12 @@ def blank(plan: Plan) -> bytes:
     return answer_workbook(plan, issued, plan.course, Words("ru"))
 
 
+@pytest.fixture(scope="session")
+def opened(blank: bytes) -> Workbook:
+    """The blank workbook, opened once: whoever fills it in leaves it blank."""
+    return load_workbook(io.BytesIO(blank))
+
+
 @pytest.fixture
-def returned(blank: bytes, plan: Plan, tmp_path: Path) -> Returned:
-    return Returned(blank, plan, tmp_path)
+def returned(blank: bytes, opened: Workbook, plan: Plan, tmp_path: Path) -> Returned:
+    return Returned(blank, opened, plan, tmp_path)

@@ -18,6 +18,11 @@ from gripcourse.policy.load import load_policy
 
 REPOSITORY = Path(__file__).parents[2]
 SCHEME = "rack_parallelogram"
+# Choices of options that have many.
+CHOICES = {
+    "object_position": {"one_element", "friction_pair", "wide_pair"},
+    "jaw_shape": {"flat", "prism", "crossed", "concave"},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +75,10 @@ class Draft:
 
 @pytest.fixture(scope="session")
 def one_scheme(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The reference course cut down to one scheme, so that each fault shows once."""
+    """The reference course cut down to one scheme, so that each fault shows once.
+
+    Of its options a few choices are left: a draft is checked with every two of them.
+    """
     root = tmp_path_factory.mktemp("one_scheme") / "course"
     for folder in ("variants", "grader"):
         shutil.copytree(REPOSITORY / folder, root / folder)
@@ -79,12 +87,22 @@ def one_scheme(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for path in (*(content / "schemes").iterdir(), *(content / "spaces").iterdir()):
         if path.stem != SCHEME:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
+    for option, choices in CHOICES.items():
+        leave_choices(content / "options" / f"{option}.toml", choices)
     used = parts_of(content)
     for path in (content / "sections").iterdir():
         if path.stem not in used:
             path.unlink()
     forget_weights(root / "grader" / "policy.toml", declared_in(content))
     return root
+
+
+def leave_choices(file: Path, wanted: set[str]) -> None:
+    """Remove all but these choices of an option from its file."""
+    head, *choices = file.read_text("utf-8").split("[[choice]]")
+    kept = [one for one in choices if tomllib.loads(one)["id"] in wanted]
+    assert len(kept) == len(wanted)
+    file.write_text("[[choice]]".join([head, *kept]), "utf-8")
 
 
 def parts_of(content: Path) -> set[str]:

@@ -22,16 +22,14 @@ def refuse_s02(report: Report, _printing: Printing) -> bytes:
     return PAGE
 
 
-def die_at_s02(report: Report, _printing: Printing) -> bytes:
-    """Be killed as by a system that is out of memory."""
-    if report.student == "s02":
-        os.kill(os.getpid(), signal.SIGKILL)
-    return PAGE
-
-
-def exhaust_at_s02(report: Report, _printing: Printing) -> bytes:
-    """Ask for more memory than a worker may have."""
-    return PAGE if report.student != "s02" else bytes(1 << 45)
+def meet_their_fates(report: Report, printing: Printing) -> bytes:
+    """Refuse one, be killed as by a system without memory, ask for more than a worker may have."""
+    match report.student:
+        case "s05":
+            os.kill(os.getpid(), signal.SIGKILL)
+        case "s06":
+            return bytes(1 << 45)
+    return refuse_s02(report, printing)
 
 
 def hang_at_s02(report: Report, _printing: Printing) -> bytes:

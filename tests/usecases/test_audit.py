@@ -16,6 +16,8 @@ SCHEME = "wedge_slide"
 DAY = date(2026, 9, 1)
 CERTIFY = "gripcourse.documents.report.certificate.certificate"
 
+pytestmark = pytest.mark.usefixtures("few_slips_counted")
+
 
 def test_a_table_that_was_drawn_by_the_rules_passes(course: Course, tmp_path: Path) -> None:
     table = tmp_path / "drawn.csv"

@@ -265,7 +265,7 @@ class TestJson:
     def test_a_file_that_could_not_be_judged_has_no_score(
         self, issued: "Classroom", rough_inbox: Path
     ) -> None:
-        graded = grade([rough_inbox / "текст.xlsx"], issued.context, 1, nothing)
+        graded = grade([rough_inbox / "текст.xlsx"], issued.context, 0, nothing)
         (one,) = json.loads(json_text([graded[0].report], Words("en")))["reports"]
         assert one["score"] is None
         assert one["max_score"] is None
@@ -277,7 +277,7 @@ class TestJson:
         self, issued: "Classroom", inbox: Path
     ) -> None:
         slip = inbox / "Шевченко Оксана_s02_assignsubmission_file" / "ответы.xlsx"
-        (graded,) = grade([slip], issued.context, 1, nothing)
+        (graded,) = grade([slip], issued.context, 0, nothing)
         quantity = issued.plan("s02").quantities["grip_force"]
         hint = next(one.hint for one in quantity.slips if one.id == "one_jaw_only")
         for language in LANGUAGES:

@@ -23,6 +23,7 @@ from gripcourse.variants.space import load_spaces
 SECTIONS = 2
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_a_drawn_table_passes_its_audit(course: Course, policy: Policy) -> None:
     spaces = load_spaces(course)
     found = draw(course, spaces, 20, 11, sifter(policy, len(course.sections)))
