@@ -20,7 +20,7 @@ from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
-from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.text.words import LANGUAGES, Texts, Words
 from gripcourse.variants.model import Issued, Student, Variant
 
 RULE = LikenessRule(1e3, 3, 3)
@@ -189,22 +189,26 @@ def test_odds_are_said_in_words_and_never_too_large(odds: float, said: str) -> N
     assert said in str(odds_in_words(odds))
 
 
+def title_of(_student: str, quantity: str) -> Texts:
+    return Texts(dict.fromkeys(LANGUAGES, f"title of {quantity}"))
+
+
 def test_a_flag_names_students_odds_and_what_it_rests_on_and_is_no_verdict() -> None:
     others = tuple(f"s{number}" for number in range(2, 10))
     for kind in (NumberKind.OTHER_VARIANT, NumberKind.SAME_ANSWERS):
-        flag = flag_of(Evidence(kind, ("s1", *others), 5e6, ("grip_force", "bore")))
+        flag = flag_of(Evidence(kind, ("s1", *others), 5e6, ("grip_force", "bore")), title_of)
         said = str(flag.message)
         assert flag.code == kind.value
         assert "s2, s3, s4, s5, s6 and 3 more" in said
         assert "more than a million to one" in said
-        assert "grip_force, bore" in said
+        assert "title of grip_force; title of bore" in said
         assert "not a verdict" in said
         assert all(Words(language).say(flag.message) for language in LANGUAGES)
 
 
 def test_flags_go_to_the_submission_that_they_are_about() -> None:
     found = Evidence(NumberKind.SAME_CREATOR, ("s1", "s2"), 5.0, ("Petrov",))
-    flags = flags_by_student([found, found])
+    flags = flags_by_student([found, found], title_of)
     assert list(flags) == ["s1"]
     assert len(flags["s1"]) == 1
     assert "“Petrov”" in str(flags["s1"][0].message)

@@ -217,7 +217,7 @@ def test_evidence_that_a_new_work_brings_makes_the_report_anew_that_it_concerns(
 ) -> None:
     issued.hand_in("s03", correct, WORKS / "s03.xlsx")
     said = Flag(FlagCode.SAME_ANSWERS, message("as in the work of s03"))
-    monkeypatch.setattr("gripcourse.batch.copies.flags_by_student", lambda _: {"s01": (said,)})
+    monkeypatch.setattr("gripcourse.batch.copies.flags_by_student", lambda *_: {"s01": (said,)})
     assert desk.grade().taken_over == TakenOver(2, 1)
     assert b"as in the work of s03" in Path("out/reports/s01.pdf").read_bytes()
     desk.grade(out="anew")

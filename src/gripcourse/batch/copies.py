@@ -1,7 +1,7 @@
 """Whose answers are these: flags on the submissions of a batch whose numbers are another's."""
 
 import traceback
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from gripcourse.batch.one_file import GradingContext
@@ -12,6 +12,8 @@ from gripcourse.likeness.flags import flags_by_student
 from gripcourse.likeness.issued import issued_values
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
+from gripcourse.solver.plan import make_plan
+from gripcourse.text.words import Texts
 from gripcourse.variants.model import Issued
 from gripcourse.workbook.names import AUTHOR
 
@@ -26,7 +28,7 @@ def mark_likeness(
         grading is never lost for it.
     """
     try:
-        flags = flags_by_student(evidence_of(reports, context))
+        flags = flags_by_student(evidence_of(reports, context), _titles(context))
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return tuple(reports), f"looking for likeness:\n{traceback.format_exc()}"
     marked = (
@@ -48,6 +50,17 @@ def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evi
     works = [work_of(report, _made_for(report, context), AUTHOR) for report in judged]
     variants = [(student, entry.variant) for student, entry in issued.items()]
     return find_evidence(works, issued_values(context.course, variants), context.policy.likeness)
+
+
+def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:
+    """Return what tells the title of a student's quantity; its id where the variant has none."""
+
+    def title(student: str, name: str) -> Texts | str:
+        variant = context.register[student].variant
+        quantities = make_plan(context.course, variant.scheme, variant.options).quantities
+        return quantities[name].title if name in quantities else name
+
+    return title
 
 
 def _made_for(report: Report, context: GradingContext) -> Issued:

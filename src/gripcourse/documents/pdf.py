@@ -32,7 +32,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gripcourse.documents.two_columns import two_columns
+from gripcourse.documents.two_columns import groups, two_columns
 from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
@@ -263,6 +263,7 @@ def template_environment(
     }
     environment.filters.update(filters)
     environment.filters["two_columns"] = two_columns
+    environment.filters["groups"] = groups
     return environment
 
 

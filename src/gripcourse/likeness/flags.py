@@ -1,14 +1,17 @@
 """Evidence in words: flags for the instructor. A student's report shows no flags."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from gripcourse.grading.model import Flag, FlagCode
 from gripcourse.likeness.model import Evidence, NumberKind
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, Texts, message
 
 _STUDENTS: Final = 5  # that one flag names
-_QUANTITIES: Final = 12
+_QUANTITIES: Final = 6
+
+# The title of a quantity of a student's variant, by the ids of both.
+Titles = Callable[[str, str], Texts | str]
 
 _IN_WORDS: Final = (
     (1e12, message("more than a million million to one")),
@@ -27,28 +30,33 @@ def odds_in_words(odds: float) -> Message:
     return next((said for least, said in _IN_WORDS if odds >= least), hardly)
 
 
-def flag_of(evidence: Evidence) -> Flag:
+def flag_of(evidence: Evidence, titles: Titles) -> Flag:
     """Return the flag of evidence, for the submission of its first student."""
     numbers = () if evidence.kind is NumberKind.SAME_CREATOR else evidence.rests_on
     return Flag(
-        FlagCode(evidence.kind.value), _said(evidence), evidence.students[1:], rests_on=numbers
+        FlagCode(evidence.kind.value),
+        _said(evidence, titles),
+        evidence.students[1:],
+        rests_on=numbers,
     )
 
 
-def flags_by_student(found: Iterable[Evidence]) -> dict[str, tuple[Flag, ...]]:
+def flags_by_student(found: Iterable[Evidence], titles: Titles) -> dict[str, tuple[Flag, ...]]:
     """Return the flags of each student's submission."""
     flags: dict[str, tuple[Flag, ...]] = {}
     for evidence in found:
         student = evidence.students[0]
-        flag = flag_of(evidence)
+        flag = flag_of(evidence, titles)
         if flag not in flags.get(student, ()):
             flags[student] = (*flags.get(student, ()), flag)
     return flags
 
 
-def _said(evidence: Evidence) -> Message:
+def _said(evidence: Evidence, titles: Titles) -> Message:
     others = _names_text(evidence.students[1:], _STUDENTS)
-    names = _names_text(evidence.rests_on, _QUANTITIES)
+    first, numbers = evidence.students[0], evidence.kind is not NumberKind.SAME_CREATOR
+    named = [titles(first, one) if numbers else one for one in evidence.rests_on]
+    names = _names_text(named, _QUANTITIES, "; " if numbers else ", ")
     odds = odds_in_words(evidence.odds)
     if evidence.kind is NumberKind.OTHER_VARIANT:
         return message(
@@ -86,8 +94,10 @@ def _said(evidence: Evidence) -> Message:
     )
 
 
-def _names_text(names: tuple[str, ...], most: int) -> Message:
-    named = ", ".join(names[:most])
+def _names_text(names: Sequence[Texts | str], most: int, between: str = ", ") -> Message:
+    """Name the first of many; titles, which may have commas in them, want another sign."""
+    places = {f"name_{number}": name for number, name in enumerate(names[:most])}
+    named = Message(between.join(f"{{{place}}}" for place in places), places)
     if len(names) <= most:
         return message("{names}", names=named)
     return message("{names} and {count} more", names=named, count=len(names) - most)
