@@ -7,8 +7,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.course import Course
-from gripcourse.api.sources import FileLike, nothing, workbooks
+from gripcourse.api.course import Course, nothing
+from gripcourse.api.sources import FileLike, workbooks
 
 if TYPE_CHECKING:
     from gripcourse.batch.kept_reports import KeptReports
