@@ -1,6 +1,10 @@
-"""What a whole group costs: works graded without printing anything, processor and memory.
+"""What a whole group costs: processor, time and memory, on every kind of workers and databases.
 
-    python benchmarks/term.py [works ...] [--workers 1 2] [--gradebook URL] [--cluster ADDRESS]
+    python benchmarks/term.py --count 1000 10000 [--printed 200] [--only local cluster ...]
+
+For each number of works, without printing anything: one process and two, and again with nothing
+changed; a Dask cluster of a scheduler and two workers; PostgreSQL instead of SQLite (Debian's
+package, started here). Then as many as `--printed` with all their reports.
 
 Students are issued the variants of the course's table again and again; everybody answers rightly
 but for a few numbers. Works are made by putting answers into the bytes of issued workbooks: opening
@@ -18,12 +22,16 @@ import subprocess
 import sys
 import tempfile
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import date
+from importlib import import_module
 from pathlib import Path
 from time import perf_counter
 from xml.sax.saxutils import escape
+
+from cluster import cluster
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
@@ -43,6 +51,9 @@ from gripcourse.workbook.names import ANSWER, cell_name
 from gripcourse.workbook.write import answer_workbook
 
 WORKS = (1000, 10_000)
+PRINTED = 200
+PARTS = ("local", "cluster", "postgresql", "printed")
+WORKERS = 2
 WRONG = 3  # answers of each student
 SEED = 26063
 _SHEET = re.compile(r'<sheet name="([^"]*)"[^>]*r:id="rId(\d+)"')
@@ -50,31 +61,72 @@ _NAME = re.compile(r'<definedName name="([^"]*)">([^<]*)</definedName>')
 
 
 def main() -> None:
-    """Make works, grade them by each number of processes, and again with nothing changed."""
+    """Make works, and grade them in every way that is asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("works", nargs="*", type=int, default=WORKS)
-    parser.add_argument("--workers", nargs="*", type=int, default=(1, 2))
-    parser.add_argument("--gradebook", help="URL of an empty database for attempts.")
-    parser.add_argument("--cluster", help="Address of a Dask scheduler.")
+    parser.add_argument("--count", nargs="*", type=int, default=WORKS)
+    parser.add_argument("--printed", type=int, default=PRINTED)
+    parser.add_argument("--only", nargs="*", choices=PARTS, default=PARTS)
     arguments = parser.parse_args()
-    more = [f"--gradebook={arguments.gradebook}"] if arguments.gradebook else []
-    more += [f"--cluster={arguments.cluster}"] if arguments.cluster else []
-    for works in arguments.works:
-        with tempfile.TemporaryDirectory() as folder:
-            base = Path(folder)
-            start = perf_counter()
-            hand_in(base, works)
-            print(f"{works} works, made in {perf_counter() - start:.0f} s", flush=True)
-            for number, workers in enumerate(arguments.workers):
-                if number:
-                    (base / "course" / "private" / "gradebook.sqlite").write_bytes(
-                        (base / "issued.sqlite").read_bytes()
-                    )
-                told = f"{workers} process{'es' if workers > 1 else ''}"
-                out = f"graded{workers}"
-                call = ["works", "--out", out, "--workers", str(workers), *more]
-                print(f"  {told:<24} {graded(base, call)}", flush=True)
-            print(f"  {'again, nothing changed':<24} {graded(base, call)}", flush=True)
+    for works in arguments.count:
+        with made(works) as base:
+            if "local" in arguments.only:
+                locally(base, ("--grades-only",))
+            if "cluster" in arguments.only:
+                on_a_cluster(base)
+            if "postgresql" in arguments.only:
+                in_postgresql(base)
+    if "printed" in arguments.only and arguments.printed:
+        with made(arguments.printed) as base:
+            print("  with all reports")
+            locally(base, ())
+
+
+@contextmanager
+def made(works: int) -> Iterator[Path]:
+    """Make a course and works for a while; the folder with both is given."""
+    with tempfile.TemporaryDirectory() as folder:
+        base = Path(folder)
+        start = perf_counter()
+        hand_in(base, works)
+        print(f"{works} works, made in {perf_counter() - start:.0f} s", flush=True)
+        yield base
+
+
+def locally(base: Path, more: Sequence[str]) -> None:
+    """Grade with one process and with two, and again what has not changed."""
+    one, two = (
+        told(f"{count} process{'es' if count > 1 else ''}", base, f"graded{count}", count, more)
+        for count in (1, WORKERS)
+    )
+    print(f"  {'ratio':<24} {one.seconds / two.seconds:7.2f}", flush=True)
+    again = told("again, nothing changed", base, f"graded{WORKERS}", WORKERS, more, afresh=False)
+    print(f"  {'share of the first time':<24} {again.seconds / two.seconds:7.3f}", flush=True)
+
+
+def on_a_cluster(base: Path) -> None:
+    """Grade with a scheduler and two workers of a thread each, all of them on this machine."""
+    with cluster(base, WORKERS) as (address, pids):
+        more = ("--grades-only", f"--cluster={address}")
+        told("Dask, 2 workers", base, "cluster", WORKERS, more)
+        peaks = ", ".join(f"{peak(one):.0f}" for one in pids)
+    print(f"  {'scheduler and workers':<24} peaks {peaks} MB", flush=True)
+
+
+def in_postgresql(base: Path) -> None:
+    """Grade with attempts in a server's database, which is started for that."""
+    # A server of the tests, which start one already.
+    sys.path.append(str(Path(__file__).parents[1] / "tests"))
+    postgres = import_module("support.postgres")
+    with postgres.running() as server, server.database() as place:
+        more = ("--grades-only", f"--gradebook={place}")
+        told("PostgreSQL, 2 processes", base, "postgresql", WORKERS, more)
+        told("again, nothing changed", base, "postgresql", WORKERS, more, afresh=False)
+
+
+def peak(process: int) -> float:
+    """Return the peak of a process that runs, in MB."""
+    status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    return int(status.partition("VmHWM:")[2].split()[0]) / 1000
 
 
 def hand_in(base: Path, works: int) -> None:
@@ -160,21 +212,40 @@ def _typed(sheet: str, cell: str, value: float | str) -> str:
     return sheet[:begin] + sheet[begin:end] + content + sheet[end + 2 :]
 
 
-def graded(base: Path, words: Sequence[str]) -> str:
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What a command cost: seconds, seconds of the processor, MB of its largest process."""
+
+    seconds: float
+    busy: float
+    peak: float
+
+
+def told(
+    title: str, base: Path, out: str, workers: int, more: Sequence[str], *, afresh: bool = True
+) -> Cost:
+    """Grade, and print what it costs; a gradebook of works that were kept before is another one."""
+    if afresh:
+        private = base / "course" / "private" / "gradebook.sqlite"
+        private.write_bytes((base / "issued.sqlite").read_bytes())
+    cost = graded(base, ["works", "--out", out, "--workers", str(workers), *more])
+    said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
+    print(f"  {title:<24} {said}", flush=True)
+    return cost
+
+
+def graded(base: Path, words: Sequence[str]) -> Cost:
     """Return what the command costs."""
     call = [sys.executable, "-m", "gripcourse", "grade", *words, "--course", "course"]
     start = perf_counter()
     with (base / "said").open("wb") as said:
-        process = subprocess.Popen(  # noqa: S603 (ours)
-            [*call, "--grades-only", "--quiet"], cwd=base, stdout=said, stderr=said
-        )
+        process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
         _, status, used = os.wait4(process.pid, 0)
     seconds = perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode not in {0, 1}:
         raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    busy = used.ru_utime + used.ru_stime
-    return f"{seconds:7.1f} s, processor {busy:7.1f} s, peak {used.ru_maxrss / 1000:5.0f} MB"
+    return Cost(seconds, used.ru_utime + used.ru_stime, used.ru_maxrss / 1000)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from gripcourse.likeness.cells import Cells
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind, Typed
@@ -102,7 +103,9 @@ def three(
     table = np.array(values)
     names = tuple(f"q{column}" for column in range(table.shape[1]))
     families = np.tile(np.arange(table.shape[1]), (len(table), 1))
-    return IssuedValues(students, names, table, families, np.zeros(table.shape[1], bool))
+    kind = np.arange(len(table))
+    discrete = np.zeros(table.shape[1], bool)
+    return IssuedValues(students, names, Cells.of_table(table), kind, families, discrete)
 
 
 ISSUED = three(
@@ -129,7 +132,7 @@ def odds(works: list[ComparedWork], kind: NumberKind, issued: IssuedValues = ISS
     return max((one.odds for one in found if one.kind is kind), default=0.0)
 
 
-RIGHT = {name: list(ISSUED.values[row]) for row, name in enumerate(ISSUED.owners)}
+RIGHT = {name: list(ISSUED.values.dense(range(5))[row]) for row, name in enumerate(ISSUED.owners)}
 
 
 def test_the_values_of_another_variant_are_told_though_its_owner_handed_in_nothing() -> None:

@@ -5,17 +5,20 @@ import math
 import numpy as np
 import pytest
 
+from gripcourse.likeness.cells import Cells
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.trace import Clue, Origin, rank
 
 ROWS = 200
 QUANTITIES = ("force", "bore", "angle", "torque", "speed")
 RNG = np.random.default_rng(3)
+TABLE = RNG.lognormal([7, 4, 2, 3, 1], 0.6, (ROWS, 5))
 ISSUED = IssuedValues(
     owners=tuple(f"{row:03d}" for row in range(ROWS)),
     quantities=QUANTITIES,
-    values=RNG.lognormal([7, 4, 2, 3, 1], 0.6, (ROWS, 5)),
-    families=np.tile(np.arange(5), (ROWS, 1)),
+    values=Cells.of_table(TABLE),
+    kind=np.zeros(ROWS, np.intp),
+    families=np.arange(5)[None, :],
     discrete=np.zeros(5, bool),
 )
 
@@ -28,7 +31,7 @@ def clue(value: float, *names: str) -> Clue:
 
 
 def traced(owner: int, columns: tuple[int, ...]) -> tuple[Origin, ...]:
-    return rank([clue(ISSUED.values[owner, column]) for column in columns], ISSUED)
+    return rank([clue(TABLE[owner, column]) for column in columns], ISSUED)
 
 
 @pytest.mark.parametrize("owner", range(0, ROWS, 20))
@@ -46,7 +49,7 @@ def test_more_numbers_give_larger_odds() -> None:
 
 
 def test_a_number_whose_meaning_is_known_says_more() -> None:
-    values = ISSUED.values[7]
+    values = TABLE[7]
     unknown = rank([clue(values[0]), clue(values[1])], ISSUED)
     known = rank([clue(values[0], "force"), clue(values[1], "bore")], ISSUED)
     assert known[0].owner == "007"
@@ -54,7 +57,7 @@ def test_a_number_whose_meaning_is_known_says_more() -> None:
 
 
 def test_one_misread_number_does_not_hide_the_origin() -> None:
-    right = [clue(ISSUED.values[7, column]) for column in range(5)]
+    right = [clue(TABLE[7, column]) for column in range(5)]
     first = rank([*right, clue(123_456.0)], ISSUED)[0]
     assert first.owner == "007"
     assert first.odds > 10
@@ -64,7 +67,7 @@ def test_one_misread_number_does_not_hide_the_origin() -> None:
 
 def test_numbers_of_nobody_have_no_good_odds() -> None:
     assert rank([clue(123_456.0)], ISSUED) == ()
-    strange = rank([clue(ISSUED.values[7, 0]), clue(123_456.0), clue(234_567.0)], ISSUED)
+    strange = rank([clue(TABLE[7, 0]), clue(123_456.0), clue(234_567.0)], ISSUED)
     assert strange[0].odds < 1
 
 

@@ -2,11 +2,14 @@
 
 import importlib
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from datetime import UTC, date, datetime
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import pytest
+from sqlalchemy import Engine, event
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
@@ -84,6 +87,48 @@ def test_all_exports_are_the_same(
     in_file = term(str(tmp_path / "gradebook.sqlite"), graded, issued, tmp_path / "file")
     assert in_file == term(away, graded, issued, tmp_path / "server")
     assert "Петров" in in_file[-1].decode()
+
+
+class Killed(BaseException):
+    """Ends what runs, wherever it is; nobody catches it."""
+
+
+@contextmanager
+def killed_at_commit(moment: int) -> Iterator[None]:
+    """Let the commit of that number, of any database, end everything before it happens."""
+    commits = count(1)
+
+    def commit(_: object) -> None:
+        if next(commits) == moment:
+            raise Killed
+
+    event.listen(Engine, "commit", commit)
+    try:
+        yield
+    finally:
+        event.remove(Engine, "commit", commit)
+
+
+def test_a_batch_that_is_killed_at_any_commit_ends_as_one_that_is_not(
+    graded: Sequence[Graded],
+    issued: "Classroom",
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(str(Path(__file__).parent))
+    fake = importlib.import_module("fake_documents")
+    monkeypatch.setattr("gripcourse.usecases.grade.cohort_pdf", fake.cohort_page)
+    monkeypatch.setattr("gripcourse.usecases.gradebook._STUDENTS_AT_ONCE", 1)
+    whole = term(str(tmp_path / "whole.sqlite"), graded, issued, tmp_path / "whole")
+    place = str(tmp_path / "killed.sqlite")
+    for moment in count(1):
+        with killed_at_commit(moment), suppress(Killed):
+            keep(graded, issued.context, place, NOW)
+            break
+        assert term(place, graded, issued, tmp_path / "killed") == whole
+        Path(place).unlink()
+    # The tables, and a portion for each student.
+    assert moment > len(graded)
 
 
 def test_a_batch_that_loses_the_server_is_kept_whole_when_it_is_back(

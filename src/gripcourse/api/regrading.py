@@ -1,14 +1,18 @@
 """Regrades, publications and histories, as a program asks for them."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.course import Course
+from gripcourse.api.course import Course, nothing
 from gripcourse.api.sources import FileLike, workbooks
 
 if TYPE_CHECKING:
+    from gripcourse.batch.kept_reports import KeptReports
+    from gripcourse.batch.one_file import GradingContext
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt
     from gripcourse.gradebook.timing import Waiver
@@ -19,26 +23,64 @@ if TYPE_CHECKING:
 # ruff: noqa: PLC0415
 
 
-def regrade(
-    course: Course, files: Iterable[FileLike], gradebook: str | Path, *, workers: int = 0
+def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
+    course: Course,
+    files: Iterable[FileLike],
+    gradebook: str | Path,
+    *,
+    whose: Mapping[str, str] | None = None,
+    either_version: bool | None = None,
+    workers: int = 0,
+    on_done: Callable[[object], None] = nothing,
 ) -> "Regrading":
-    """Grade works again by today's course and policy, and write nothing.
+    """Grade works again by today's course and policy, and change no grade.
+
+    Marks of persons count on both sides. What an earlier regrade by the very same course found out
+    of a file is taken over, where the course's folder is still as it was loaded.
 
     Args:
         course: by which.
         files: paths of files and folders, or bytes with their names.
         gradebook: path or database URL.
+        whose: ids of students by file, where a person says who handed it in.
+        either_version: of what was issued anew, whether the version counts that gives more; None
+            as the gradebook says, else the workbook's own version.
         workers: how many processes; 0 for none but this one.
+        on_done: called with each file when it is graded.
 
     Raises:
         GripcourseError: the gradebook or the register cannot be used.
     """
+    from gripcourse.usecases.gradebook import with_kept_versions
+    from gripcourse.usecases.mark import existing_gradebook
     from gripcourse.usecases.opening import grading_of
     from gripcourse.usecases.regrade import regrade as ask
+    from gripcourse.usecases.whose import read_whose
 
     sources, _ = workbooks(files)
     context = grading_of(course.definition, course.policy)
-    return ask(sources, context, str(gradebook), workers, datetime.now(UTC))
+    pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
+    decided = read_whose(pairs, sources, context.register)
+    context = replace(context, whose=decided, either_version=either_version)
+    place = str(gradebook)
+    existing_gradebook(place)
+    context = with_kept_versions(context, place)
+    kept = _earlier(course, context, workers)
+    return ask(sources, context, place, workers, datetime.now(UTC), on_done, kept=kept)
+
+
+def _earlier(course: Course, context: "GradingContext", workers: int) -> "KeptReports | None":
+    """Return what earlier regrades found out; None where the course's folder has changed."""
+    from gripcourse.usecases.unchanged import open_earlier, versions_of
+
+    # Whoever may not write there looks, too, but pays for every look.
+    with suppress(OSError):
+        versions = versions_of(course.root)
+        today = Course.load(course.root)
+        if (today.definition, today.policy) == (course.definition, course.policy):
+            earlier = open_earlier(course.root / "private", context, versions, workers=workers)
+            return None if earlier is None else earlier.reports
+    return None
 
 
 def apply_regrade(

@@ -47,9 +47,12 @@ def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evi
         return ()
     # Whoever worked on an earlier version has the numbers of that one.
     issued = {**context.register, **{one.student: _made_for(one, context) for one in judged}}
-    works = [work_of(report, _made_for(report, context), AUTHOR) for report in judged]
+    works = (work_of(report, _made_for(report, context), AUTHOR) for report in judged)
+    by_owner = {one.student: context.declared.get(one.declarations) for one in judged}
+    declared = {owner: course for owner, course in by_owner.items() if course is not None}
     variants = [(student, entry.variant) for student, entry in issued.items()]
-    return find_evidence(works, issued_values(context.course, variants), context.policy.likeness)
+    values = issued_values(context.course, variants, declared)
+    return find_evidence(works, values, context.policy.likeness)
 
 
 def _titles(context: GradingContext) -> Callable[[str, str], Texts | str]:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from gripcourse.grading.model import Report
     from gripcourse.usecases.grade import GradingOutcome
     from gripcourse.usecases.mark import Marking
+    from gripcourse.variants.model import Student
 
 FLAGS = {
     FlagCode.COPIED_FROM: message("copied by others"),
@@ -47,7 +48,7 @@ FLAGS = {
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""
 
-_NAMED = 10  # files of one kind that a line names
+_NAMED = 10  # files of one kind, or students, that a line names
 
 
 def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
@@ -81,6 +82,7 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
     lines += _passed_over(outcome, words)
+    lines += _missing(outcome.missing, words)
     if outcome.left_over:
         said = message(
             "Reports of an earlier run that this one did not renew: {names}.",
@@ -128,6 +130,18 @@ def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
                 reason=reason,
             )
             yield words.say(said)
+
+
+def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
+    """Say who has handed nothing in; `grades.csv` has a row for each."""
+    if students:
+        more = ", …" if len(students) > _NAMED else ""
+        said = message(
+            "Nothing from {count} students: {names}.",
+            count=len(students),
+            names=", ".join(one_line(one.name) or one.id for one in students[:_NAMED]) + more,
+        )
+        yield words.say(said)
 
 
 def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:

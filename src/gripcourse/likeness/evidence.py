@@ -14,8 +14,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import Floats, Ints, in_order, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import in_order, same_as_issued, same_as_typed
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
 from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, shared_methods
@@ -25,7 +26,7 @@ _LARGEST = 700.0  # logarithm of the largest odds that are told
 
 
 def find_evidence(
-    works: Sequence[ComparedWork],
+    works: Iterable[ComparedWork],
     issued: IssuedValues,
     rule: LikenessRule,
     chances: Chances | None = None,
@@ -33,7 +34,8 @@ def find_evidence(
     """Find what is alike beyond chance.
 
     Args:
-        works: the submissions; several of one student are not compared with each other.
+        works: the submissions, each asked for once; several of one student are not compared with
+            each other.
         issued: the right values of every issued variant; its owners are student ids.
         rule: from which odds on evidence is told.
         chances: what counts as coincidence.
@@ -43,11 +45,18 @@ def find_evidence(
         answers are the same, by odds; then common authors.
     """
     known = set(issued.owners)
-    usable = [work for work in works if work.student in known]
-    creators = tuple(same_creators(works, rule))
-    if rule.odds == 0 or not usable:
+    named: list[ComparedWork] = []
+
+    def usable() -> Iterator[ComparedWork]:
+        for work in works:
+            named.append(replace(work, numbers=()))
+            if work.student in known:
+                yield work
+
+    pooled = pool(usable(), issued)
+    creators = tuple(same_creators(named, rule))
+    if rule.odds == 0 or not pooled.students:
         return creators
-    pooled = pool(usable, issued)
     chosen = chances or Chances()
     taken = taken_from_issued(pooled, rule, chosen)
     alike = tuple(same_answers(pooled, rule, chosen))

@@ -4,6 +4,8 @@ import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +14,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
-from gripcourse.likeness.matches import Floats
+from gripcourse.likeness.cells import Cells, Floats, Ints
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
@@ -21,6 +23,7 @@ from gripcourse.variants.model import Variant
 _PROPORTIONAL = 0.995  # correlation of logarithms from which two quantities count as one
 _ENOUGH = 8  # different values from which a correlation says something
 _DIFFERENT = 1e-6  # of the logarithm
+_TODAY: Final[Mapping[str, Course]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,16 +33,19 @@ class IssuedValues:
     Attributes:
         owners: of the rows, for example student ids.
         quantities: ids of the columns: given, computed, chosen and picked ones.
-        values: (owners, quantities); NaN where a variant has no such quantity.
-        families: (owners, quantities); quantities of a variant with the same number are
-            proportional in all variants of its kind: who has one of them has the others.
+        values: of owners (rows) and quantities (columns); none where a variant has no such
+            quantity.
+        kind: (owners,); variants of one kind are computed alike.
+        families: (kinds, quantities); quantities with the same number are proportional in all
+            variants of the kind: who has one of them has the others.
         discrete: (quantities,); whether a value comes from a series or a table.
     """
 
     owners: tuple[str, ...]
     quantities: tuple[str, ...]
-    values: Floats
-    families: NDArray[np.intp]
+    values: Cells
+    kind: Ints
+    families: Ints
     discrete: NDArray[np.bool_]
 
     @property
@@ -47,15 +53,24 @@ class IssuedValues:
         """The column of each quantity."""
         return {name: column for column, name in enumerate(self.quantities)}
 
+    def family(self, owner: Ints, column: Ints) -> Ints:
+        """Return the family of each of some quantities, for its owner."""
+        return self.families[self.kind[owner], column]
 
-def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> IssuedValues:
+
+def issued_values(
+    course: Course,
+    variants: Sequence[tuple[str, Variant]],
+    declared: Mapping[str, Course] = _TODAY,
+) -> IssuedValues:
     """Solve all variants at once.
 
     Args:
         course: that they belong to.
         variants: each with its owner; one that the course can no longer solve has no values.
+        declared: by owner, an earlier state of the course that their variant was judged by.
     """
-    plans = _grouped(course, variants)
+    plans = _grouped(course, variants, declared)
     exact = {
         name: one.exact
         for plan, _ in plans
@@ -63,36 +78,44 @@ def issued_values(course: Course, variants: Sequence[tuple[str, Variant]]) -> Is
         if one.kind in {Kind.GIVEN, Kind.FORMULA, Kind.CHOICE, Kind.PICK}
     }
     columns = {name: column for column, name in enumerate(exact)}
-    values = np.full((len(variants), len(columns)), math.nan)
-    families = np.tile(np.arange(len(columns)), (len(variants), 1))
-    for plan, rows in plans:
+    kind = np.full(len(variants), len(plans), dtype=np.intp)
+    # The last one is of what cannot be solved.
+    families = np.tile(np.arange(len(columns)), (len(plans) + 1, 1))
+    cells = []
+    for number, (plan, members) in enumerate(plans):
         names = [name for name in plan.quantities if name in columns]
-        solved = _solved(plan, [variants[row][1] for row in rows], names)
+        solved = _solved(plan, [variants[row][1] for row in members], names)
         places = np.array([columns[name] for name in names], dtype=np.intp)
-        cells = np.ix_(np.array(rows, dtype=np.intp), places)
-        values[cells] = solved
-        families[cells] = places[_families(solved)]
+        rows = np.array(members, dtype=np.intp)
+        kind[rows] = number
+        families[number, places] = places[_families(solved)]
+        cells.append((np.repeat(rows, len(places)), np.tile(places, len(rows)), solved.ravel()))
+    nothing = np.zeros(0, dtype=np.intp)
+    found = zip((nothing, nothing, np.zeros(0)), *cells, strict=True)
+    row, column, value = (np.concatenate(each) for each in found)
     return IssuedValues(
         owners=tuple(owner for owner, _ in variants),
         quantities=tuple(columns),
-        values=values,
+        values=Cells.of((len(variants), len(columns)), row, column, value),
+        kind=kind,
         families=families,
         discrete=np.array(list(exact.values()), bool),
     )
 
 
 def _grouped(
-    course: Course, variants: Sequence[tuple[str, Variant]]
+    course: Course, variants: Sequence[tuple[str, Variant]], declared: Mapping[str, Course]
 ) -> list[tuple[Plan, list[int]]]:
     """Group variants that are computed alike."""
-    rows = defaultdict[Composition, list[int]](list)
-    for row, (_, variant) in enumerate(variants):
-        rows[variant.composition].append(row)
+    rows = defaultdict[tuple[int, Composition], list[int]](list)
+    courses = {id(one): one for one in (course, *declared.values())}
+    for row, (owner, variant) in enumerate(variants):
+        rows[id(declared.get(owner, course)), variant.composition].append(row)
     plans = []
-    for composition, members in rows.items():
+    for (state, composition), members in rows.items():
         try:
-            plans.append((plan_of(course, composition), members))
-        except UsageError:  # issued from an earlier version of the course
+            plans.append((plan_of(courses[state], composition), members))
+        except UsageError:  # issued from an earlier version of the course that nobody kept
             continue
     return plans
 

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.likeness.cells import Cells, Floats, Ints
+
 _FIGURES = 3  # that a typed number has at least: a spreadsheet keeps 5,00 as 5
 _OWN_ROUNDING = 0.002  # relative: what intermediate rounding moves a copied value off the exact one
 _WIDEST_SPREAD = 0.5  # of the logarithm: wrong values spread at least so far
 _SAME = 1e-9  # relative
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,12 +40,16 @@ class OrderedValues:
     """Numbers that others have, in the order of their size.
 
     Attributes:
-        values: (owners, quantities); NaN where an owner has none.
-        order: (quantities, owners); owners from the smallest number up, those without one last.
+        values: of owners (rows) and quantities (columns).
+        begins: (quantities + 1,); where the numbers of each quantity begin in what follows.
+        ordered: (cells,); the numbers of one quantity after the other, from the smallest up.
+        owner: (cells,); whose each is.
     """
 
-    values: Floats
-    order: NDArray[np.int32]
+    values: Cells
+    begins: Ints
+    ordered: Floats
+    owner: NDArray[np.int32]
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,11 +80,12 @@ class Matches:
         start = np.repeat(self.first[chosen] - np.concatenate(([0], np.cumsum(count)[:-1])), count)
         number = np.repeat(chosen, count)
         place = start + np.arange(len(number))
-        return number, self.others.order[self.numbers.column[number], place].astype(np.intp)
+        begin = self.others.begins[self.numbers.column[number]]
+        return number, self.others.owner[begin + place].astype(np.intp)
 
     def are_same(self, number: Ints, owner: Ints) -> NDArray[np.bool_]:
         """Tell of pairs of a number and an owner whether that owner has the same."""
-        theirs = self.others.values[owner, self.numbers.column[number]]
+        theirs = self.others.values.at(owner, self.numbers.column[number])
         value, reach = self.numbers.value[number], self.reach[number]
         return (theirs >= value - reach) & (theirs <= value + reach)
 
@@ -92,9 +96,11 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
     return np.minimum(2 * half_unit, third)
 
 
-def in_order(values: Floats) -> OrderedValues:
-    """Order numbers by size: (owners, quantities), NaN where there is none."""
-    return OrderedValues(values, np.argsort(values.T, axis=1, kind="stable").astype(np.int32))
+def in_order(values: Cells) -> OrderedValues:
+    """Order the numbers of each quantity by size."""
+    owner, column = values.place
+    order = np.lexsort((values.value, column))
+    return OrderedValues(values, values.begins, values.value[order], owner[order].astype(np.int32))
 
 
 def same_as_issued(
@@ -114,24 +120,22 @@ def same_as_issued(
 
 def same_as_typed(numbers: ComparedNumbers, rows: int, columns: int) -> Matches:
     """Find the submissions in which the same was typed, but for rounding; its own is among them."""
-    values = np.full((rows, columns), math.nan)
-    values[numbers.row, numbers.column] = numbers.value
+    values = Cells.of((rows, columns), numbers.row, numbers.column, numbers.value)
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
     return _matches(numbers, in_order(values), reach * (1 + _SAME), 2)  # the pair itself
 
 
-def density(numbers: ComparedNumbers, values: Floats) -> Floats:
+def density(numbers: ComparedNumbers, values: Cells) -> Floats:
     """Return the probability that a wrong number falls near each, per relative width.
 
     Wrong numbers spread as the right ones of all variants do: log-normally, and not too narrowly.
     """
-    sizes = np.abs(np.where(values == 0, np.nan, values))
-    with np.errstate(invalid="ignore"):
-        logs = np.log(sizes)
-    known = np.isfinite(logs)
-    count = np.maximum(known.sum(axis=0), 1)
-    middle = np.where(known, logs, 0).sum(axis=0) / count
-    spread = np.sqrt((np.where(known, logs - middle, 0) ** 2).sum(axis=0) / count)
+    _, column = values.place
+    known, columns = values.value != 0, values.columns
+    column, logs = column[known], np.log(np.abs(values.value[known]))
+    count = np.maximum(np.bincount(column, minlength=columns), 1)
+    middle = np.bincount(column, logs, columns) / count
+    spread = np.sqrt(np.bincount(column, (logs - middle[column]) ** 2, columns) / count)
     wide = np.maximum(spread, _WIDEST_SPREAD)[numbers.column]
     away = (np.log(np.abs(numbers.value)) - middle[numbers.column]) / wide
     result: Floats = np.exp(-(away**2) / 2) / (wide * math.sqrt(2 * math.pi))
@@ -151,9 +155,8 @@ def _matches(numbers: ComparedNumbers, others: OrderedValues, reach: Floats, apa
     after, known = first.copy(), first.copy()
     for column in np.unique(numbers.column):
         mine = np.flatnonzero(numbers.column == column)
-        ordered = others.values[others.order[column], column]
-        known[mine] = np.isfinite(ordered).sum()
-        ordered = ordered[: known[mine[0]]]
+        ordered = others.ordered[others.begins[column] : others.begins[column + 1]]
+        known[mine] = len(ordered)
         first[mine] = np.searchsorted(ordered, numbers.value[mine] - reach[mine], "left")
         after[mine] = np.searchsorted(ordered, numbers.value[mine] + reach[mine], "right")
     share = np.maximum(after - first - apart, 0) / np.maximum(known, 1)

@@ -12,7 +12,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.matches import Floats, Ints, Matches
+from gripcourse.likeness.cells import Floats, Ints
+from gripcourse.likeness.matches import Matches
 from gripcourse.likeness.pool import ComparisonPool, SharedMethods
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
@@ -43,7 +44,7 @@ class PairMatches:
     @property
     def owners(self) -> int:
         """How many owners of numbers there are."""
-        return len(self.found.others.values)
+        return self.found.others.values.rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,7 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     most = np.bincount(row, weight, len(compared.pooled.students))
     telling = np.flatnonzero((weight > 0) & (most[row] >= least))
     mine = _told_bits(compared, np.flatnonzero(weight > 0))
-    theirs = _bits(np.isfinite(compared.found.others.values))
+    theirs = _bits(compared.found.others.values.present)
     found = [np.zeros(0, dtype=np.intp)]
     for chosen in _portions(compared, telling):
         number, owner = compared.found.owners(chosen)
@@ -177,7 +178,7 @@ def _hits(compared: PairMatches, pairs: Ints) -> tuple[_Hits, Floats]:
     pair = np.repeat(np.arange(len(pairs)), count)
     start = np.repeat(first - np.concatenate(([0], np.cumsum(count)[:-1])), count)
     number = start + np.arange(len(pair))
-    theirs = compared.found.others.values[owner[pair], numbers.column[number]]
+    theirs = compared.found.others.values.at(owner[pair], numbers.column[number])
     known = np.bincount(pair[np.isfinite(theirs)], minlength=len(pairs)).astype(np.float64)
     same = compared.found.are_same(number, owner[pair])
     pair, number = pair[same], number[same]
@@ -185,7 +186,8 @@ def _hits(compared: PairMatches, pairs: Ints) -> tuple[_Hits, Floats]:
     if compared.shared is not None:
         # What is explained stays so, whoever else has it.
         chance = np.maximum(chance, compared.shared.chance(number, owner[pair]))
-    family = compared.pooled.issued.families[compared.pooled.own[row[pair]], numbers.column[number]]
+    own = compared.pooled.own[row[pair]]
+    family = compared.pooled.issued.family(own, numbers.column[number])
     return _Hits(pair, number, _once_for_each(pair, family, chance)), known
 
 

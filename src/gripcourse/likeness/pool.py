@@ -1,15 +1,17 @@
 """All numbers of all submissions side by side, and what explains each of them without copying."""
 
 import math
+from array import array
 from collections import Counter
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import ComparedNumbers, Floats, Ints, Matches, density, last_unit
+from gripcourse.likeness.matches import ComparedNumbers, Matches, density, last_unit
 from gripcourse.likeness.model import Chances, ComparedWork, Typed
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
@@ -39,45 +41,45 @@ class ComparisonPool:
     slip: Floats
 
 
-def pool(works: Sequence[ComparedWork], issued: IssuedValues) -> ComparisonPool:
-    """Put the numbers of submissions side by side; all students own a row of issued values."""
+def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
+    """Put the numbers of submissions side by side; all students own a row of issued values.
+
+    Each is looked into once: a number is some two hundred bytes as an object, and forty here.
+    """
     rows = {student: row for row, student in enumerate(issued.owners)}
     columns = issued.columns
-    kept = [
-        (row, one)
-        for row, work in enumerate(works)
+    students: list[str] = []
+    slips: dict[object, int] = {}
+    wholes, reals = array("q"), array("d")
+    for row, work in enumerate(works):
+        students.append(work.student)
         for one in sorted(
             (one for one in _without_filler(work.numbers) if _is_comparable(one, columns)),
             key=lambda one: columns[one.quantity],
-        )
-    ]
-    typed = [one for _, one in kept]
+        ):
+            slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
+            wholes.extend((row, columns[one.quantity], one.explained, slip))
+            reals.extend((one.value, one.half_unit))
+    of_row, column, explained, slip_of = np.array(wholes, dtype=np.intp).reshape(-1, 4).T
+    value, half = np.array(reals, dtype=np.float64).reshape(-1, 2).T
     return ComparisonPool(
-        students=tuple(work.student for work in works),
-        own=np.array([rows[work.student] for work in works], dtype=np.intp),
+        students=tuple(students),
+        own=np.array([rows[student] for student in students], dtype=np.intp),
         issued=issued,
-        numbers=_numbers([row for row, _ in kept], typed, columns),
-        explained=np.array([one.explained for one in typed], dtype=np.bool_),
-        slip=_slip_shares(typed),
+        numbers=ComparedNumbers(
+            row=of_row.copy(),
+            column=column.copy(),
+            value=value.copy(),
+            unit=last_unit(value, half),
+        ),
+        explained=explained != 0,
+        slip=_slip_shares(column, slip_of),
     )
 
 
 def _is_comparable(one: Typed, columns: Container[str]) -> bool:
     """Tell whether a number can say anything: a nought is nobody's."""
     return one.quantity in columns and one.value != 0 and math.isfinite(one.value)
-
-
-def _numbers(
-    rows: Sequence[int], typed: Sequence[Typed], columns: Mapping[str, int]
-) -> ComparedNumbers:
-    value = np.array([one.value for one in typed], dtype=np.float64)
-    half = np.array([one.half_unit for one in typed], dtype=np.float64)
-    return ComparedNumbers(
-        row=np.array(rows, dtype=np.intp),
-        column=np.array([columns[one.quantity] for one in typed], dtype=np.intp),
-        value=value,
-        unit=last_unit(value, half),
-    )
 
 
 def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Floats:
@@ -113,7 +115,7 @@ class SharedMethods:
     def chance(self, number: Ints, owner: Ints) -> Floats:
         """Return it for pairs of a number and a submission; 0 where they would differ."""
         pooled = self.pooled
-        theirs = pooled.issued.values[pooled.own[owner], pooled.numbers.column[number]]
+        theirs = pooled.issued.values.at(pooled.own[owner], pooled.numbers.column[number])
         shared = np.isclose(self.right[number], theirs, rtol=1e-6, atol=0.0)
         return np.where(shared, self.likely[number], 0.0)
 
@@ -121,7 +123,7 @@ class SharedMethods:
 def shared_methods(pooled: ComparisonPool, chances: Chances) -> SharedMethods:
     """Find out how common each mistake is among those who answered its quantity."""
     numbers = pooled.numbers
-    right = pooled.issued.values[pooled.own[numbers.row], numbers.column]
+    right = pooled.issued.values.at(pooled.own[numbers.row], numbers.column)
     with np.errstate(divide="ignore", invalid="ignore"):
         common = _commonness(numbers.column, numbers.value / right)
     return SharedMethods(pooled, right, np.maximum(common, chances.shared))
@@ -132,15 +134,15 @@ def _without_filler(numbers: Sequence[Typed]) -> Iterator[Typed]:
     return (one for one in numbers if one.explained or wrong[one.value] < _FILLER)
 
 
-def _slip_shares(numbers: Sequence[Typed]) -> Floats:
-    """Return which part of those who answered a quantity made the same slip; NaN for no slip."""
-    answered = Counter(one.quantity for one in numbers)
-    made = Counter((one.quantity, one.slip) for one in numbers)
-    shares = [
-        made[one.quantity, one.slip] / answered[one.quantity] if one.slip else math.nan
-        for one in numbers
-    ]
-    return np.array(shares, dtype=np.float64)
+def _slip_shares(column: Ints, slip: Ints) -> Floats:
+    """Return which part of those who answered a quantity made the same slip; NaN for no slip.
+
+    Args:
+        column: (numbers,); the quantity of each.
+        slip: (numbers,); each one of a quantity has its own number; −1 for none.
+    """
+    made = np.bincount(slip + 1)[slip + 1]
+    return np.where(slip >= 0, made / np.bincount(column)[column], math.nan)
 
 
 def _commonness(column: Ints, ratio: Floats) -> Floats:

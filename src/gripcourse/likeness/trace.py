@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gripcourse.likeness.cells import Floats
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import ComparedNumbers, Floats, density, last_unit
+from gripcourse.likeness.matches import ComparedNumbers, density, last_unit
 
 _TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
 _LEAST = 1e-4  # nobody knows chance better than this
@@ -94,7 +95,11 @@ def _against_the_rest(log_share: float) -> float:
 def _match(clue: Clue, issued: IssuedValues, column: int, row: int) -> Match:
     if column < 0:
         return Match(clue.text, "", math.nan)
-    return Match(clue.text, issued.quantities[column], float(issued.values[row, column]))
+    return Match(
+        clue.text,
+        issued.quantities[column],
+        float(issued.values.at(np.array(row), np.array(column))),
+    )
 
 
 def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats]:
@@ -115,7 +120,7 @@ def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats
     value = np.array([one for _, one, _ in columns])
     unit = last_unit(value, np.array([half for *_, half in columns]))
     reach = np.maximum(unit, _OWN_ROUNDING * np.abs(value))
-    values = issued.values[:, place]
+    values = issued.values.dense(place)
     away = np.where(np.isfinite(values), np.abs(values - value), np.inf) / reach
     best = np.argmin(away, axis=1)
     fits = away[np.arange(rows), best] <= 1 + _OWN_ROUNDING

@@ -40,6 +40,7 @@ from gripcourse.usecases.student_reports import (
     write_reports,
 )
 from gripcourse.usecases.unchanged import Earlier, PrintedBefore, TakenOver, told_of
+from gripcourse.variants.model import Student
 
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
@@ -63,6 +64,7 @@ class GradingOutcome:
         left_over: student reports of earlier runs that this one did not renew.
         taken_over: what was neither graded nor printed again.
         grades_only: whether nobody wanted anything printed.
+        missing: students to whom something was issued and whose work is not in the batch, by id.
     """
 
     reports: tuple[Report, ...]
@@ -73,6 +75,7 @@ class GradingOutcome:
     left_over: tuple[Path, ...] = ()
     taken_over: TakenOver = field(default_factory=TakenOver)
     grades_only: bool = False
+    missing: tuple[Student, ...] = ()
 
 
 def grade(
@@ -170,6 +173,15 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
             reports=sum(isinstance(one, AsItWas) for one in outcomes),
         ),
         grades_only=lay_out is None,
+        missing=missing(reports, context),
+    )
+
+
+def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
+    """Return the students of the register of whom the batch has nothing, by id."""
+    handed_in = {report.student for report in reports}
+    return tuple(
+        issued.student for name, issued in sorted(context.register.items()) if name not in handed_in
     )
 
 

@@ -1,0 +1,77 @@
+"""Numbers of a table most of whose cells are empty: nobody has the quantities of other schemes.
+
+A cohort of ten thousand has some seven million cells; of one in ten anything is known.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cells:
+    """The finite numbers of a table, column by column.
+
+    Attributes:
+        rows, columns: of the table.
+        key: (cells,); column times rows, plus row; ascending.
+        value: (cells,); finite.
+    """
+
+    rows: int
+    columns: int
+    key: Ints
+    value: Floats
+
+    @classmethod
+    def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "Cells":
+        """Put numbers into a table; of several in one cell the last counts."""
+        rows, columns = shape
+        known = np.flatnonzero(np.isfinite(value))
+        key = column[known] * rows + row[known]
+        order = np.argsort(key, kind="stable")
+        is_last = np.diff(key[order], append=-1) != 0
+        order = order[is_last]
+        return cls(rows, columns, key[order], value[known[order]])
+
+    @classmethod
+    def of_table(cls, table: Floats) -> "Cells":
+        """Return the numbers of a whole table, NaN where there is none."""
+        row, column = np.nonzero(np.isfinite(table))
+        rows, columns = table.shape
+        return cls.of((rows, columns), row, column, table[row, column])
+
+    def at(self, row: Ints, column: Ints) -> Floats:
+        """Return the numbers of cells, NaN for the empty ones."""
+        if not len(self.key):
+            return np.full(np.broadcast(row, column).shape, np.nan)
+        wanted = column * self.rows + row
+        place = np.minimum(np.searchsorted(self.key, wanted), len(self.key) - 1)
+        return np.where(self.key[place] == wanted, self.value[place], np.nan)
+
+    def dense(self, columns: Sequence[int] | Ints) -> Floats:
+        """Return some columns with all their rows: (rows, columns), NaN where there is none."""
+        return self.at(np.arange(self.rows)[:, None], np.asarray(columns, dtype=np.intp))
+
+    @property
+    def place(self) -> tuple[Ints, Ints]:
+        """Row and column of each number: (cells,) each."""
+        column, row = np.divmod(self.key, max(self.rows, 1))
+        return row, column
+
+    @property
+    def begins(self) -> Ints:
+        """Where the numbers of each column begin, and where those of the last one end."""
+        return np.searchsorted(self.key, np.arange(self.columns + 1) * self.rows)
+
+    @property
+    def present(self) -> NDArray[np.bool_]:
+        """Which cells have a number: (rows, columns)."""
+        found = np.zeros((self.rows, self.columns), dtype=np.bool_)
+        found[self.place] = True
+        return found
