@@ -22,6 +22,10 @@ MOST_APART = 1.5
 """How many times as much the same mistake may cost in another variant."""
 _NOTABLE = 0.03  # of all points: what costs less makes no difference to a mark
 _SAME_POINTS = 0.02  # of all points: what an answer may earn that is the same in all variants
+# Bounds of a policy: with 0.2, 0.08 and 1 other people's numbers and guesses earned 11 to 37 %.
+_LEAST_CALCULATED = 0.5
+_WIDEST_RELATIVE = 0.05
+_LEAST_FIGURES = 2
 _LEAST_VARIANTS = 3  # of a scheme: fewer are the same by chance
 
 
@@ -98,10 +102,30 @@ def paying_rules(course: Course, policy: Policy, variants: Sequence[Variant]) ->
         variants: that are issued.
     """
     file = str(policy_path(course.root).relative_to(course.root))
+    yield from _too_lenient(file, policy)
     yield from _without_main_results(file, policy, mistake_costs(course, policy, variants))
     issued = _issued(course, policy, variants)
     yield from _too_wide(file, policy, issued)
     yield from _same_for_all(file, policy, issued)
+
+
+def _too_lenient(file: str, policy: Policy) -> Iterator[Problem]:
+    """Name numbers with which works that compute nothing were measured to earn much."""
+    bounds = (
+        ("credit.calculated", policy.calculated_share, _LEAST_CALCULATED),
+        ("tolerance.relative", policy.tolerance.relative, -_WIDEST_RELATIVE),
+        ("rounding.figures", policy.figures, _LEAST_FIGURES),
+    )
+    for key, number, bound in bounds:
+        if (number >= bound) if bound > 0 else (number <= -bound):
+            continue
+        what = message("With {number} here works that compute nothing earn points.", number=number)
+        remedy = (
+            message("Write at least {least}.", least=bound)
+            if bound > 0
+            else message("Write at most {absolute}.", absolute=-bound)
+        )
+        yield Problem(file, key, what, remedy)
 
 
 def _without_main_results(
