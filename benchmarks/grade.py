@@ -56,18 +56,18 @@ def main() -> None:
             submission, dict(zip(computed[:: len(computed) // 5], WRONG, strict=False))
         )
         base = _median(lambda: load_workbook(file))
-        print(f"openpyxl.load_workbook                 {base * 1e3:7.1f} ms")
+        print(f"openpyxl.load_workbook                   {base * 1e3:7.1f} ms")
         for name, call in (
             ("read the workbook", lambda: read_workbook(file)),
             ("make the plan", lambda: make_plan(course, variant.scheme, variant.options)),
             ("interpret the cells", lambda: interpret(raw, plan.quantities.values())),
             ("judge, all right", lambda: _judge(context, submission, issued)),
             ("judge and name one slip", lambda: _judge(context, slipped, issued)),
-            ("judge and explain five wrong answers", lambda: _judge(context, wrong, issued)),
+            ("judge alone, explain five wrong answers", lambda: _judge(context, wrong, issued)),
             ("read and grade, all in all", lambda: grade_file(file, context)),
         ):
             seconds = _median(call)
-            print(f"{name:<38} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
+            print(f"{name:<40} {seconds * 1e3:7.1f} ms, ratio {seconds / base:.2f}")
 
 
 def _judge(context: GradingContext, submission: Submission, issued: Issued) -> None:

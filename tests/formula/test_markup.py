@@ -36,7 +36,7 @@ class _Reader(HTMLParser):
         self.open: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        assert {name for name, _ in attrs} <= {"class"}
+        assert {name for name, _ in attrs} <= {"class", "style"}  # what is wide is set smaller
         self.open.append(tag)
 
     def handle_endtag(self, tag: str) -> None:
