@@ -1,6 +1,13 @@
-"""`python -m gripcourse`."""
+"""`python -m gripcourse`, and the command `gripcourse`."""
 
-from gripcourse.cli.main import main
+
+def main() -> None:
+    """Run the command line."""
+    # A worker runs the script that started it once more, as a module: it needs no command line.
+    from gripcourse.cli.main import main as run  # noqa: PLC0415
+
+    run()
+
 
 if __name__ == "__main__":
     main()

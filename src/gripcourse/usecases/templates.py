@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from gripcourse.documents.kind import SampleDocument
 from gripcourse.documents.pdf import Document, render_html, template_environment, template_problem
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from jinja2 import Environment, nodes
 
 SUFFIX = ".j2"
+_Node = TypeVar("_Node", bound="nodes.Node")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +42,17 @@ class Read:
     asked: Mapping[str, int]
 
 
+@dataclass(frozen=True, slots=True)
+class _Within:
+    """All nodes of a template, outer ones first: its tree is gone through once."""
+
+    nodes: "tuple[nodes.Node, ...]"
+
+    def all_of(self, *kinds: type[_Node]) -> Iterator[_Node]:
+        """Yield the nodes of some kinds, in their order."""
+        return (one for one in self.nodes if isinstance(one, kinds))
+
+
 def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
     """Read every template of a course, whether a document uses it or not.
 
@@ -50,6 +62,7 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
         The templates that could be read by their names, and what is wrong with the others.
     """
     from jinja2 import TemplateSyntaxError
+    from jinja2.nodes import Node
 
     environment = template_environment(templates, "en")
     read: dict[str, Read] = {}
@@ -65,10 +78,11 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
             what = message("The file is not text in UTF-8.")
             problems.append(Problem(f"templates/{name}", "", what, message("Save it as UTF-8.")))
         else:
-            unknown = [*_unknown_filters(tree, name, environment)]
-            problems += [*unknown, *_unknown_parts(tree, name, known)]
+            within = _Within(tuple(tree.find_all(Node)))
+            unknown = [*_unknown_filters(within, name, environment)]
+            problems += [*unknown, *_unknown_parts(within, name, known)]
             if not unknown:
-                read[name] = _read(tree, name)
+                read[name] = _read(tree, within, name)
     return read, problems
 
 
@@ -130,34 +144,34 @@ def _failures(document: Document, templates: Path, words: Words) -> list[Problem
     return []
 
 
-def _read(tree: "nodes.Template", name: str) -> Read:
+def _read(tree: "nodes.Template", within: _Within, name: str) -> Read:
     from jinja2 import meta, nodes
 
-    undeclared = meta.find_undeclared_variables(tree) - _own(tree)
+    undeclared = meta.find_undeclared_variables(tree) - _own(tree, within)
     asked: dict[str, int] = {}
-    for one in tree.find_all(nodes.Name):
+    for one in within.all_of(nodes.Name):
         if one.ctx == "load" and one.name in undeclared:
             asked.setdefault(one.name, one.lineno)
-    for test in tree.find_all(nodes.Test):
+    for test in within.all_of(nodes.Test):
         if test.name in {"defined", "undefined"} and isinstance(test.node, nodes.Name):
             asked.pop(test.node.name, None)
     continued = (nodes.Extends, nodes.Include)
     return Read(
         name=name,
-        used=frozenset(target for target, _ in _named(tree, _links())),
-        continued=frozenset(target for target, _ in _named(tree, continued)),
-        assigned=frozenset(one.name for one in tree.find_all(nodes.Name) if one.ctx == "store"),
+        used=frozenset(target for target, _ in _named(within, *_links())),
+        continued=frozenset(target for target, _ in _named(within, *continued)),
+        assigned=frozenset(one.name for one in within.all_of(nodes.Name) if one.ctx == "store"),
         asked=asked,
     )
 
 
-def _own(tree: "nodes.Template") -> set[str]:
+def _own(tree: "nodes.Template", within: _Within) -> set[str]:
     """Return what a template brings itself and its blocks see too: macros, imports, settings."""
     from jinja2 import nodes
 
-    own = {macro.name for macro in tree.find_all(nodes.Macro)}
-    own |= {one.target for one in tree.find_all(nodes.Import)}
-    for line in tree.find_all(nodes.FromImport):
+    own = {macro.name for macro in within.all_of(nodes.Macro)}
+    own |= {one.target for one in within.all_of(nodes.Import)}
+    for line in within.all_of(nodes.FromImport):
         own |= {one if isinstance(one, str) else one[1] for one in line.names}
     for one in tree.body:
         if isinstance(one, nodes.Assign):
@@ -166,13 +180,11 @@ def _own(tree: "nodes.Template") -> set[str]:
     return own
 
 
-def _named(
-    tree: "nodes.Template", kinds: tuple[type["nodes.Node"], ...]
-) -> Iterator[tuple[str, int]]:
+def _named(within: _Within, *kinds: type["nodes.Node"]) -> Iterator[tuple[str, int]]:
     """Yield the templates that are named and the lines; a computed name is none."""
     from jinja2 import nodes
 
-    for link in tree.find_all(kinds):
+    for link in within.all_of(*kinds):
         named = getattr(link, "template", None)
         if isinstance(named, nodes.Const) and isinstance(named.value, str):
             yield named.value, link.lineno
@@ -184,23 +196,21 @@ def _links() -> tuple[type["nodes.Node"], ...]:
     return (nodes.Extends, nodes.Include, nodes.Import, nodes.FromImport)
 
 
-def _unknown_filters(
-    tree: "nodes.Template", name: str, environment: "Environment"
-) -> Iterator[Problem]:
+def _unknown_filters(within: _Within, name: str, environment: "Environment") -> Iterator[Problem]:
     from jinja2 import nodes
 
-    for one in tree.find_all(nodes.Filter):
+    for one in within.all_of(nodes.Filter):
         if one.name not in environment.filters:
             what = message("There is no filter '{name}'.", name=one.name)
             yield _problem(name, one.lineno, what, one.name, environment.filters)
-    for test in tree.find_all(nodes.Test):
+    for test in within.all_of(nodes.Test):
         if test.name not in environment.tests:
             what = message("There is no test '{name}'.", name=test.name)
             yield _problem(name, test.lineno, what, test.name, environment.tests)
 
 
-def _unknown_parts(tree: "nodes.Template", name: str, known: Iterable[str]) -> Iterator[Problem]:
-    for target, line in _named(tree, _links()):
+def _unknown_parts(within: _Within, name: str, known: Iterable[str]) -> Iterator[Problem]:
+    for target, line in _named(within, *_links()):
         if target not in known:
             what = message("There is no template {name}.", name=target)
             yield _problem(name, line, what, target, known)
