@@ -124,5 +124,5 @@ def test_the_reference_course_accepts_enough_of_what_is_tried(reference_course: 
     drawn = draw(reference_course, load_spaces(reference_course), 300, 7)
     assert len(drawn.variants) == 300
     for tally in drawn.tallies:
-        # Prism levers accept least: narrower ranges would hold the centre, and hide wrong methods.
-        assert tally.acceptance > 0.001, [f"{one.count} {one.what}" for one in tally.refusals[:3]]
+        # Three levers about one axis accept least: their links and fingers need room.
+        assert tally.acceptance > 0.005, [f"{one.count} {one.what}" for one in tally.refusals[:3]]
