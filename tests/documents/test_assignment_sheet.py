@@ -122,7 +122,7 @@ def test_it_is_the_same_bytes_each_time(
     assert fresh("en") == printed_in("en")
 
 
-@pytest.mark.parametrize("language", ["en", "ru", "uk"])
+@pytest.mark.parametrize("language", ["en", "ru"])
 def test_it_is_one_sheet_of_paper_with_an_appendix(
     printed_in: Callable[[str], bytes], language: str
 ) -> None:
@@ -218,7 +218,7 @@ def test_a_scheme_fits_its_pages(policy: Policy, course: Course) -> None:
             longest[variant.scheme] = size, variant, plan
     assert longest.keys() == course.schemes.keys()
     # Each takes two seconds: if those with most quantities fit, the others do.
-    most = sorted(longest.items(), key=lambda one: one[1][0])[-3:]
+    most = sorted(longest.items(), key=lambda one: one[1][0])[-2:]
     for scheme, (_, variant, plan) in most:
         student = Student("s017", LONG_NAME, "РТ-41", "", "ru", "")
         entry = Issued(student, variant, date(2025, 2, 10), date(2025, 5, 19), "0" * 64)
