@@ -17,6 +17,7 @@ from gripcourse.errors import UsageError
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.likeness.model import NumberKind
 from gripcourse.text.words import LANGUAGES
+from support.command_line import put_together
 
 SOURCES = Path(__file__).parents[2] / "src" / "gripcourse"
 
@@ -59,7 +60,7 @@ def commands_of(group: TyperGroup, path: tuple[str, ...] = ()) -> Iterator[tuple
 
 
 def root() -> TyperGroup:
-    made = typer.main.get_command(cli.app)
+    made = put_together(cli.app)
     assert isinstance(made, TyperGroup)
     return made
 
@@ -83,6 +84,7 @@ def speak(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -
     def said(*arguments: str, system: str = "C") -> str:
         monkeypatch.setenv("LC_ALL", system)
         monkeypatch.setattr(sys, "argv", ["gripcourse", *arguments])
+        monkeypatch.setattr("typer.main.get_command", put_together)
         capsys.readouterr()
         with pytest.raises(SystemExit):
             cli.main()

@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +15,7 @@ from gripcourse.api.results import SolutionResult
 from gripcourse.cli import main as cli
 from gripcourse.machine.database.home import gradebook_path
 from support.command_line import Run, call
+from support.pages import no_pages
 
 REPOSITORY = Path(__file__).parents[2]
 SCHEME = "rack_parallelogram"
@@ -26,6 +27,12 @@ s02,Шевченко Оксана,РТК-41,,uk,007
 
 
 Command = Callable[..., Run]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_pages() -> Iterator[None]:
+    with no_pages():
+        yield
 
 
 @pytest.fixture
@@ -80,10 +87,7 @@ def term(tmp_path_factory: pytest.TempPathFactory) -> Term:
     nothing = Run(0, "", "")
     begun = Term(folder, nothing, nothing)
     out = folder / "assignments"
-    with pytest.MonkeyPatch.context() as patch:
-        # Nobody reads these sheets, and laying one out takes seconds.
-        patch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
-        issued = call(folder, "issue", *begun.place, "--roster", roster, "--out", out)
+    issued = call(folder, "issue", *begun.place, "--roster", roster, "--out", out)
     graded = call(folder, "grade", *begun.place, begun.own, "--out", folder / "graded", "--json")
     return Term(folder, issued, graded)
 

@@ -35,7 +35,7 @@ from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Variant
 from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import Space, load_spaces
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 REPOSITORY = Path(__file__).parents[2]
 DRAWN = 12  # variants of each combination of options, besides the worked example
@@ -242,8 +242,7 @@ def spaces() -> tuple[Space, ...]:
 @pytest.fixture(scope="session")
 def issued(course: Course) -> tuple[Variant, ...]:
     """The variants of the course's table."""
-    table = course.root / "variants" / "tables" / "main.csv"
-    return read_table(table, course) if table.exists() else ()
+    return issued_table(course)
 
 
 @pytest.fixture(scope="session")

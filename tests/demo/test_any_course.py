@@ -1,6 +1,7 @@
 """The demo runs on a course that knows nothing of the reference course's subject."""
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from gripcourse.demo.run import run_demo
 from gripcourse.demo.students import COPIED
 from gripcourse.machine.resources import course_root, skeleton_root
 from gripcourse.text.words import Words
+from support.pages import no_pages
 
 SMALL = Path(__file__).parents[1] / "variants" / "small_course"
 
@@ -28,13 +30,9 @@ def small_course(root: Path) -> Path:
 
 
 @pytest.fixture(autouse=True)
-def _no_pages(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nobody reads these sheets and reports, and laying one out takes a second."""
-    for name in (
-        "gripcourse.usecases.handout.assignment_sheet",
-        "gripcourse.documents.report.student.student_report",
-    ):
-        monkeypatch.setattr(name, lambda *_, **__: b"%PDF-1.7\n")
+def _no_pages() -> Iterator[None]:
+    with no_pages():
+        yield
 
 
 def test_stories_without_an_occasion_are_left_out(

@@ -20,7 +20,7 @@ from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Variant
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 from support.paper_walk import UNITS, equations_of, read_item, walk
 
 REPOSITORY: Final = Path(__file__).parents[2]
@@ -36,7 +36,7 @@ def parts_of(variant: Variant, course: Course) -> tuple[str, ...]:
 def enough(course: Course) -> Iterator[Variant]:
     """Yield variants of the issued table in which every scheme and every part occurs."""
     seen: set[str] = set()
-    for variant in read_table(REPOSITORY / "variants" / "tables" / "main.csv", course):
+    for variant in issued_table(course):
         parts = {*parts_of(variant, course)}
         if parts - seen:
             seen |= parts

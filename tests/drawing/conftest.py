@@ -14,7 +14,7 @@ from gripcourse.drawing.view.general_view import GeneralView, general_view
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 REPOSITORY = Path(__file__).parents[2]
 SHOWN_BY_OPTIONS = ("mounting", "drive")
@@ -84,7 +84,7 @@ def smallest() -> Mapping[str, str]:
 @pytest.fixture(scope="session")
 def draw(course: Course) -> Draw:
     """Draw a variant with long names on its sheet; a drawing in a language is made once."""
-    table = read_table(course.root / "variants" / "tables" / "main.csv", course)
+    table = issued_table(course)
     variants = {one.id: one for one in table}
 
     @cache

@@ -51,14 +51,19 @@ def belts_policy(belts: Course) -> Policy:
 
 @pytest.fixture(scope="module")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Demo:
-    """The first students of its roster, issued to and graded in this process."""
+    """The first students of its roster, issued to and graded in this process.
+
+    Sheets are laid out for the reference course, and filled for this one; reports are laid out.
+    """
     folder = tmp_path_factory.mktemp("belts")
     source = folder / "source"
     shutil.copytree(ROOT, source)
     roster = source / "variants" / "roster.csv"
     lines = roster.read_text(encoding="utf-8-sig").splitlines()[: STUDENTS + 1]
     roster.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return run_demo(source, folder / "out", Words("en"), 0, lambda _name, _total: lambda: None)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: b"%PDF-1.7\n")
+        return run_demo(source, folder / "out", Words("en"), 0, lambda _name, _total: lambda: None)
 
 
 def test_it_has_no_problems() -> None:

@@ -23,7 +23,7 @@ from gripcourse.text.words import message
 from gripcourse.variants.draw import draw
 from gripcourse.variants.model import Issued, Student, Variant
 from gripcourse.variants.space import load_spaces
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 SIGNATURE = "a1" * 32
 
@@ -170,10 +170,9 @@ def make_case(plan: Plan, given: Mapping[str, float], policy: Policy, variant: s
 @pytest.fixture(scope="session")
 def table(course: Course, policy: Policy) -> tuple[Case, ...]:
     """Every variant of the course's main table."""
-    path = course.root / "variants" / "tables" / "main.csv"
     return tuple(
         make_case(make_plan(course, one.scheme, one.options), one.given, policy, one.id)
-        for one in read_table(path, course)
+        for one in issued_table(course)
     )
 
 

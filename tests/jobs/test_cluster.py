@@ -120,7 +120,7 @@ def batch(
     (works / "damaged.xlsx").write_bytes((works / "s01.xlsx").read_bytes()[:9000])
     shutil.copy(works / "s01.xlsx", works / "s03 again.xlsx")
     files = [*collect([works]).files, works / "gone.xlsx"]
-    return Batch(issued, files, folder, errands.page)
+    return Batch(issued.with_its_scheme(), files, folder, errands.page)
 
 
 @pytest.fixture(scope="module")

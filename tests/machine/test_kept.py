@@ -108,6 +108,16 @@ def test_a_course_in_another_place_knows_its_own_place(tmp_path: Path) -> None:
     assert load_course(other).root == other
 
 
+def test_a_course_that_stayed_as_it_was_is_the_same_to_who_loads_it_again(tmp_path: Path) -> None:
+    root = copy_of_small_course(tmp_path / "course")
+    load_course(root)
+    again = load_course(root)
+    assert load_course(root) is again
+    path = root / "variants" / "course.toml"
+    path.write_text(f"{path.read_text(encoding='utf-8')}\n#\n", encoding="utf-8")
+    assert load_course(root) is not again
+
+
 def test_a_value_is_written_for_its_owner_and_only_believed_whole(tmp_path: Path) -> None:
     path = tmp_path / "kept" / "one.kept"
     assert read_value(path) is None

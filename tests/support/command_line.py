@@ -3,10 +3,12 @@
 import sys
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
+from functools import cache
 from io import StringIO
 from pathlib import Path
 
 import pytest
+import typer
 
 from gripcourse.cli import main as cli
 
@@ -25,6 +27,10 @@ class Run:
         return [line for line in self.err.splitlines() if line.strip() and "━" not in line]
 
 
+# All commands with their options: to put them together takes longer than most calls.
+put_together = cache(typer.main.get_command)
+
+
 def _no_server(*_arguments: object, **_options: object) -> None:
     pytest.fail("A server was started.")
 
@@ -36,6 +42,7 @@ def call(home: Path, *arguments: object, system: str = "C") -> Run:
         patch.chdir(home)
         patch.setenv("LC_ALL", system)
         patch.setattr("uvicorn.run", _no_server)  # a server would not come back
+        patch.setattr("typer.main.get_command", put_together)
         patch.setattr(sys, "argv", ["gripcourse", *map(str, arguments)])
         with pytest.raises(SystemExit) as left:
             cli.main()

@@ -10,12 +10,12 @@ from gripcourse.errors import UsageError
 from gripcourse.text.words import Words
 from gripcourse.usecases.draw import write_general_view
 from gripcourse.usecases.solve import SolvedVariant, solve_from_table
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 
 @pytest.fixture(scope="module")
 def solved(course: Course) -> SolvedVariant:
-    table = read_table(course.root / "variants" / "tables" / "main.csv", course)
+    table = issued_table(course)
     return solve_from_table(course, table, "002", None)
 
 

@@ -20,6 +20,7 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.collect import collect
 from gripcourse.usecases.grade import GradingOutcome, grade, json_text, write_results
 from support.classroom import forget_one_jaw
+from support.pages import no_pages
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -87,7 +88,8 @@ def rough(
     entry = issued.register["s01"]
     lost = replace(entry, variant=replace(entry.variant, scheme="four_bar"))
     context = replace(issued.context, register={**issued.register, "s01": lost})
-    return run(context, [rough_inbox], out), out
+    with no_pages():
+        return run(context, [rough_inbox], out), out
 
 
 @pytest.fixture(scope="module")
@@ -153,7 +155,8 @@ class TestResults:
         old = tmp_path / "reports" / "s09.pdf"
         old.parent.mkdir()
         old.write_bytes(b"%PDF-")
-        outcome = run(issued.context, [inbox / "s01.xlsx"], tmp_path)
+        with no_pages():
+            outcome = run(issued.context, [inbox / "s01.xlsx"], tmp_path)
         assert outcome.left_over == (old,)
         assert old.is_file()
 

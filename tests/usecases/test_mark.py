@@ -26,6 +26,7 @@ from gripcourse.usecases.mark import (
     what_waits,
 )
 from support.classroom import forget_one_jaw
+from support.pages import no_pages
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -148,7 +149,8 @@ class TestAMarkedDrawing:
         self, office: Office, files: list[Path], tmp_path: Path
     ) -> None:
         office.mark(lines=LINES, comment="Нет масштаба")
-        batch = office.write(files, tmp_path / "graded")
+        with no_pages():
+            batch = office.write(files, tmp_path / "graded")
         assert not batch.needs_person
         written = json.loads((tmp_path / "graded" / "grades.json").read_text(encoding="utf-8"))
         first = next(one for one in written["reports"] if one["student"] == "s01")

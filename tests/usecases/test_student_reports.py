@@ -41,10 +41,7 @@ def fake() -> Iterator[ModuleType]:
 
 @pytest.fixture(scope="module")
 def small(issued: "Classroom") -> "Classroom":
-    """The same course with one scheme only: the course is sent to every process."""
-    course = issued.course
-    schemes = {"rack_parallelogram": course.schemes["rack_parallelogram"]}
-    return replace(issued, course=replace(course, schemes=schemes))
+    return issued.with_its_scheme()
 
 
 @pytest.fixture(scope="module")
@@ -208,7 +205,7 @@ def test_a_killed_issue_of_one_student_is_named_and_leaves_nothing_half(
     fake: ModuleType, classroom: "Classroom"
 ) -> None:
     issue: Callable[..., object] = fake.issue_and_die_at_s02
-    issuing = classroom.issue(issue_one=issue)
+    issuing = classroom.with_its_scheme().issue(issue_one=issue)
     by_student = {one.student: one for one in issuing.handouts}
     assert [bool(one.faults) for one in by_student.values()] == [False, True, False]
     assert "s02" in str(by_student["s02"].faults[0])

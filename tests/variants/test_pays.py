@@ -9,12 +9,12 @@ from gripcourse.course.quantity import Tolerance
 from gripcourse.policy.model import Policy
 from gripcourse.variants.model import Variant
 from gripcourse.variants.pays import MOST_APART, mistake_costs, paying_rules, uneven_costs
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 
 @pytest.fixture(scope="module")
 def issued(course: Course) -> tuple[Variant, ...]:
-    return read_table(course.root / "variants" / "tables" / "main.csv", course)
+    return issued_table(course)
 
 
 def said(course: Course, policy: Policy, issued: tuple[Variant, ...]) -> list[tuple[str, str]]:

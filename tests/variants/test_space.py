@@ -183,3 +183,14 @@ def test_givens_that_a_rule_makes_one_number_are_drawn_alike(reference_course: C
         assert len(led) == len(rule.same) - 1
         assert leader in rule.same
         assert all(one == number for follower in led for number, one in follower.values.items())
+
+
+def test_spaces_are_read_anew_only_where_their_files_changed(
+    small_with: Callable[[str, str], Course],
+) -> None:
+    course = small_with("scheme", "scheme")
+    found = load_spaces(course)
+    assert load_spaces(course) is found
+    file = course.root / "variants" / "spaces" / "press.toml"
+    file.write_text(f"weight = 3\n{file.read_text(encoding='utf-8')}", encoding="utf-8")
+    assert [one.weight for one in load_spaces(course)] == [3.0]

@@ -8,7 +8,7 @@ import pytest
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
-from gripcourse.course.option_sets import option_sets
+from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words
@@ -71,10 +71,10 @@ def read(english: Mapping[str, str]) -> Mapping[str, Page]:
 
 @pytest.fixture(scope="session")
 def declared(course: Course) -> Mapping[str, list[Quantity]]:
-    """Every declaration that some variant of a scheme has, each once, by scheme."""
+    """Every declaration that a scheme has with any two choices, each once, by scheme."""
     found: dict[str, dict[int, Quantity]] = {}  # parts may have one file of a scheme's changes
     for scheme in course.schemes.values():
         own = found.setdefault(scheme.id, {})
-        for options in option_sets(scheme):
+        for options in pair_option_sets(scheme):
             own |= {id(one): one for one in compose(course, scheme, options).values()}
     return {scheme: list(own.values()) for scheme, own in found.items()}

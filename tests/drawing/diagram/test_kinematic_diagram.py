@@ -1,7 +1,8 @@
-"""The kinematic diagrams of all issued variants: right in place, legible, and in one's language."""
+"""Kinematic diagrams of issued variants: right in place, legible, and in one's language."""
 
 import math
 import xml.etree.ElementTree as ET
+from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from io import BytesIO
@@ -22,7 +23,7 @@ from gripcourse.solver.motion import coordinates, drive_at
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.words import LANGUAGES, Texts
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 LANGUAGE = "ru"
 NEAR = 1e-6  # mm of paper
@@ -43,9 +44,12 @@ class Drawn:
 
 @pytest.fixture(scope="module")
 def drawn(course: Course) -> tuple[Drawn, ...]:
-    """Every variant of the course's table."""
+    """Of each scheme the first and the last variant of the course's table."""
+    by_scheme = defaultdict(list)
+    for variant in issued_table(course):
+        by_scheme[variant.scheme].append(variant)
     found = []
-    for variant in read_table(course.root / "variants" / "tables" / "main.csv", course):
+    for variant in (one for own in by_scheme.values() for one in own[:: max(len(own) - 1, 1)]):
         plan = make_plan(course, variant.scheme, variant.options)
         layout = lay_out(plan, variant.given, LANGUAGE)
         assert layout is not None, f"{variant.scheme} {variant.id} has no diagram"

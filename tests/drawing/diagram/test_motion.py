@@ -13,7 +13,7 @@ from gripcourse.drawing.diagram.marks import Mark, Mask, Path, chain, mirrored, 
 from gripcourse.drawing.diagram.places import MILLIMETRES, PlacedElement, shape_of, stops_of
 from gripcourse.solver.plan import make_plan
 from gripcourse.variants.model import Variant
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 EACH = 2  # variants of a scheme
 SIZE = 80.0  # mm of paper that the mechanism takes
@@ -44,7 +44,7 @@ class Standing:
 @pytest.fixture(scope="module")
 def standing(course: Course) -> tuple[Standing, ...]:
     """Issued variants of every scheme at every position that their kinematics names."""
-    table = read_table(course.root / "variants" / "tables" / "main.csv", course)
+    table = issued_table(course)
     of_scheme: dict[str, list[Variant]] = {}
     for variant in table:
         of_scheme.setdefault(variant.scheme, []).append(variant)

@@ -12,7 +12,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued, Student, Variant
-from gripcourse.variants.table import read_table
+from support.issued_table import issued_table
 
 ENGLISH = Words("en")
 
@@ -23,7 +23,7 @@ def issued(variant: Variant) -> Issued:
 
 
 def first_of_each(course: Course) -> list[Variant]:
-    table = read_table(course.root / "variants" / "tables" / "main.csv", course)
+    table = issued_table(course)
     return list({variant.scheme: variant for variant in reversed(table)}.values())
 
 
