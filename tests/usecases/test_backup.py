@@ -211,7 +211,7 @@ def changed(
 
 def _without(members: Members, columns: set[str]) -> None:
     """Take columns out of all tables, and tables out that came later still."""
-    for name in [one for one in members if one.startswith("tables/lti_")]:
+    for name in [one for one in members if one.startswith(("tables/lti_", "tables/desk_batch"))]:
         del members[name]
     for name in [one for one in members if one.startswith("tables/")]:
         head, *rows = [json.loads(line) for line in members[name].splitlines()]

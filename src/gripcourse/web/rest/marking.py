@@ -17,16 +17,16 @@ from gripcourse.web.marking import LONGEST_COMMENT, ItemToMark, to_mark
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, TokenRole
 from gripcourse.web.rest.desk_results import MarkResult
-from gripcourse.web.rest.problems import NotUsable
-from gripcourse.web.rest.student import receipt_result, request_result
-from gripcourse.web.rest.wishes import MarkWish
-from gripcourse.web.rest.work_results import (
+from gripcourse.web.rest.marking_results import (
     ItemResult,
     LevelResult,
     MarkingResult,
     RubricLineResult,
     WaitingResult,
 )
+from gripcourse.web.rest.problems import NotUsable
+from gripcourse.web.rest.student import receipt_result, request_result
+from gripcourse.web.rest.wishes import MarkWish
 
 
 def marking(call: DeskCall) -> MarkingResult:
