@@ -1,5 +1,6 @@
 """The values of all issued variants at once."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -66,3 +67,15 @@ def test_a_variant_that_the_course_cannot_solve_any_more_has_no_values(
     issued = issued_values(course, [("a", old), ("b", variants[0])])
     assert (issued.values.place[0] == 1).all()
     assert len(issued.values.value)
+
+
+def test_a_variant_is_computed_by_the_declarations_that_it_was_judged_by(
+    course: Course, variants: tuple[Variant, ...]
+) -> None:
+    one = variants[0]
+    kept = replace(course, schemes={one.scheme: course.schemes[one.scheme]})
+    today = replace(course, schemes={})
+    issued = issued_values(today, [("a", one), ("b", one)], {"a": kept})
+    assert set(issued.values.place[0]) == {0}
+    alone = issued_values(course, [("a", one)])
+    assert (issued.values.value == alone.values.value).all()

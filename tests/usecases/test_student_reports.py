@@ -20,6 +20,7 @@ from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grade import GradingOutcome, write_results
 from gripcourse.usecases.student_reports import LayOut, Printing, write_reports
+from gripcourse.variants.model import Student
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -125,6 +126,11 @@ def test_the_incident_is_named_wherever_somebody_may_look(
         assert f"could not be laid out (incident {number})" in summary
     for said in (fake.REFUSED, "MemoryError", "died"):
         assert said in log
+    assert "Nothing handed in" not in summary
+    absent = tuple(Student(f"s{number}", f"Name {number}", "", "", "", "") for number in range(12))
+    summary = grading_text(replace(outcome, missing=absent), out, Words("en"))
+    assert "Nothing handed in (12): Name 0, Name 1," in summary
+    assert "Name 9, …" in summary
     table = (out / "grades.csv").read_text(encoding="utf-8-sig")
     flags = {row["student"]: row["flags"] for row in csv.DictReader(io.StringIO(table))}
     assert {flags[student] for student in FATES} == {"report_incident"}

@@ -137,7 +137,7 @@ def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
     if students:
         more = ", …" if len(students) > _NAMED else ""
         said = message(
-            "Nothing from {count} students: {names}.",
+            "Nothing handed in ({count}): {names}.",
             count=len(students),
             names=", ".join(one_line(one.name) or one.id for one in students[:_NAMED]) + more,
         )

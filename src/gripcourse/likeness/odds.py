@@ -20,8 +20,8 @@ _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have 
 Bits: TypeAlias = NDArray[np.uint8]
 
 _SLACK = 1e-6  # of a logarithm: sums in another order
-_HITS_AT_ONCE = 500_000
-_PAIRS_AT_ONCE = 4_000
+_HITS_AT_ONCE = 100_000
+_PAIRS_AT_ONCE = 1_000
 
 
 @dataclass(frozen=True, slots=True)
