@@ -124,10 +124,11 @@ def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
 
 def _scoped(_document: object, pdf: Any) -> None:  # noqa: ANN401 - pydyf ships no types
     """Say of every heading of a table what it heads, a column or a row; WeasyPrint does not."""
-    elements = {one.reference: one for one in pdf.objects if isinstance(one, dict) and "P" in one}
+    tagged: list[Any] = [one for one in pdf.objects if isinstance(one, dict) and "P" in one]
+    elements: dict[bytes, Any] = {one.reference: one for one in tagged}
     for one in elements.values():
         if one.get("S") == "/TH":
-            above = one
+            above: Any = one
             while above is not None and above["S"] not in {"/THead", "/TBody", "/Table"}:
                 above = elements.get(above["P"])
             in_head = above is not None and above["S"] == "/THead"
