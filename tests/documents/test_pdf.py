@@ -70,6 +70,16 @@ def test_a_document_has_a_title_a_language_and_tags(templates: Path, document: D
     assert "/StructTreeRoot" in catalogue
 
 
+def test_headings_of_a_table_say_what_they_head(templates: Path) -> None:
+    head = "<thead><tr><th>size</th></tr></thead>"
+    table = f"<table>{head}<tbody><tr><th>bore</th><td>50</td></tr></tbody></table>"
+    page = f'<html lang="en"><title>Sizes</title><body>{table}'
+    reader = PdfReader(io.BytesIO(pdf_from_html(page, (), templates)))
+    every = (reader.get_object(number) for number in range(1, int(reader.trailer["/Size"])))
+    headings = [one for one in every if isinstance(one, dict) and one.get("/S") == "/TH"]
+    assert [one["/A"]["/Scope"] for one in headings] == ["/Column", "/Row"]
+
+
 def test_a_document_says_nothing_about_the_time(templates: Path, document: Document) -> None:
     reader = PdfReader(io.BytesIO(render_pdf(document, templates, Words("ru"))))
     assert reader.metadata is not None

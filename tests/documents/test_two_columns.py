@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from gripcourse.documents.two_columns import two_columns
+from gripcourse.documents.two_columns import groups, two_columns
 
 
 def rows(*lengths: int) -> list[SimpleNamespace]:
@@ -20,3 +20,11 @@ def test_the_higher_column_is_as_low_as_it_can_be(lengths: tuple[int, ...], firs
     left, right = two_columns(every, "text")
     assert [*left, *right] == every
     assert len(left) == first
+
+
+def test_groups_keep_the_order_and_leave_no_few_lines_alone() -> None:
+    for count in range(1, 40):
+        every = rows(*(30 + 45 * (number % 4) for number in range(count)))
+        parted = groups(every, "text")
+        assert [row for group in parted for row in group] == every
+        assert all(sum(len(row.text) for row in group) > 100 for group in parted) or count < 4

@@ -30,7 +30,7 @@ _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
 # Prints by how much there is to read, in letters. The first leaves the appendix a page of its own;
 # in the others, of more than two pages, it follows at once: no page stays half empty.
-_SOME, _MUCH = 6_000, 10_500
+_SOME, _MUCH = 6_000, 10_000
 _PRINTS = ("", "dense running", "dense long running")
 # A diagram with text beside it is printed smaller where there is much to read, letters and all.
 _MUCH_SCALE = 0.84

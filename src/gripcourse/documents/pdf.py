@@ -118,7 +118,21 @@ def render_html(
 def pdf_from_html(html: str, styles: tuple[str, ...], templates: Path) -> bytes:
     """Lay out HTML with the named style sheets; nothing is ever fetched from outside of it."""
     with few_collections():
-        return bytes(_laid_out(html, styles, templates).write_pdf(pdf_variant=_VARIANT))
+        document = _laid_out(html, styles, templates)
+        return bytes(document.write_pdf(pdf_variant=_VARIANT, finisher=_scoped))
+
+
+def _scoped(_document: object, pdf: Any) -> None:  # noqa: ANN401 - pydyf ships no types
+    """Say of every heading of a table what it heads, a column or a row; WeasyPrint does not."""
+    tagged: list[Any] = [one for one in pdf.objects if isinstance(one, dict) and "P" in one]
+    elements: dict[bytes, Any] = {one.reference: one for one in tagged}
+    for one in elements.values():
+        if one.get("S") == "/TH":
+            above: Any = one
+            while above is not None and above["S"] not in {"/THead", "/TBody", "/Table"}:
+                above = elements.get(above["P"])
+            in_head = above is not None and above["S"] == "/THead"
+            one["A"]["Scope"] = "/Column" if in_head else "/Row"
 
 
 def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # noqa: ANN401 - WeasyPrint ships no types

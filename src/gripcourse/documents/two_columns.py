@@ -8,7 +8,7 @@ Row = TypeVar("Row")
 
 _LETTERS: Final = 60
 # Lines that stay on one page where a section may go on overleaf.
-_GROUP: Final = 16
+_GROUP: Final = 6
 
 
 def two_columns(rows: Sequence[Row], attribute: str) -> tuple[Sequence[Row], Sequence[Row]]:

@@ -43,8 +43,9 @@ A3 = Format("A3", 420.0, 297.0)
 A2 = Format("A2", 594.0, 420.0)
 A3_UPRIGHT = Format("A3", A3.height, A3.width)
 A2_UPRIGHT = Format("A2", A2.height, A2.width)
+A4_BY_3 = Format("A4×3", 630.0, 297.0)  # an additional format: what is long fills it
 # From the smallest to the largest, each in the directions that the title block allows (GOST 2.301).
-FORMATS = ((A4,), (A3, A3_UPRIGHT), (A2, A2_UPRIGHT))
+FORMATS = ((A4,), (A3, A3_UPRIGHT), (A4_BY_3,), (A2, A2_UPRIGHT))
 
 
 @dataclass(frozen=True, slots=True)
