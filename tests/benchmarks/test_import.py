@@ -14,7 +14,8 @@ FILES = [path for folder in FOLDERS for path in sorted((REPOSITORY / folder).glo
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
-def test_it_loads_and_can_be_run(path: Path) -> None:
+def test_it_loads_and_can_be_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(path.parent)  # as where it is run: a benchmark uses another
     spec = importlib.util.spec_from_file_location(f"tried_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None

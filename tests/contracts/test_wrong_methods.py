@@ -30,6 +30,8 @@ SAME_IN_THE_EXAMPLE: Mapping[str, Mapping[str, str]] = {
 }
 # Errata that few variants can show. No variant is refused for an erratum: a course may accept it.
 SELDOM_DIFFERENT: Mapping[str, str] = {
+    "arm_shift_at_max: E17": "tangent and cotangent of half of a right angle are one",
+    "arm_shift_at_min: E17": "tangent and cotangent of half of a right angle are one",
     "radius_ratio: E2": "the printed ratio is right where the jaw has the smaller radius",
     "finger_opening_right: E22": "friction cancels where the faces stand square to the load",
     "finger_opening_left: E22": "friction cancels where the faces stand square to the load",

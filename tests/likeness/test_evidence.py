@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from gripcourse.likeness.cells import Cells
+from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.model import ComparedWork, Evidence, NumberKind, Typed
@@ -105,7 +105,7 @@ def three(
     families = np.tile(np.arange(table.shape[1]), (len(table), 1))
     kind = np.arange(len(table))
     discrete = np.zeros(table.shape[1], bool)
-    return IssuedValues(students, names, Cells.of_table(table), kind, families, discrete)
+    return IssuedValues(students, names, SparseTable.of_table(table), kind, families, discrete)
 
 
 ISSUED = three(

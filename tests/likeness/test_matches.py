@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.likeness.cells import Cells
+from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.matches import (
     ComparedNumbers,
     in_order,
@@ -35,7 +35,7 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
     typed: list[list[float]], issued: list[list[float]]
 ) -> None:
     asked, values = numbers(typed), np.array(issued)
-    found = same_as_issued(asked, in_order(Cells.of_table(values)))
+    found = same_as_issued(asked, in_order(SparseTable.of_table(values)))
     expected = {
         (index, owner)
         for index, (column, value, unit) in enumerate(

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gripcourse.likeness.cells import Cells
+from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.issued import IssuedValues
 from gripcourse.likeness.trace import Clue, Origin, rank
 
@@ -16,7 +16,7 @@ TABLE = RNG.lognormal([7, 4, 2, 3, 1], 0.6, (ROWS, 5))
 ISSUED = IssuedValues(
     owners=tuple(f"{row:03d}" for row in range(ROWS)),
     quantities=QUANTITIES,
-    values=Cells.of_table(TABLE),
+    values=SparseTable.of_table(TABLE),
     kind=np.zeros(ROWS, np.intp),
     families=np.arange(5)[None, :],
     discrete=np.zeros(5, bool),

@@ -14,7 +14,7 @@ Ints = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Cells:
+class SparseTable:
     """The finite numbers of a table, column by column.
 
     Attributes:
@@ -29,7 +29,7 @@ class Cells:
     value: Floats
 
     @classmethod
-    def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "Cells":
+    def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "SparseTable":
         """Put numbers into a table; of several in one cell the last counts."""
         rows, columns = shape
         known = np.flatnonzero(np.isfinite(value))
@@ -40,7 +40,7 @@ class Cells:
         return cls(rows, columns, key[order], value[known[order]])
 
     @classmethod
-    def of_table(cls, table: Floats) -> "Cells":
+    def of_table(cls, table: Floats) -> "SparseTable":
         """Return the numbers of a whole table, NaN where there is none."""
         row, column = np.nonzero(np.isfinite(table))
         rows, columns = table.shape

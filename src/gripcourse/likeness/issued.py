@@ -14,7 +14,7 @@ from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import UsageError
-from gripcourse.likeness.cells import Cells, Floats, Ints
+from gripcourse.likeness.cells import Floats, Ints, SparseTable
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
@@ -43,7 +43,7 @@ class IssuedValues:
 
     owners: tuple[str, ...]
     quantities: tuple[str, ...]
-    values: Cells
+    values: SparseTable
     kind: Ints
     families: Ints
     discrete: NDArray[np.bool_]
@@ -96,7 +96,7 @@ def issued_values(
     return IssuedValues(
         owners=tuple(owner for owner, _ in variants),
         quantities=tuple(columns),
-        values=Cells.of((len(variants), len(columns)), row, column, value),
+        values=SparseTable.of((len(variants), len(columns)), row, column, value),
         kind=kind,
         families=families,
         discrete=np.array(list(exact.values()), bool),

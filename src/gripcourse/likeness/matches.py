@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.cells import Cells, Floats, Ints
+from gripcourse.likeness.cells import Floats, Ints, SparseTable
 
 _FIGURES = 3  # that a typed number has at least: a spreadsheet keeps 5,00 as 5
 _OWN_ROUNDING = 0.002  # relative: what intermediate rounding moves a copied value off the exact one
@@ -46,7 +46,7 @@ class OrderedValues:
         owner: (cells,); whose each is.
     """
 
-    values: Cells
+    values: SparseTable
     begins: Ints
     ordered: Floats
     owner: NDArray[np.int32]
@@ -96,7 +96,7 @@ def last_unit(value: Floats, half_unit: Floats) -> Floats:
     return np.minimum(2 * half_unit, third)
 
 
-def in_order(values: Cells) -> OrderedValues:
+def in_order(values: SparseTable) -> OrderedValues:
     """Order the numbers of each quantity by size."""
     owner, column = values.place
     order = np.lexsort((values.value, column))
@@ -120,12 +120,12 @@ def same_as_issued(
 
 def same_as_typed(numbers: ComparedNumbers, rows: int, columns: int) -> Matches:
     """Find the submissions in which the same was typed, but for rounding; its own is among them."""
-    values = Cells.of((rows, columns), numbers.row, numbers.column, numbers.value)
+    values = SparseTable.of((rows, columns), numbers.row, numbers.column, numbers.value)
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
     return _matches(numbers, in_order(values), reach * (1 + _SAME), 2)  # the pair itself
 
 
-def density(numbers: ComparedNumbers, values: Cells) -> Floats:
+def density(numbers: ComparedNumbers, values: SparseTable) -> Floats:
     """Return the probability that a wrong number falls near each, per relative width.
 
     Wrong numbers spread as the right ones of all variants do: log-normally, and not too narrowly.
