@@ -12,6 +12,7 @@ import sys
 import time
 import urllib.request
 from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from importlib.resources import files
 from pathlib import Path
@@ -24,6 +25,8 @@ from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.expected_conditions import staleness_of
+from selenium.webdriver.support.wait import WebDriverWait
 
 from gripcourse.machine.content import NamedBytes
 from gripcourse.usecases.grade import GRADES_JSON
@@ -125,6 +128,14 @@ def tab_to(browser: "WebDriver", wanted: str) -> None:
     raise AssertionError(wanted)
 
 
+@contextmanager
+def another_page(browser: "WebDriver") -> Iterator[None]:
+    """Wait until what is pressed here has led to another page: a press itself waits for nothing."""
+    before = browser.find_element(By.TAG_NAME, "html")
+    yield
+    WebDriverWait(browser, SECONDS).until(staleness_of(before))
+
+
 @pytest.mark.parametrize(
     ("student", "language", "check", "hand_in", "understood"),
     [
@@ -153,7 +164,8 @@ def test_a_student_checks_and_hands_in_by_keyboard_alone_without_scripts(  # noq
     assert browser.find_element(By.TAG_NAME, "html").get_attribute("lang") == language
     browser.find_element(By.ID, "file").send_keys(str(work))
     tab_to(browser, check)
-    ActionChains(browser).send_keys(Keys.ENTER).perform()
+    with another_page(browser):
+        ActionChains(browser).send_keys(Keys.ENTER).perform()
     show(browser, f"{language}-checked")
     assert understood in browser.find_element(By.TAG_NAME, "thead").text
     answers = browser.find_elements(By.CSS_SELECTOR, "tr.state-read")
@@ -162,7 +174,8 @@ def test_a_student_checks_and_hands_in_by_keyboard_alone_without_scripts(  # noq
     browser.get(home)
     browser.find_element(By.ID, "file").send_keys(str(work))
     tab_to(browser, hand_in)
-    ActionChains(browser).send_keys(Keys.ENTER).perform()
+    with another_page(browser):
+        ActionChains(browser).send_keys(Keys.ENTER).perform()
     show(browser, f"{language}-receipt")
     assert "/receipt/" in browser.current_url
     assert browser.find_element(By.CSS_SELECTOR, ".notice.good").get_attribute("role") == "status"
@@ -185,7 +198,8 @@ def test_nothing_is_wider_than_a_telephone(
         if name == "phone-assignment":
             browser.find_element(By.ID, "file").send_keys(str(work))
             tab_to(browser, "Проверить файл")
-            ActionChains(browser).send_keys(Keys.ENTER).perform()
+            with another_page(browser):
+                ActionChains(browser).send_keys(Keys.ENTER).perform()
     browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})  # type: ignore[attr-defined]
 
 
@@ -228,7 +242,8 @@ def desk(opened: "Server", address: str, browser: "WebDriver") -> str:
     token = offer_sign_in(opened.context, "Dr. Ray", datetime.now(UTC))
     browser.get(f"{address}/desk/sign-in/{token}")
     assert broken_rules(browser) == []
-    browser.find_element(By.TAG_NAME, "button").click()
+    with another_page(browser):
+        browser.find_element(By.TAG_NAME, "button").click()
     return f"{address}/desk/"
 
 
@@ -252,7 +267,8 @@ def broken_rules(browser: "WebDriver") -> list[str]:
 
 def upload(browser: "WebDriver", work: Path) -> None:
     browser.find_element(By.ID, "file").send_keys(str(work))
-    browser.find_element(By.CSS_SELECTOR, "form[action$=check] button").click()
+    with another_page(browser):
+        browser.find_element(By.CSS_SELECTOR, "form[action$=check] button").click()
 
 
 SIZES = {
@@ -326,7 +342,8 @@ def test_both_sides_see_at_once_what_the_other_does(
     at_home = browser.current_window_handle
 
     def press(action: str) -> None:
-        browser.find_element(By.CSS_SELECTOR, f"form[action$={action}] button").click()
+        with another_page(browser):
+            browser.find_element(By.CSS_SELECTOR, f"form[action$={action}] button").click()
 
     def the_student(page: str) -> None:
         browser.switch_to.window(at_home)
@@ -339,7 +356,8 @@ def test_both_sides_see_at_once_what_the_other_does(
 
     the_student(home)
     browser.find_element(By.ID, "file").send_keys(str(work))
-    browser.find_element(By.CSS_SELECTOR, "button[formaction$=hand-in]").click()
+    with another_page(browser):
+        browser.find_element(By.CSS_SELECTOR, "button[formaction$=hand-in]").click()
     assert "/receipt/" in browser.current_url
     assert work.name in the_instructor("student/s01")
     the_student(home)
