@@ -48,7 +48,7 @@ SLIPS = "grader/slips.toml"
             "units.csv",
         ),
         (
-            "The value is in {unit}; it is asked in {asked}.",
+            "The value is in {unit}; it is asked for in {asked}.",
             "The value is in {unti}; it is asked in {asked}.",
             "kind.unit.hint.en",
             "a place 'unti' that nothing fills",
