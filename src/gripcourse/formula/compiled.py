@@ -12,6 +12,7 @@ from typing import Final, TypeAlias, assert_never
 import numpy as np
 
 from gripcourse.formula.functions import FUNCTIONS, SLACK, Array, Column
+from gripcourse.formula.single import SINGLE
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation, Operator
 
 Columns: TypeAlias = Mapping[str, Column]
@@ -102,26 +103,76 @@ def _sound(part: _Factor) -> OfArrays:
 
 def of_numbers(node: Node) -> OfNumbers:
     """Make a function of single numbers in SI, finite or NaN; so is what it returns."""
+    part = _single(node)
+    compute = part.compute
+    if not part.overflows:
+        return compute
+    return lambda values, columns: _known(compute(values, columns))
+
+
+@dataclass(frozen=True, slots=True)
+class _Single:
+    """A part of a formula of single numbers; see `_Factor`."""
+
+    compute: OfNumbers
+    overflows: bool
+
+
+def _single(node: Node) -> _Single:
     match node:
         case Number(value):
-            return lambda _values, _columns: value
+            return _Single(lambda _values, _columns: value, overflows=False)
         case Name(id="pi"):
-            return lambda _values, _columns: math.pi
+            return _Single(lambda _values, _columns: math.pi, overflows=False)
         case Name(name):
-            return lambda values, _columns: values[name]
+            return _Single(lambda values, _columns: values[name], overflows=False)
         case Negation(operand):
-            inner = of_numbers(operand)
-            return lambda values, columns: -inner(values, columns)
-        case Operation(operator, left, right):
-            operation = _OF_NUMBERS[operator]
-            first, second = of_numbers(left), of_numbers(right)
-            return lambda values, columns: operation(
-                first(values, columns), second(values, columns)
-            )
+            inner = _single(operand)
+            negated = inner.compute
+            return _Single(lambda values, columns: -negated(values, columns), inner.overflows)
+        case Operation():
+            return _single_operation(node)
         case Call(name, arguments, column):
-            return _number_call(name, tuple(map(of_numbers, arguments)), column)
+            call = _single_call(name, tuple(map(of_numbers, arguments)), column)
+            return _Single(call, overflows=name not in _NEVER_INFINITE)
         case _:
             assert_never(node)
+
+
+def _single_operation(node: Operation) -> _Single:
+    match node:
+        case Operation("+" | "-" | "*" as operator, left, right):
+            first, second = _single(left).compute, _single(right).compute
+            return _Single(_ARITHMETIC[operator](first, second), overflows=True)
+        case Operation("/", left, right):
+            return _Single(_quotient(_single(left).compute, of_numbers(right)), overflows=True)
+        case Operation(operator, left, right):
+            first, second = of_numbers(left), of_numbers(right)
+            operation = _OF_NUMBERS[operator]
+            return _Single(
+                lambda values, columns: operation(first(values, columns), second(values, columns)),
+                overflows=False,
+            )
+
+
+def _sum(first: OfNumbers, second: OfNumbers) -> OfNumbers:
+    return lambda values, columns: first(values, columns) + second(values, columns)
+
+
+def _difference(first: OfNumbers, second: OfNumbers) -> OfNumbers:
+    return lambda values, columns: first(values, columns) - second(values, columns)
+
+
+def _product(first: OfNumbers, second: OfNumbers) -> OfNumbers:
+    return lambda values, columns: first(values, columns) * second(values, columns)
+
+
+def _quotient(first: OfNumbers, second: OfNumbers) -> OfNumbers:
+    def quotient(values: Mapping[str, float], columns: Columns) -> float:
+        divisor = second(values, columns)
+        return first(values, columns) / divisor if divisor else math.nan
+
+    return quotient
 
 
 def _constant(value: Array) -> OfArrays:
@@ -148,13 +199,27 @@ def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfA
     return call
 
 
-def _number_call(name: str, arguments: tuple[OfNumbers, ...], column: str | None) -> OfNumbers:
+def _single_call(name: str, arguments: tuple[OfNumbers, ...], column: str | None) -> OfNumbers:
+    plain = SINGLE.get(name)
+    if plain is None:
+        return _lent_call(name, arguments, column)
+    if column is not None:
+        (argument,) = arguments
+        return lambda values, columns: plain(argument(values, columns), columns[column])
+    if len(arguments) == 1:
+        (argument,) = arguments
+        return lambda values, columns: plain(argument(values, columns))
+    return lambda values, columns: plain(*(one(values, columns) for one in arguments))
+
+
+def _lent_call(name: str, arguments: tuple[OfNumbers, ...], column: str | None) -> OfNumbers:
+    """Make a function that has an array form only one of single numbers."""
     compute = FUNCTIONS[name].compute
 
     def call(values: Mapping[str, float], columns: Columns) -> float:
         found = tuple(np.asarray(one(values, columns)) for one in arguments)
         with np.errstate(all="ignore"):
-            return _known(float(compute(found, None if column is None else columns[column])))
+            return float(compute(found, None if column is None else columns[column]))
 
     return call
 
@@ -173,13 +238,9 @@ def _number_power(base: float, exponent: float) -> float:
     if math.isnan(base) or math.isnan(exponent):
         return math.nan
     try:
-        return _known(math.pow(base, exponent))
+        return math.pow(base, exponent)
     except (ValueError, OverflowError):  # a root of a negative number, 1/0, too large
         return math.nan
-
-
-def _quotient(left: float, right: float) -> float:
-    return _known(left / right) if right else math.nan
 
 
 def _slack(left: Array, right: Array) -> Array:
@@ -213,11 +274,12 @@ _OF_ARRAYS: Final[Mapping[Operator, Callable[[Array, Array], Array]]] = {
     "==": lambda left, right: _at_most(left, right) * _at_most(right, left),
     "and": np.multiply,
 }
+_ARITHMETIC: Final[Mapping[Operator, Callable[[OfNumbers, OfNumbers], OfNumbers]]] = {
+    "+": _sum,
+    "-": _difference,
+    "*": _product,
+}
 _OF_NUMBERS: Final[Mapping[Operator, Callable[[float, float], float]]] = {
-    "+": lambda left, right: _known(left + right),
-    "-": lambda left, right: _known(left - right),
-    "*": lambda left, right: _known(left * right),
-    "/": _quotient,
     "**": _number_power,
     "<": lambda left, right: 1.0 - _number_at_most(right, left),
     "<=": _number_at_most,

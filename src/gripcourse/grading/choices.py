@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.comparison import Comparison
+from gripcourse.solver.numbers import choose_number
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose
 from gripcourse.text.words import Message, message
 
 Array: TypeAlias = NDArray[np.float64]
@@ -93,7 +93,7 @@ def printed_choice(plan: Plan, quantity: Quantity, required: float) -> float | N
     rounding = next((one.rounding for one in quantity.as_printed if one.rounding), None)
     if choice is None or rounding is None:
         return None
-    return float(choose(np.asarray(required), choice, Rounding(rounding), plan))
+    return choose_number(required, choice, Rounding(rounding), plan)
 
 
 def same_size(one: float, other: float) -> bool:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from gripcourse.course.compose import reference_formula
-from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, choose, reference_rounding
+from gripcourse.solver.solve import Evaluation, entry_of, reference_rounding
 from gripcourse.text.units import factor
 
 
@@ -65,5 +65,12 @@ def _computed(plan: Plan, quantity: Quantity, values: Mapping[str, float]) -> fl
     result = evaluate_number(formula, quantity.unit, values, plan.columns)
     if quantity.choice is None:
         return result
-    rounding = reference_rounding(quantity, plan.convention)
-    return float(choose(np.asarray(result), quantity.choice, rounding, plan))
+    return choose_number(
+        result, quantity.choice, reference_rounding(quantity, plan.convention), plan
+    )
+
+
+def choose_number(required: float, choice: Choice, rounding: Rounding, plan: Plan) -> float:
+    """Return the entry of a choice's series for a required value in SI; see `solve.choose`."""
+    known = {"required": required if math.isfinite(required) else math.nan}
+    return evaluate_number(entry_of(choice.column, rounding), "", known, plan.columns)

@@ -178,12 +178,12 @@ def choose(
     required: NDArray[np.float64], choice: Choice, rounding: Rounding, plan: Plan
 ) -> NDArray[np.float64]:
     """Return the entry of a choice's series for a required value (SI, any shape)."""
-    call = _entry_of(choice.column, rounding)
+    call = entry_of(choice.column, rounding)
     return evaluate_sound(call, "", {"required": finite(np.asarray(required))}, plan.columns)
 
 
 @lru_cache(maxsize=_SERIES)
-def _entry_of(column: str, rounding: Rounding) -> Formula:
+def entry_of(column: str, rounding: Rounding) -> Formula:
     """Return the formula that takes an entry from a series; what is made of it stays with it."""
     function = "at_least" if rounding is Rounding.UP else "nearest"
     return Formula("", Call(function, (Name("required"),), column), {})
