@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path, PurePath
 from typing import Final
 
-from gripcourse.desk.model import HandIn
+from gripcourse.desk.model import Allowance, HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import make_private_folder, write_bytes
@@ -40,12 +40,26 @@ class Receipt:
     code: str
 
 
-def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetime) -> Receipt:
+def hand_in(
+    context: DeskContext,
+    issued: Issued,
+    file: NamedBytes,
+    now: datetime,
+    allowed: Allowance | None = None,
+) -> Receipt:
     """Keep a file that a student hands in, whatever is in it.
 
     The same bytes once more right after are the same hand-in: two clicks make one.
 
+    Args:
+        context: of the course.
+        issued: to whom it was issued.
+        file: as it was sent.
+        now: with its zone.
+        allowed: how often it may be done; None for any number.
+
     Raises:
+        TooOftenError: it was done as often as is allowed; nothing was recorded.
         UsageError: the file is empty, or the student has handed in too much.
         OSError: the disk is full, or cannot be written; nothing was recorded.
         GradebookError: the database failed; nothing was recorded.
@@ -68,7 +82,7 @@ def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetim
     name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
     if not name.strip(". "):
         name = _NAMELESS
-    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now)
+    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now, allowed)
     return receipt_of(context, issued, kept)
 
 

@@ -16,7 +16,8 @@ from gripcourse.desk.links import Refused
 from gripcourse.errors import GradebookError
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.links import open_link
+from gripcourse.usecases.links import open_link, signed_for
+from gripcourse.variants.model import Issued
 from gripcourse.web.guard import TooMuchError
 from gripcourse.web.pages import asked_language, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
@@ -124,14 +125,23 @@ async def _student_call(
 ) -> StudentCall | WebRefusal | NotUsable:
     issued = await run_in_threadpool(open_link, site.context, token, site.clock())
     if isinstance(issued, Refused):
+        owner = await run_in_threadpool(signed_for, site.context, token)
+        if owner is not None:
+            remember_visitor(request, _words(site, request, owner))
         count(site, REFUSED_LINKS, address_of(request))
         return WebRefusal(_CODES[issued], LINK_SAID[issued])
-    language = asked_language(request) or issued.student.language or site.context.course.language
-    remember_visitor(request, Words(language))
+    words = _words(site, request, issued)
+    remember_visitor(request, words)
     body = await read_body(operation, request)
     if isinstance(body, WebRefusal | NotUsable):
         return body
-    return StudentCall(site, request, Words(language), issued, body)
+    return StudentCall(site, request, words, issued, body)
+
+
+def _words(site: Site, request: Request, issued: Issued) -> Words:
+    """Return the language that a student's program asks for, else the student's own."""
+    language = asked_language(request) or issued.student.language or site.context.course.language
+    return Words(language)
 
 
 async def _desk_call(
