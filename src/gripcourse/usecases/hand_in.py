@@ -113,6 +113,12 @@ def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
     return {one.student: one for one in hand_ins if not one.is_drawing}
 
 
+def name_in_folder(one: HandIn) -> str:
+    """Return what the last workbook of a student is called for grading: like its student."""
+    suffix = PurePath(one.name).suffix.lower()
+    return f"{one.student}{suffix if suffix.isascii() else ''}"
+
+
 def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     """Write the last workbook of each student into a folder, called like the student, for grading.
 
@@ -125,8 +131,7 @@ def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     make_private_folder(out)
     written: dict[str, Path] = {}
     for student, one in latest(context.desk.hand_ins()).items():
-        suffix = PurePath(one.name).suffix.lower()
-        path = out / f"{student}{suffix if suffix.isascii() else ''}"
+        path = out / name_in_folder(one)
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
         # Lateness is counted from when it was handed in, not from when it was collected.
         os.utime(path, (one.at.timestamp(),) * 2)

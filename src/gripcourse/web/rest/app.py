@@ -18,6 +18,7 @@ from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.links import open_link, signed_for
 from gripcourse.variants.model import Issued
+from gripcourse.web.downloads import zip_response
 from gripcourse.web.guard import TooMuchError
 from gripcourse.web.pages import asked_language, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
@@ -31,8 +32,16 @@ from gripcourse.web.refusals import (
     refusal_of_system,
 )
 from gripcourse.web.rest.bodies import read_body, usable
-from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, StudentCall, TokenRole
+from gripcourse.web.rest.declare import (
+    ApiOperation,
+    DeskCall,
+    SentFile,
+    SentZip,
+    StudentCall,
+    TokenRole,
+)
 from gripcourse.web.rest.desk import DESK_OPERATIONS
+from gripcourse.web.rest.downloads import DOWNLOAD_OPERATIONS
 from gripcourse.web.rest.marking import MARKING_OPERATIONS
 from gripcourse.web.rest.openapi import description
 from gripcourse.web.rest.problems import NotUsable, problem
@@ -47,6 +56,7 @@ OPERATIONS: Final = (
     *DESK_OPERATIONS,
     *WORK_OPERATIONS,
     *MARKING_OPERATIONS,
+    *DOWNLOAD_OPERATIONS,
 )
 _NO_TOKEN: Final = WebRefusal(
     Code.NO_TOKEN, message("Send the token that you were given: Authorization: Bearer …")
@@ -174,5 +184,7 @@ def _response(operation: ApiOperation, made: object, words: Words) -> Response:
         return Response(status_code=operation.status)
     if isinstance(made, SentFile):
         return FileResponse(made.path, media_type=operation.media, filename=made.name)
+    if isinstance(made, SentZip):
+        return zip_response(made.name, made.files)
     headers = {"Content-Language": words.language}
     return JSONResponse(to_plain(made), operation.status, headers)
