@@ -5,6 +5,7 @@ from datetime import UTC, datetime, timedelta, timezone
 
 import pytest
 
+from gripcourse.desk.model import Allowance, TooOftenError
 from gripcourse.desk.store import Desk, open_desk
 
 NOW = datetime(2026, 10, 1, 9, 30, 0, 123456, UTC)
@@ -36,6 +37,36 @@ def test_clicks_at_several_servers_hand_in_once(desk: Desk) -> None:
         kept = list(pool.map(lambda one: one.add_hand_in("s01", A, 7, "a.xlsx", NOW), servers))
     assert {one.number for one in kept} == {1}
     assert len(desk.hand_ins()) == 1
+
+
+def test_several_servers_together_let_no_more_through_than_is_allowed(desk: Desk) -> None:
+    place, rate = desk.engine.url.render_as_string(hide_password=False), Allowance(5, 600)
+    servers = [open_desk(place, "small") for _ in range(4)]
+
+    def hand_in(number: int) -> bool:
+        digest, now = f"{number:064}", NOW - timedelta(seconds=number)
+        try:
+            servers[number % 4].add_hand_in("s01", digest, 7, "a.xlsx", now, rate)
+        except TooOftenError:
+            return False
+        return True
+
+    with ThreadPoolExecutor(4) as pool:
+        assert sum(pool.map(hand_in, range(12))) == rate.times
+    assert len(desk.hand_ins("s01")) == rate.times
+    desk.add_hand_in("s02", A, 7, "a.xlsx", NOW, rate)
+    desk.add_hand_in("s01", A, 7, "a.xlsx", NOW + timedelta(seconds=600), rate)
+
+
+def test_requests_are_allowed_so_often_and_later_again(desk: Desk) -> None:
+    rate = Allowance(1, 600)
+    desk.add_request("s01", "bore", "Look.", NOW, rate)
+    # A clock that is a little behind asks in vain as well.
+    for seconds in (0, 599, -599):
+        with pytest.raises(TooOftenError):
+            desk.add_request("s01", "bore", "Look.", NOW + timedelta(seconds=seconds), rate)
+    desk.add_request("s01", "bore", "Look.", NOW + timedelta(seconds=600), rate)
+    assert len(desk.requests()) == 2
 
 
 def test_checks_at_several_servers_are_all_counted(desk: Desk) -> None:

@@ -29,6 +29,7 @@ from selenium.webdriver.support.expected_conditions import staleness_of
 from selenium.webdriver.support.wait import WebDriverWait
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.text.words import LANGUAGES
 from gripcourse.usecases.grade import GRADES_JSON
 from gripcourse.usecases.hand_in import hand_in
 from gripcourse.usecases.publish import publish, withdraw
@@ -265,6 +266,13 @@ def broken_rules(browser: "WebDriver") -> list[str]:
     ]
 
 
+def read_in(browser: "WebDriver", language: str) -> None:
+    """Let the browser ask for pages in a language."""
+    headers = {"headers": {"Accept-Language": language}}
+    browser.execute_cdp_cmd("Network.enable", {})  # type: ignore[attr-defined]
+    browser.execute_cdp_cmd("Network.setExtraHTTPHeaders", headers)  # type: ignore[attr-defined]
+
+
 def upload(browser: "WebDriver", work: Path) -> None:
     browser.find_element(By.ID, "file").send_keys(str(work))
     with another_page(browser):
@@ -321,12 +329,20 @@ def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "W
     broken = {}
     pages = ("", "student/s01", "student/s03", "?state=asks", "student/nobody", "marking")
     more = ("marking/s01/general_view_drawing", "regrading", "figures", "flags", "grading")
-    for page in (*pages, *more):
+    # Each page in another language than its neighbour, and on the telephone than on the desk.
+    turn = list(SIZES).index(
+        "phone" if sized.execute_script("return innerWidth") < 500 else "desktop"
+    )
+    for number, page in enumerate((*pages, *more), turn):
+        language = LANGUAGES[number % len(LANGUAGES)]
+        read_in(sized, language)
         sized.get(f"{desk}{page}")
+        assert sized.find_element(By.TAG_NAME, "html").get_attribute("lang") == language
         show(
             sized, f"axe-desk-{page.replace('/', '-')}-{sized.execute_script('return innerWidth')}"
         )
         broken[page] = broken_rules(sized)
+    read_in(sized, "en")
     assert {page: rules for page, rules in broken.items() if rules} == {}
 
 

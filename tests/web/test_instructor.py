@@ -9,6 +9,7 @@ from starlette.testclient import TestClient
 from gripcourse.usecases.publish import current, withdraw
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
 from gripcourse.web.checking import make_checkers
+from gripcourse.web.downloads import download_routes
 from gripcourse.web.drawings import drawing_routes
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.marking import marking_routes
@@ -26,6 +27,7 @@ PAGES = (
     *("", "student/s01", "student/s01/file/1", "student/s01/report.pdf", "grades.csv"),
     *("marking", "marking/s01/general_view_drawing", "regrading"),
     *("figures", "flags", "grading", "student/s01/drawing/1/1.png"),
+    *("hand-ins.zip", "graded/reports.zip", "graded/grades.csv"),
 )
 FORMS = (
     *("publish", "withdraw", "sign-out", "marking/s01/general_view_drawing"),
@@ -37,7 +39,7 @@ def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
     site = Site(server.context, make_checkers(server.context, 1, None), server.clock)
     routes = (
         *(*instructor_routes(site), *marking_routes(site), *regrading_routes(site)),
-        *(*drawing_routes(site), *overview_routes(site)),
+        *(*drawing_routes(site), *overview_routes(site), *download_routes(site)),
     )
     paths = {
         (method, route.path.removeprefix("/desk/"))
@@ -50,6 +52,7 @@ def test_every_route_of_the_desk_is_tried(server: "Server") -> None:
         "s01": "{student}",
         "general_view_drawing": "{item}",
         "file/1": "file/{number:int}",
+        "graded/grades.csv": "graded/{name}",
         "drawing/1/1.png": "drawing/{number:int}/{page:int}.png",
     }
     for value, place in places.items():

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from web.conftest import Server
 
 SECRET = b"the work of s03"
+END = datetime(2026, 12, 31, tzinfo=UTC)
 # Every route of a student, below the link. A new one is found by the first test.
 ROUTES = (
     ("GET", ""),
@@ -74,18 +75,17 @@ def test_a_forged_an_expired_and_a_revoked_link_open_nothing(
     neighbour: "Server", method: str, path: str
 ) -> None:
     good, course = neighbour.home("s03"), neighbour.context.course.id
-    expires = datetime(2026, 12, 31, tzinfo=UTC)
     links = {
-        "forged": (f"/s/{link_text(SignedLink('s03', expires, 0), bytes(32), course)}/", 404),
+        "forged": (f"/s/{link_text(SignedLink('s03', END, 0), bytes(32), course)}/", 404),
         "other course": (
-            f"/s/{link_text(SignedLink('s03', expires, 0), neighbour.context.key, 'other')}/",
+            f"/s/{link_text(SignedLink('s03', END, 0), neighbour.context.key, 'other')}/",
             404,
         ),
         "neighbour's code": (good.replace("s03", "s01"), 404),
         "later": (good.replace("~0~", "~00~"), 404),
         "expired": (neighbour.home("s03", days=-1), 410),
         "revoked": (
-            f"/s/{link_text(SignedLink('s03', expires, 7), neighbour.context.key, course)}/",
+            f"/s/{link_text(SignedLink('s03', END, 7), neighbour.context.key, course)}/",
             410,
         ),
     }
@@ -97,6 +97,20 @@ def test_a_forged_an_expired_and_a_revoked_link_open_nothing(
         assert name not in content
         assert SECRET not in content
     assert (neighbour.context.desk.hand_ins(), neighbour.context.desk.checks()) == before
+
+
+def test_a_link_of_ours_is_refused_in_its_owners_language_and_no_other(server: "Server") -> None:
+    english, client = {"accept-language": "en"}, server.client()
+    expired, forged = server.home("s02", days=-1), server.home("s02", days=-1)[:-2] + "!/"
+    key, course = server.context.key, server.context.course.id
+    revoked = f"/s/{link_text(SignedLink('s02', END, 7), key, course)}/"
+    gone = f"/s/{link_text(SignedLink('s99', END, 0), key, course)}/"
+    own = [client.get(one, headers=english) for one in (expired, revoked)]
+    others = [client.get(one, headers=english) for one in (forged, gone)]
+    assert ["минув" in own[0].text, "замінено" in own[1].text] == [True, True]
+    assert all("This link is not valid" in one.text for one in others)
+    token = {"authorization": f"Bearer {expired.split('/')[2]}"}
+    assert "минув" in client.get("/api/v1/status", headers=token).json()["detail"]
 
 
 @pytest.mark.parametrize(

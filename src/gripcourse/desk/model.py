@@ -15,6 +15,18 @@ def is_drawing(name: str) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
+class Allowance:
+    """At most so many times within so many seconds."""
+
+    times: int
+    seconds: float
+
+
+class TooOftenError(Exception):
+    """It would be more often than is allowed; nothing was kept."""
+
+
+@dataclass(frozen=True, slots=True)
 class HandIn:
     """A file that a student handed in.
 

@@ -1,15 +1,23 @@
 """The desk's part of the database: rows are added, nothing is ever changed or removed."""
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from typing import Any, Final, TypeVar
 
-from sqlalchemy import Engine, Table, func, insert, select
+from sqlalchemy import ColumnElement, Connection, Engine, Table, func, insert, select
 
 from gripcourse.desk import schema
-from gripcourse.desk.model import GradedBatch, HandIn, LoggedCheck, Publication, RegradeRequest
+from gripcourse.desk.model import (
+    Allowance,
+    GradedBatch,
+    HandIn,
+    LoggedCheck,
+    Publication,
+    RegradeRequest,
+    TooOftenError,
+)
 from gripcourse.errors import GradebookError
 from gripcourse.machine.database.opening import (
     another_was_faster,
@@ -36,10 +44,23 @@ class Desk:
     engine: Engine
     course: str
 
-    def add_hand_in(self, student: str, digest: str, size: int, name: str, now: datetime) -> HandIn:
-        """Keep that a file was handed in; the same bytes again right after are not kept twice."""
+    def add_hand_in(
+        self,
+        student: str,
+        digest: str,
+        size: int,
+        name: str,
+        now: datetime,
+        allowed: Allowance | None = None,
+    ) -> HandIn:
+        """Keep that a file was handed in; the same bytes again right after are not kept twice.
+
+        Raises:
+            TooOftenError: it would be more than is allowed, of all servers together.
+        """
         row = {"digest": digest, "size": size, "name": name, "at": _utc(now)}
-        kept = self._append(schema.hand_ins, {"student": student}, row, once="digest")
+        of = {"student": student}
+        kept = self._append(schema.hand_ins, of, row, once="digest", allowed=allowed)
         return HandIn(**_plain(kept))
 
     def hand_ins(self, student: str | None = None) -> tuple[HandIn, ...]:
@@ -57,10 +78,22 @@ class Desk:
         """Return the self-checks of one student or of all."""
         return self._rows(schema.checks, LoggedCheck, student)
 
-    def add_request(self, student: str, item: str, sentence: str, now: datetime) -> RegradeRequest:
-        """Keep that a student asks for an item to be looked at again."""
+    def add_request(
+        self,
+        student: str,
+        item: str,
+        sentence: str,
+        now: datetime,
+        allowed: Allowance | None = None,
+    ) -> RegradeRequest:
+        """Keep that a student asks for an item to be looked at again.
+
+        Raises:
+            TooOftenError: it would be more than is allowed, of all servers together.
+        """
         row = {"item": item, "sentence": sentence, "at": _utc(now)}
-        return RegradeRequest(**_plain(self._append(schema.requests, {"student": student}, row)))
+        kept = self._append(schema.requests, {"student": student}, row, allowed=allowed)
+        return RegradeRequest(**_plain(kept))
 
     def requests(self, student: str | None = None) -> tuple[RegradeRequest, ...]:
         """Return the requests of one student or of all."""
@@ -151,11 +184,20 @@ class Desk:
             return tuple(make(**_plain(dict(row))) for row in found)
 
     def _append(
-        self, table: Table, of: Mapping[str, str], row: Mapping[str, Any], once: str = ""
+        self,
+        table: Table,
+        of: Mapping[str, str],
+        row: Mapping[str, Any],
+        once: str = "",
+        allowed: Allowance | None = None,
     ) -> Mapping[str, Any]:
         """Add a row with the next number; somebody faster only makes it the one after.
 
         Where the last row has the same in the column `once`, that row is returned, and none added.
+        Counting and adding are one transaction: two servers never both add the last one allowed.
+
+        Raises:
+            TooOftenError: there are as many as are allowed about this time.
         """
         fixed = {"course": self.course, **of}
         same = [table.c[name] == value for name, value in fixed.items()]
@@ -166,6 +208,8 @@ class Desk:
                     before = connection.execute(last).mappings().first()
                     if before is not None and once and before[once] == row[once]:
                         return dict(before)
+                    if allowed is not None:
+                        _refuse_too_many(connection, table, same, row["at"], allowed)
                     number = 1 if before is None else before["number"] + 1
                     made = {**fixed, "number": number, **row}
                     connection.execute(insert(table), made)
@@ -186,6 +230,21 @@ class Desk:
                 return False
             raise
         return True
+
+
+def _refuse_too_many(
+    connection: Connection,
+    table: Table,
+    same: Sequence[ColumnElement[bool]],
+    now: datetime,
+    allowed: Allowance,
+) -> None:
+    # Either way in time: another server's clock, or its request before ours, may be ahead.
+    span = timedelta(seconds=allowed.seconds)
+    about_now = (table.c.at > now - span, table.c.at < now + span)
+    question = select(func.count()).select_from(table).where(*same, *about_now)
+    if connection.execute(question).scalar_one() >= allowed.times:
+        raise TooOftenError
 
 
 def open_desk(place: str, course: str) -> Desk:

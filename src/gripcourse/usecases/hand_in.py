@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path, PurePath
 from typing import Final
 
-from gripcourse.desk.model import HandIn
+from gripcourse.desk.model import Allowance, HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import make_private_folder, write_bytes
@@ -40,12 +40,26 @@ class Receipt:
     code: str
 
 
-def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetime) -> Receipt:
+def hand_in(
+    context: DeskContext,
+    issued: Issued,
+    file: NamedBytes,
+    now: datetime,
+    allowed: Allowance | None = None,
+) -> Receipt:
     """Keep a file that a student hands in, whatever is in it.
 
     The same bytes once more right after are the same hand-in: two clicks make one.
 
+    Args:
+        context: of the course.
+        issued: to whom it was issued.
+        file: as it was sent.
+        now: with its zone.
+        allowed: how often it may be done; None for any number.
+
     Raises:
+        TooOftenError: it was done as often as is allowed; nothing was recorded.
         UsageError: the file is empty, or the student has handed in too much.
         OSError: the disk is full, or cannot be written; nothing was recorded.
         GradebookError: the database failed; nothing was recorded.
@@ -68,7 +82,7 @@ def hand_in(context: DeskContext, issued: Issued, file: NamedBytes, now: datetim
     name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
     if not name.strip(". "):
         name = _NAMELESS
-    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now)
+    kept = context.desk.add_hand_in(student, digest, len(file.data), name, now, allowed)
     return receipt_of(context, issued, kept)
 
 
@@ -99,6 +113,12 @@ def latest(hand_ins: Iterable[HandIn]) -> dict[str, HandIn]:
     return {one.student: one for one in hand_ins if not one.is_drawing}
 
 
+def name_in_folder(one: HandIn) -> str:
+    """Return what the last workbook of a student is called for grading: like its student."""
+    suffix = PurePath(one.name).suffix.lower()
+    return f"{one.student}{suffix if suffix.isascii() else ''}"
+
+
 def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     """Write the last workbook of each student into a folder, called like the student, for grading.
 
@@ -111,8 +131,7 @@ def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
     make_private_folder(out)
     written: dict[str, Path] = {}
     for student, one in latest(context.desk.hand_ins()).items():
-        suffix = PurePath(one.name).suffix.lower()
-        path = out / f"{student}{suffix if suffix.isascii() else ''}"
+        path = out / name_in_folder(one)
         write_bytes(path, kept_path(context, one.digest).read_bytes(), private=True)
         # Lateness is counted from when it was handed in, not from when it was collected.
         os.utime(path, (one.at.timestamp(),) * 2)

@@ -106,3 +106,12 @@ def open_link(context: DeskContext, token: str, now: datetime) -> Issued | Refus
     if refused is not None or link is None:
         return refused or Refused.FORGED
     return context.register().get(link.student, Refused.FORGED)
+
+
+def signed_for(context: DeskContext, token: str) -> Issued | None:
+    """Return for whom a link was signed, whether or not it opens anything any more.
+
+    None for a link without our signature: whoever wrote it is told nothing of anybody.
+    """
+    link = read_link(token, context.key, context.course.id)
+    return None if link is None else context.register().get(link.student)

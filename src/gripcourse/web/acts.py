@@ -4,7 +4,7 @@ import hashlib
 from typing import Final
 
 from gripcourse.api.results import CheckResult
-from gripcourse.desk.model import HandIn, Publication, RegradeRequest
+from gripcourse.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.errors import GradebookError, GripcourseError, UsageError
 from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.jobs.lost import Lost
@@ -18,7 +18,7 @@ from gripcourse.web.checking import CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
 from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, WebRefusal, refusal_of_problem
 from gripcourse.web.site import Site
-from gripcourse.web.uploads import count
+from gripcourse.web.uploads import count, too_often
 
 LONGEST_SENTENCE: Final = 1000
 LONGEST_REASON: Final = 300
@@ -63,7 +63,9 @@ def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | 
     known = site.context.desk.hand_ins(issued.student.id)
     count(site, HAND_INS, issued.student.id, (one.at for one in known))
     try:
-        return hand_in(site.context, issued, file, site.clock())
+        return hand_in(site.context, issued, file, site.clock(), HAND_INS)
+    except TooOftenError as fault:
+        raise too_often(HAND_INS) from fault
     except UsageError as refused:
         return refusal_of_problem(refused, Code.FILE_NOT_KEPT)
 
@@ -88,8 +90,12 @@ def ask_again(site: Site, student: str, item: str, said: str) -> RegradeRequest 
     if not sentence or len(sentence) > LONGEST_SENTENCE:
         said_back = message("Say in a sentence what should be looked at again.")
         return WebRefusal(Code.NO_SENTENCE, said_back)
-    count(site, REQUESTS, student)
-    return site.context.desk.add_request(student, item, sentence, site.clock())
+    desk = site.context.desk
+    count(site, REQUESTS, student, (one.at for one in desk.requests(student)))
+    try:
+        return desk.add_request(student, item, sentence, site.clock(), REQUESTS)
+    except TooOftenError as fault:
+        raise too_often(REQUESTS) from fault
 
 
 def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:

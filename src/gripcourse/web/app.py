@@ -15,6 +15,7 @@ from starlette.types import ASGIApp
 from gripcourse.errors import GradebookError
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
+from gripcourse.web.downloads import download_routes
 from gripcourse.web.drawings import drawing_routes
 from gripcourse.web.guard import Guard, TooMuchError
 from gripcourse.web.instructor import instructor_routes
@@ -86,6 +87,7 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         *regrading_routes(site),
         *drawing_routes(site),
         *overview_routes(site),
+        *download_routes(site),
         Mount(REST, rest_app(site)),
         *further,
     ]

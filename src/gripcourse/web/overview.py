@@ -17,6 +17,7 @@ from gripcourse.usecases.progress import batch_progress
 from gripcourse.variants.model import Issued
 from gripcourse.web.batch import BatchWork, FoundFlag
 from gripcourse.web.desk_acts import begin_batch
+from gripcourse.web.downloads import names_of_tables
 from gripcourse.web.refusals import NOT_FOUND
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -127,6 +128,7 @@ def grading(seat: Seat) -> Response:
         "last": None if batch is None else batch.at,
         "graded": 0 if batch is None else len(batch.works),
         "waiting": len({one.student for one in hand_ins if not one.is_drawing}),
+        "tables": names_of_tables(site),
         "batches": site.context.desk.batches()[: -_BATCHES - 1 : -1],
     }
     response = seat.page("grading", values)

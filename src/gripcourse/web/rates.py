@@ -2,18 +2,11 @@
 
 import threading
 from collections import deque
-from dataclasses import dataclass
 from typing import Final
 
+from gripcourse.desk.model import Allowance
+
 _MOST_KEPT: Final = 10_000  # whoever tries with ever new names cannot fill the memory
-
-
-@dataclass(frozen=True, slots=True)
-class Allowance:
-    """At most so many times within so many seconds."""
-
-    times: int
-    seconds: float
 
 
 CHECKS: Final = Allowance(30, 600)

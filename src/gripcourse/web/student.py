@@ -22,7 +22,7 @@ from gripcourse.text.amounts import NO_BREAK_SPACE
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import is_late, kept_path, receipt_of
 from gripcourse.usecases.handout import sheet_path, workbook_path
-from gripcourse.usecases.links import open_link
+from gripcourse.usecases.links import open_link, signed_for
 from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
@@ -68,7 +68,7 @@ class Visit:
     @property
     def words(self) -> Words:
         """The student's language."""
-        return Words(self.issued.student.language or self.site.context.course.language)
+        return student_words(self.site, self.issued)
 
     @property
     def home(self) -> str:
@@ -79,6 +79,11 @@ class Visit:
     def refuse(self, why: WebRefusal) -> Response:
         """Say why something is not done, with a way back."""
         return notice(self.site, self.request, self.words, why.said, why.status, self.home)
+
+
+def student_words(site: Site, issued: Issued) -> Words:
+    """Return the language of a student: the roster's, else the course's."""
+    return Words(issued.student.language or site.context.course.language)
 
 
 Answer: TypeAlias = Callable[[Visit], Response]
@@ -109,6 +114,9 @@ def _opened(site: Site, answer: Answer) -> Callable[[Request], Awaitable[Respons
         token = str(request.path_params["token"])
         issued = await run_in_threadpool(open_link, site.context, token, site.clock())
         if isinstance(issued, Refused):
+            owner = await run_in_threadpool(signed_for, site.context, token)
+            if owner is not None:
+                remember_visitor(request, student_words(site, owner))
             count(site, REFUSED_LINKS, address_of(request))
             words, status = visitor_words(site, request), _REFUSED_STATUS[issued]
             return notice(site, request, words, LINK_SAID[issued], status)

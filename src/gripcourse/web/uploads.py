@@ -10,9 +10,9 @@ from starlette.datastructures import UploadFile
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
+from gripcourse.desk.model import Allowance
 from gripcourse.machine.content import NamedBytes
 from gripcourse.web.guard import declares_too_much
-from gripcourse.web.rates import Allowance
 from gripcourse.web.site import Site
 
 _FIELDS: Final = 32  # a rubric has a field for each of its lines
@@ -58,9 +58,14 @@ def count(site: Site, rate: Allowance, who: str, kept: Iterable[datetime] = ()) 
         HTTPException: it was too often.
     """
     now = site.clock()
-    lately = sum(0 <= (now - moment).total_seconds() < rate.seconds for moment in kept)
+    lately = sum(abs((now - moment).total_seconds()) < rate.seconds for moment in kept)
     if lately >= rate.times or not site.counter.allows(rate, who, time.monotonic()):
-        raise HTTPException(_TOO_OFTEN, headers={"Retry-After": str(int(rate.seconds))})
+        raise too_often(rate)
+
+
+def too_often(rate: Allowance) -> HTTPException:
+    """Return what refuses something that was done as often as it may be."""
+    return HTTPException(_TOO_OFTEN, headers={"Retry-After": str(int(rate.seconds))})
 
 
 def address_of(request: Request) -> str:

@@ -16,7 +16,9 @@ from gripcourse.desk.links import Refused
 from gripcourse.errors import GradebookError
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.links import open_link
+from gripcourse.usecases.links import open_link, signed_for
+from gripcourse.variants.model import Issued
+from gripcourse.web.downloads import zip_response
 from gripcourse.web.guard import TooMuchError
 from gripcourse.web.pages import asked_language, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
@@ -30,8 +32,16 @@ from gripcourse.web.refusals import (
     refusal_of_system,
 )
 from gripcourse.web.rest.bodies import read_body, usable
-from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, StudentCall, TokenRole
+from gripcourse.web.rest.declare import (
+    ApiOperation,
+    DeskCall,
+    SentFile,
+    SentZip,
+    StudentCall,
+    TokenRole,
+)
 from gripcourse.web.rest.desk import DESK_OPERATIONS
+from gripcourse.web.rest.downloads import DOWNLOAD_OPERATIONS
 from gripcourse.web.rest.marking import MARKING_OPERATIONS
 from gripcourse.web.rest.openapi import description
 from gripcourse.web.rest.problems import NotUsable, problem
@@ -46,6 +56,7 @@ OPERATIONS: Final = (
     *DESK_OPERATIONS,
     *WORK_OPERATIONS,
     *MARKING_OPERATIONS,
+    *DOWNLOAD_OPERATIONS,
 )
 _NO_TOKEN: Final = WebRefusal(
     Code.NO_TOKEN, message("Send the token that you were given: Authorization: Bearer …")
@@ -124,14 +135,23 @@ async def _student_call(
 ) -> StudentCall | WebRefusal | NotUsable:
     issued = await run_in_threadpool(open_link, site.context, token, site.clock())
     if isinstance(issued, Refused):
+        owner = await run_in_threadpool(signed_for, site.context, token)
+        if owner is not None:
+            remember_visitor(request, _words(site, request, owner))
         count(site, REFUSED_LINKS, address_of(request))
         return WebRefusal(_CODES[issued], LINK_SAID[issued])
-    language = asked_language(request) or issued.student.language or site.context.course.language
-    remember_visitor(request, Words(language))
+    words = _words(site, request, issued)
+    remember_visitor(request, words)
     body = await read_body(operation, request)
     if isinstance(body, WebRefusal | NotUsable):
         return body
-    return StudentCall(site, request, Words(language), issued, body)
+    return StudentCall(site, request, words, issued, body)
+
+
+def _words(site: Site, request: Request, issued: Issued) -> Words:
+    """Return the language that a student's program asks for, else the student's own."""
+    language = asked_language(request) or issued.student.language or site.context.course.language
+    return Words(language)
 
 
 async def _desk_call(
@@ -164,5 +184,7 @@ def _response(operation: ApiOperation, made: object, words: Words) -> Response:
         return Response(status_code=operation.status)
     if isinstance(made, SentFile):
         return FileResponse(made.path, media_type=operation.media, filename=made.name)
+    if isinstance(made, SentZip):
+        return zip_response(made.name, made.files)
     headers = {"Content-Language": words.language}
     return JSONResponse(to_plain(made), operation.status, headers)

@@ -11,6 +11,7 @@ from typing import Any, Final
 from starlette.requests import Request
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.packing import ToPack
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Issued
 from gripcourse.web.refusals import Code
@@ -84,6 +85,18 @@ class SentFile:
 
 
 @dataclass(frozen=True, slots=True)
+class SentZip:
+    """Files that are sent as a zip, which is made while it is sent."""
+
+    files: tuple[ToPack, ...]
+    name: str
+
+
+FILES: Final = (SentFile, SentZip)
+"""Types of results that are no JSON."""
+
+
+@dataclass(frozen=True, slots=True)
 class ApiOperation:
     """A call.
 
@@ -91,7 +104,7 @@ class ApiOperation:
         method, path: below `/api/v1`.
         role: who may.
         answer: does it; its docstring says what it does.
-        gives: type of the result, `SentFile` for a file, `NoneType` for nothing.
+        gives: type of the result, one of `FILES` for a file, `NoneType` for nothing.
         takes: type of the body in JSON, `NamedBytes` for a file in a form, None for none.
         searches: type of the query; None for none.
         refuses: what it refuses besides what all of its kind do.
@@ -116,7 +129,7 @@ class ApiOperation:
     def refusals(self) -> tuple[Code, ...]:
         """Every code that a caller may meet."""
         found = [*_OF_ROLE[self.role], *self.refuses, Code.NOT_ALLOWED]
-        if PLACES.search(self.path) or self.gives is SentFile:
+        if PLACES.search(self.path) or self.gives in FILES:
             found.append(Code.NOT_FOUND)
         if self.takes is not None:
             found += [Code.BAD_REQUEST, Code.TOO_LARGE]

@@ -12,7 +12,7 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import LANGUAGES
 from gripcourse.web.acts import LONGEST_SENTENCE
 from gripcourse.web.refusals import STATUS, Code
-from gripcourse.web.rest.declare import PLACES, ApiOperation, SentFile, TokenRole
+from gripcourse.web.rest.declare import FILES, PLACES, ApiOperation, TokenRole
 from gripcourse.web.rest.problems import MEDIA, RefusalResult
 from gripcourse.web.rest.wishes import RegradeWish
 
@@ -103,7 +103,7 @@ def _gives(one: ApiOperation, schemas: dict[str, Any]) -> dict[str, Any]:
     said = {"description": one.status.phrase}
     if one.gives is NoneType:
         return said
-    if one.gives is SentFile:
+    if one.gives in FILES:
         return {**said, "content": {one.media: {"schema": {"type": "string", "format": "binary"}}}}
     return {**said, "content": {one.media: {"schema": _named(one.gives, schemas)}}}
 
