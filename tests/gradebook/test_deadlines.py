@@ -48,6 +48,12 @@ def test_without_a_row_it_is_the_day_that_was_issued_with() -> None:
     assert deadline_of(issued("s01", "", None), (), KYIV) is None
 
 
+def test_a_day_may_be_written_as_an_office_does() -> None:
+    for office, iso in (("1.12.2026", "2026-12-01"), ("01.12.2026 18:00", "2026-12-01 18:00")):
+        assert moment_of(office, KYIV) == moment_of(iso, KYIV) is not None
+    assert moment_of("31.02.2026", KYIV) is None
+
+
 def test_summer_time_is_kept() -> None:
     summer, winter = (moment_of(day, KYIV) for day in ("2026-07-01 12:00", "2026-12-01 12:00"))
     assert summer is not None
@@ -58,7 +64,7 @@ def test_summer_time_is_kept() -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("group,student,deadline\n,,1.12.2026\n", ["'1.12.2026' is no day."]),
+        ("group,student,deadline\n,,12/1/2026\n", ["'12/1/2026' is no day."]),
         ("group,student,deadline\n,,2026-02-30\n", ["'2026-02-30' is no day."]),
         ("group,student\nРТК-41,s01\n", ["The column 'deadline' is missing."]),
         (

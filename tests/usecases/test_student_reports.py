@@ -15,7 +15,7 @@ from pypdf import PdfReader
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
-from gripcourse.cli.grading_text import grading_text
+from gripcourse.cli.grading_text import grading_text, problems_text
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
 from gripcourse.usecases.grade import GradingOutcome, write_results
@@ -194,7 +194,18 @@ def test_grades_are_written_though_the_report_on_the_batch_fails(
     assert outcome.needs_person
     tables = {"files.csv", "grades.csv", "grades.json"}
     assert names(tmp_path / "out") == tables | {"reports", "incidents.log"}
-    assert "could not be laid out" in grading_text(outcome, tmp_path / "out", Words("en"))
+    said = grading_text(outcome, tmp_path / "out", Words("en"))
+    assert "could not be laid out. templates/cohort.html.j2: line 1" in said
+
+
+def test_who_asks_for_silence_still_learns_what_failed_and_what_waits(
+    fake: ModuleType, reports: list[Report], issued: "Classroom", tmp_path: Path
+) -> None:
+    outcome = results(reports, issued.context, tmp_path, fake.refuse_s02)
+    failed, waits, trace = problems_text(outcome, tmp_path, Words("en")).splitlines()
+    assert "could not be laid out" in failed
+    assert "wait for a person: 1." in waits
+    assert "incidents.log" in trace
 
 
 def test_a_student_whose_scheme_is_gone_has_an_incident(

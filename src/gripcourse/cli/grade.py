@@ -4,14 +4,14 @@ import getpass
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from gripcourse.cli import grading_text
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.help import SpokenCommand
-from gripcourse.cli.loudness import confirm
+from gripcourse.cli.loudness import confirm, is_quiet
 from gripcourse.cli.options import (
     DONE,
     NEEDS_PERSON,
@@ -34,7 +34,10 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.cli.regrade import ByOption
-from gripcourse.text.words import message
+from gripcourse.text.words import Words, message
+
+if TYPE_CHECKING:
+    from gripcourse.usecases.grade import GradingOutcome
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -91,7 +94,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.begin_grading import note_batch
     from gripcourse.usecases.collect import collect
-    from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
+    from gripcourse.usecases.gradebook import (
+        check_gradebook,
+        course_deadlines,
+        keep,
+        with_kept_versions,
+    )
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.opening import open_grading, recalculating
     from gripcourse.usecases.progress import progress_noted
@@ -118,6 +126,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     place = gradebook_place(gradebook, context.course.root)
     check_gradebook(place)
     context = with_kept_versions(context, place)
+    # Read again where they are needed; what is wrong there is said before anything is graded.
+    course_deadlines(context)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
     stated = None if on is None else day_of(on)
@@ -151,5 +161,12 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         result = command.batch_result(outcome.reports, words, found.passed_over)
         typer.echo(cli_text.json_text(result.to_dict()))
     else:
-        confirm(grading_text.grading_text(outcome, out, words))
+        _say(outcome, out, words)
     raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
+
+
+def _say(outcome: "GradingOutcome", out: Path, words: Words) -> None:
+    """Say all, or where nobody wants to hear it no more than what went wrong or waits."""
+    confirm(grading_text.grading_text(outcome, out, words))
+    if is_quiet() and outcome.needs_person:
+        typer.echo(grading_text.problems_text(outcome, out, words), err=True)

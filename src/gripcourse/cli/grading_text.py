@@ -89,8 +89,7 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
             names=", ".join(path.name for path in outcome.left_over),
         )
         lines.append(words.say(said))
-    if outcome.cohort is None and not outcome.grades_only:
-        lines.append(words.say(message("The report on the batch could not be laid out.")))
+    lines += _cohort_fault(outcome, words)
     if outcome.grades_only:
         lines.append(words.say(message("Nothing was printed, as you said.")))
     if outcome.taken_over.results or outcome.taken_over.reports:
@@ -114,6 +113,39 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         if place is not None:
             lines.append(f"{words.say(said)}: {place}")
     return "\n".join(lines)
+
+
+def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
+    """Return what must be said even where nothing else is: our faults, and how much waits."""
+    from gripcourse.usecases.grade import FILES_CSV, INCIDENTS
+
+    ours = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT)
+    lines = [
+        f"{one_line(Path(one.file).name)}: {words.say(flag.message)}"
+        for one in outcome.reports
+        for flag in one.flags
+        if flag.code in ours
+    ]
+    lines += _cohort_fault(outcome, words)
+    waiting = sum(bool(one.flags) for one in outcome.reports)
+    waiting += sum(one.needs_person for one in outcome.passed_over)
+    if waiting:
+        said = message("Files that wait for a person: {count}.", count=waiting)
+        lines.append(
+            f"{words.say(said)} {words.say(message('What became of every file'))}: "
+            f"{out / FILES_CSV}"
+        )
+    if (out / INCIDENTS).exists():
+        said = message("Incidents, each with its trace")
+        lines.append(f"{words.say(said)}: {out / INCIDENTS}")
+    return "\n".join(lines)
+
+
+def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:
+    """Say that and why the report on the batch could not be laid out."""
+    if outcome.cohort is None and not outcome.grades_only:
+        said = words.say(message("The report on the batch could not be laid out."))
+        yield f"{said} {one_line(outcome.cohort_fault)}".rstrip()
 
 
 def _passed_over(outcome: "GradingOutcome", words: Words) -> Iterator[str]:

@@ -16,6 +16,7 @@ from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _COLUMNS = ("group", "student", "deadline")
 _WRITTEN = re.compile(r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}:\d{2})(?::\d{2})?)?")
+_OFFICE = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})(?=[ T]|$)")  # as offices write days here
 _END_OF_DAY = time(23, 59, 59)
 
 
@@ -76,7 +77,8 @@ def read_deadlines(source: Readable, zone: ZoneInfo) -> tuple[Deadline, ...]:
 
 def moment_of(written: str, zone: ZoneInfo) -> datetime | None:
     """Read a day, whose last second is meant, or a day with a time; None where it is neither."""
-    found = _WRITTEN.fullmatch(written.strip())
+    iso = _OFFICE.sub(lambda day: f"{day[3]}-{day[2]:0>2}-{day[1]:0>2}", written.strip(), count=1)
+    found = _WRITTEN.fullmatch(iso)
     if found is None:
         return None
     try:

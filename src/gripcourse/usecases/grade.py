@@ -65,6 +65,7 @@ class GradingOutcome:
         taken_over: what was neither graded nor printed again.
         grades_only: whether nobody wanted anything printed.
         missing: students to whom something was issued and whose work is not in the batch, by id.
+        cohort_fault: why the cohort report could not be laid out.
     """
 
     reports: tuple[Report, ...]
@@ -76,6 +77,7 @@ class GradingOutcome:
     taken_over: TakenOver = field(default_factory=TakenOver)
     grades_only: bool = False
     missing: tuple[Student, ...] = ()
+    cohort_fault: str = ""
 
 
 def grade(
@@ -174,6 +176,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         ),
         grades_only=lay_out is None,
         missing=missing(reports, context),
+        cohort_fault="" if failed is None else failed.reason,
     )
 
 

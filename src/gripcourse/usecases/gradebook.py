@@ -89,7 +89,7 @@ def keep(
     if not places:
         # Nobody's file: a gradebook is not made for nothing.
         return tuple(graded)
-    deadlines = _deadlines(context)
+    deadlines = course_deadlines(context)
     book = open_gradebook(place)
     keeping = _Keeping(
         context=context,
@@ -210,7 +210,12 @@ def _to_add(
     return kept
 
 
-def _deadlines(context: GradingContext) -> tuple[Deadline, ...]:
+def course_deadlines(context: GradingContext) -> tuple[Deadline, ...]:
+    """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
+
+    Raises:
+        TableError: the table cannot be used.
+    """
     path = deadlines_path(context.course.root)
     if context.policy.late is None or not path.is_file():
         return ()

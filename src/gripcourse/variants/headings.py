@@ -8,8 +8,10 @@ import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from functools import lru_cache
 from importlib.resources import files
+from typing import Final
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
@@ -21,6 +23,7 @@ from gripcourse.text.units import dimension, read_unit
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
+_LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
@@ -118,7 +121,9 @@ def table_vocabulary(course: Course) -> Vocabulary:
     every = [(id_, one) for id_, declared in _declarations(course).items() for one in declared]
     titles += [(plain(one), id_) for id_, given in every for one in _all(given.title)]
     symbols = [(one, id_) for id_, given in every for one in _all(given.symbol)]
-    symbols += [(symbol.replace("_", ""), id_) for symbol, id_ in symbols]
+    symbols += [
+        (symbol.replace("_", as_typed), id_) for symbol, id_ in symbols for as_typed in ("", " ")
+    ]
     return Vocabulary(_grouped(ids), _grouped(titles), _grouped(symbols), givens)
 
 
@@ -222,12 +227,13 @@ def _unknown(
             message("'{name}' may mean {ids}.", name=name, ids=", ".join(several)),
             message("Write the id instead."),
         )
-    return Problem(
-        sheet.file,
-        key,
-        message("There is no quantity or option '{name}'.", name=name),
-        did_you_mean(plain(name), {*vocabulary.ids, *vocabulary.titles}),
-    )
+    known = {*vocabulary.ids, *vocabulary.titles}
+    what = message("There is no quantity or option '{name}'.", name=name)
+    # Hundreds of names, listed from their first letter, help nobody.
+    if len(known) <= _LISTED or get_close_matches(plain(name), known, n=1):
+        return Problem(sheet.file, key, what, did_you_mean(plain(name), known))
+    remedy = message("Clear the column, or head it as `gripcourse variants template` does.")
+    return Problem(sheet.file, key, what, remedy)
 
 
 def _unit(
