@@ -4,6 +4,7 @@ import traceback
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from gripcourse.batch.kept_reports import FlagsOf, KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
@@ -19,16 +20,25 @@ from gripcourse.workbook.names import AUTHOR
 
 
 def mark_likeness(
-    reports: Sequence[Report], context: GradingContext
+    reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
 ) -> tuple[tuple[Report, ...], str]:
     """Flag the submissions that hold another student's numbers.
+
+    Args:
+        reports: of the batch.
+        context: the course, its policy, the register.
+        kept: what an earlier run found out; None for nothing.
 
     Returns:
         The reports in their order, and the trace of what failed on our side (empty for nothing):
         grading is never lost for it.
     """
+
+    def find() -> FlagsOf:
+        return flags_by_student(evidence_of(reports, context), _titles(context))
+
     try:
-        flags = flags_by_student(evidence_of(reports, context), _titles(context))
+        flags = find() if kept is None else kept.flags_of(reports, find)
     except Exception:  # noqa: BLE001 (ours: the marks stand without this evidence)
         return tuple(reports), f"looking for likeness:\n{traceback.format_exc()}"
     marked = (

@@ -1,15 +1,22 @@
 """What single files came to, kept as it comes: a batch that was stopped goes on where it was."""
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeAlias
 
-from gripcourse.grading.folded import folded
-from gripcourse.grading.model import Report
+from gripcourse.grading.folded import digest_of_report, folded
+from gripcourse.grading.model import Flag, Report
 from gripcourse.machine.content import Readable, content_of, shown_name
 from gripcourse.machine.kept import read_value, write_value
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
+
+_COMPARED = "compared.kept"
+
+FlagsOf: TypeAlias = Mapping[str, tuple[Flag, ...]]
+"""Flags by student."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +47,24 @@ class KeptReports:
         if report.digest and not report.refusal:
             write_value(self._path(file, report.digest), report)
 
+    def flags_of(self, reports: Sequence[Report], find: Callable[[], FlagsOf]) -> FlagsOf:
+        """Return the flags that comparing reports comes to; the last comparison is kept.
+
+        Args:
+            reports: all that are compared, as they are before it.
+            find: compares them, where an earlier run did not compare just these.
+        """
+        told = "\n".join(map(digest_of_report, reports))
+        key, path = hashlib.sha256(told.encode()).hexdigest(), self.folder / _COMPARED
+        kept = read_value(path)
+        if isinstance(kept, _Compared) and kept.key == key:
+            return kept.flags
+        found = find()
+        # What was found is told all the same.
+        with suppress(OSError):
+            write_value(path, _Compared(key, found))
+        return found
+
     def _find(self, file: Readable) -> Report | None:
         if not self.folder.is_dir():
             return None
@@ -51,6 +76,14 @@ class KeptReports:
         name = shown_name(file)
         told = repr((name, digest, self.whose.get(name)))
         return self.folder / f"{hashlib.sha256(told.encode()).hexdigest()}.kept"
+
+
+@dataclass(frozen=True, slots=True)
+class _Compared:
+    """What comparing a batch came to, and a digest of the batch."""
+
+    key: str
+    flags: FlagsOf
 
 
 def _digest(file: Readable) -> str:

@@ -94,7 +94,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         replace(_graded(file, reports[number], context), taken_over=number in known)
         for number, file in enumerate(files)
     )
-    return compared(tuple(graded), context)
+    return compared(tuple(graded), context, kept)
 
 
 def _alone(  # noqa: PLR0913, PLR0917 (called once)
@@ -196,7 +196,9 @@ def _second(first: Report | Lost, again: Report | Lost | None) -> Report | Lost:
     return first
 
 
-def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded, ...]:
+def compared(
+    graded: Sequence[Graded], context: GradingContext, kept: KeptReports | None = None
+) -> tuple[Graded, ...]:
     """Flag the files of a batch that belong together or hold another student's numbers.
 
     Before that, whoever only took a student's name beside the student's own work is nobody.
@@ -204,7 +206,7 @@ def compared(graded: Sequence[Graded], context: GradingContext) -> tuple[Graded,
     What fails on our side while they are compared stands with the first file.
     """
     reports, trace = mark_likeness(
-        mark_doubles(put_in_doubt([one.report for one in graded])), context
+        mark_doubles(put_in_doubt([one.report for one in graded])), context, kept
     )
     incidents = [one.incident for one in graded]
     incidents[:1] = [one + trace for one in incidents[:1]]

@@ -3,6 +3,7 @@
 A finding is some fifty objects; folded, those of a work are one run of bytes, a twentieth of it.
 """
 
+import hashlib
 import pickle
 import zlib
 from collections.abc import Iterator
@@ -53,6 +54,18 @@ def folded(report: Report) -> Report:
         return report
     findings = tuple(report.findings)
     return replace(report, findings=Folded(zlib.compress(pickle.dumps(findings), 1), len(findings)))
+
+
+def digest_of_report(report: Report) -> str:
+    """Return a digest of all that a report says; a folded one is not unfolded for it.
+
+    The same findings folded by another program may have another one.
+    """
+    findings = report.findings
+    if not isinstance(findings, Folded):
+        return hashlib.sha256(repr(report).encode()).hexdigest()
+    rest = repr(replace(report, findings=())).encode()
+    return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
 
 
 def unfolded(report: Report) -> Report:

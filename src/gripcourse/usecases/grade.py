@@ -149,7 +149,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    write_tables(reports, context, out, passed_over)
+    _renew_tables(reports, context, out, passed_over, printed)
     failed = None
     if lay_out is not None:
         failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
@@ -198,6 +198,25 @@ def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:
     return tuple(sorted(found - set(written)))
 
 
+def _renew_tables(
+    reports: Sequence[Report],
+    context: GradingContext,
+    out: Path,
+    passed_over: Sequence[PassedOver],
+    printed: PrintedBefore | None,
+) -> None:
+    """Write the tables of a batch, unless an earlier run wrote them from the very same."""
+    tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
+    students = [issued.student for issued in context.register.values()]
+    made_from = told_of(*reports, repr(students), repr(passed_over)) if printed else ""
+    if printed and all(printed.stands(one, made_from) for one in tables):
+        return
+    write_tables(reports, context, out, passed_over)
+    if printed:
+        for one in tables:
+            printed.note(one, made_from)
+
+
 def write_tables(
     reports: Sequence[Report],
     context: GradingContext,
@@ -238,7 +257,7 @@ def _print_cohort(
         return pdf
     write_bytes(path, pdf, private=True)
     if printed:
-        printed.note(path, made_from, pdf)
+        printed.note(path, made_from)
     return None
 
 

@@ -134,7 +134,7 @@ def write_reports(  # noqa: PLR0913 (the last ones are what everybody leaves as 
         number = to_do[place]
         outcomes[number] = _keep(pdf, paths[number])
         if printed and isinstance(pdf, bytes) and (path := paths[number]):
-            printed.note(path, made_from[number], pdf)
+            printed.note(path, made_from[number])
         on_done(Path(reports[number].file))
     return outcomes
 

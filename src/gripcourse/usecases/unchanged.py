@@ -17,6 +17,7 @@ from typing import Final
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import course_digest
+from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import make_private_folder, write_text
 from gripcourse.machine.kept import digest_of
@@ -54,23 +55,26 @@ class PrintedBefore:
         """Tell whether a document is there, untouched, and was made from just this."""
         try:
             noted = self._note(path).read_text(encoding="utf-8")
-            return noted == self._noted(made_from, path.read_bytes())
+            return noted == self._noted(made_from, path)
         except (OSError, UnicodeDecodeError):
             return False
 
-    def note(self, path: Path, made_from: str, content: bytes) -> None:
+    def note(self, path: Path, made_from: str) -> None:
         """Note what a document was made from, after it was written.
 
         Raises:
-            OSError: the note cannot be written.
+            OSError: the document cannot be read, or the note cannot be written.
         """
-        write_text(self._note(path), self._noted(made_from, content), private=True)
+        write_text(self._note(path), self._noted(made_from, path), private=True)
 
     def _note(self, path: Path) -> Path:
         return self.folder / f"{path.name}.sha256"
 
-    def _noted(self, made_from: str, content: bytes) -> str:
-        return _digest([self.made_with, made_from, hashlib.sha256(content).hexdigest()])
+    def _noted(self, made_from: str, path: Path) -> str:
+        # The table of a large batch takes more room than all of its reports: piece by piece.
+        with path.open("rb") as stream:
+            content = hashlib.file_digest(stream, "sha256").hexdigest()
+        return _digest([self.made_with, made_from, content])
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +87,7 @@ class Earlier:
 
 def told_of(*reports: Report | str) -> str:
     """Return a digest of all that reports say, and of what else a document says."""
-    return _digest(map(repr, reports))
+    return _digest(digest_of_report(one) if isinstance(one, Report) else one for one in reports)
 
 
 def versions_of(root: Path) -> str:
