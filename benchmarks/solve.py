@@ -1,10 +1,13 @@
 """How long the solver takes for many variants, and for how long numpy would compute the same.
 
 The same formulas as a person would write them in numpy: line after line, whole columns, nothing
-checked and nothing replaced by known values.
+checked and nothing replaced by known values. Each way runs in a process of its own
+(`solve.py own SCHEME`).
 """
 
 import operator
+import subprocess
+import sys
 from collections.abc import Callable, Mapping
 from functools import reduce
 from time import process_time
@@ -51,15 +54,30 @@ def main() -> None:
             known = _known(plan, count)
             seconds = min(_timed(evaluate, plan, known) for _ in range(RUNS))
             each.append(f"{seconds / count / len(plan.answered) * 1e9:4.0f}")
-        known = _known(plan, LARGEST)
-        pairs = [(_timed(evaluate, plan, known), _timed(straight, plan, known)) for _ in range(2)]
-        own, straightly = (min(column) for column in zip(*pairs, strict=True))
+        own, straightly = (_alone(way, scheme.id) for way in ("own", "straight"))
         ours, plain = ours + own, plain + straightly
         print(
             f"{scheme.id:<20} {len(plan.answered):>3} quantities: {', '.join(each)} ns per value"
             f" (10³, 10⁴, 10⁵ variants); 10⁶: {own:5.2f} s, {own / straightly:.2f} of numpy"
         )
     print(f"all schemes, 10⁶ variants each: {ours:.1f} s, {ours / plain:.2f} of straight numpy")
+
+
+def _alone(way: str, scheme: str) -> float:
+    """Time one way in processes of its own: it must not get the memory that the other gave back."""
+    command = [sys.executable, __file__, way, scheme]
+    return min(
+        float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)  # noqa: S603
+        for _ in range(RUNS)
+    )
+
+
+def _timed_alone(way: str, scheme_id: str) -> float:
+    course = load_course(course_root())
+    example = course.schemes[scheme_id].example
+    plan = make_plan(course, scheme_id, {} if example is None else example.options)
+    known = _known(plan, LARGEST)
+    return _timed(evaluate if way == "own" else straight, plan, known)
 
 
 def straight(plan: Plan, known: Values) -> dict[str, Array]:
@@ -130,4 +148,7 @@ def _timed(call: Callable[[Plan, Values], object], plan: Plan, known: Values) ->
 
 
 if __name__ == "__main__":
-    main()
+    if sys.argv[1:]:
+        print(_timed_alone(*sys.argv[1:]))
+    else:
+        main()
