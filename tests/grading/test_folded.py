@@ -1,9 +1,11 @@
 """A folded report says what it said, in a fraction of the room."""
 
 import pickle
+from dataclasses import replace
+from pathlib import Path
 
 from gripcourse.course.model import Course
-from gripcourse.grading.folded import Folded, folded
+from gripcourse.grading.folded import Folded, Shelf, digest_of_report, folded
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
@@ -22,3 +24,18 @@ def test_nothing_is_lost_and_little_is_kept(course: Course, policy: Policy) -> N
     assert folded(small) is small
     assert pickle.loads(pickle.dumps(small)) == report  # noqa: S301 (ours)
     assert len(small.findings.packed) < 10_000
+    shelf = Shelf()
+    held = [shelf.put(one) for one in (small, report, replace(small, file="another"))]
+    assert held == [small, small, replace(small, file="another")]
+    assert {digest_of_report(one) for one in held[:2]} == {digest_of_report(small)}
+    assert digest_of_report(held[2]) != digest_of_report(small)
+    assert shelf.put(held[0]) == held[0]
+    assert pickle.loads(pickle.dumps(held)) == held  # noqa: S301 (ours)
+    assert len(pickle.dumps(held[0])) == len(pickle.dumps(small))
+
+
+def test_without_room_for_a_file_findings_stay_in_memory(course: Course, policy: Policy) -> None:
+    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
+    report = judge_one(next(iter(room.behaviours)), room).report
+    with Path("/dev/full").open("r+b", buffering=0) as full:
+        assert [Shelf(file).put(report) for file in (None, full)] == [report, report]

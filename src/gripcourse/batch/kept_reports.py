@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-from gripcourse.grading.folded import digest_of_report, folded
+from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
 from gripcourse.machine.content import Readable, content_of, shown_name
 from gripcourse.machine.kept import read_value, write_value
@@ -31,10 +31,15 @@ class KeptReports:
     folder: Path
     whose: Mapping[str, str]
 
-    def of(self, files: Sequence[Readable]) -> dict[int, Report]:
-        """Return what is known of files, by their places: the same bytes under the same name."""
+    def of(self, files: Sequence[Readable], shelf: Shelf) -> dict[int, Report]:
+        """Return what is known of files, by their places: the same bytes under the same name.
+
+        Args:
+            files: of a batch.
+            shelf: takes what is held of each.
+        """
         found = ((number, self._find(file)) for number, file in enumerate(files))
-        return {number: folded(report) for number, report in found if report is not None}
+        return {number: shelf.put(report) for number, report in found if report is not None}
 
     def keep(self, file: Readable, report: Report) -> None:
         """Keep the report of a file under the digest of the bytes that it was made from.

@@ -12,7 +12,7 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.batch.second_look import made_by_office, needing, needs_second_look
-from gripcourse.grading.folded import folded
+from gripcourse.grading.folded import Shelf, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
@@ -83,12 +83,13 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
             it comes; None for neither.
         pool: kind of workers.
     """
-    known = {} if kept is None else kept.of(files)
+    shelf = Shelf()
+    known = {} if kept is None else kept.of(files, shelf)
     for number in known:
         on_done(files[number])
     left = [number for number in range(len(files)) if number not in known]
     new = _alone([files[number] for number in left], _Job(context, grade_one), workers, on_done,
-                 seconds, kept, pool)  # fmt: skip
+                 seconds, kept, pool, shelf)  # fmt: skip
     reports = {**known, **dict(zip(left, new, strict=True))}
     graded = (
         replace(_graded(file, reports[number], context), taken_over=number in known)
@@ -105,6 +106,7 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
     seconds: float,
     kept: KeptReports | None,
     pool: Pool,
+    shelf: Shelf,
 ) -> Sequence[Report | Lost]:
     """Grade files, each for itself, and keep each report as soon as nothing is left to find out."""
 
@@ -116,18 +118,19 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
         _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
     )
     recalculate = job.context.recalculate
-    alone = in_order(_keeping(jobs, files, kept, recalculate=recalculate), done)
+    alone = in_order(_keeping(jobs, files, kept, shelf, recalculate=recalculate), done)
     reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
     pairs = enumerate(reports)
     again = ((number, report) for number, report in pairs if report is not alone[number])
-    in_order(_keeping(again, files, kept, recalculate=recalculate))
-    return reports
+    held = dict(_keeping(again, files, kept, shelf, recalculate=recalculate))
+    return [held.get(number, report) for number, report in enumerate(reports)]
 
 
 def _keeping(
     jobs: Iterable[tuple[int, Report | Lost]],
     files: Sequence[Readable],
     kept: KeptReports | None,
+    shelf: Shelf,
     *,
     recalculate: bool,
 ) -> Iterator[tuple[int, Report | Lost]]:
@@ -138,7 +141,7 @@ def _keeping(
         )
         if kept is not None and isinstance(report, Report) and is_whole:
             kept.keep(files[number], report)
-        yield number, folded(report) if isinstance(report, Report) else report
+        yield number, shelf.put(report) if isinstance(report, Report) else report
 
 
 def _in_memory(file: Readable) -> NamedBytes:

@@ -1,15 +1,95 @@
 """Reports folded small: a batch keeps every report until its end, and looks into few at a time.
 
-A finding is some fifty objects; folded, those of a work are one run of bytes, a twentieth of it.
+A finding is some fifty objects; folded, those of a work are one run of bytes, a twentieth of it. On
+a shelf these bytes lie in a temporary file, and a place in it is all that is held.
 """
 
 import hashlib
+import os
 import pickle
+import sys
+import tempfile
+import weakref
 import zlib
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from threading import Lock
+from typing import IO, TypeVar
 
 from gripcourse.grading.model import Finding, Report
+
+_Value = TypeVar("_Value")
+
+
+def _new_file() -> IO[bytes] | None:
+    try:
+        # Without a buffer: what a full disk does not take must not come back at the next reading.
+        return tempfile.TemporaryFile(buffering=0)
+    except OSError:
+        return None
+
+
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
+class Shelf:
+    """A temporary file without a name for what a batch holds; it goes with the last that needs it.
+
+    Attributes:
+        file: grows at its end; None where the machine has no room for one.
+        lock: for who reads and writes between threads.
+    """
+
+    file: IO[bytes] | None = field(default_factory=_new_file)
+    lock: Lock = field(default_factory=Lock)
+
+    def __post_init__(self) -> None:
+        if self.file is not None:
+            weakref.finalize(self, self.file.close)
+
+    def put(self, report: Report) -> Report:
+        """Return a report that says the same and leaves its findings here.
+
+        On a full disk they stay in memory, folded.
+        """
+        report = _with_shared_names(folded(report))
+        findings = report.findings
+        if not isinstance(findings, Folded) or isinstance(findings.held, _Place):
+            return report
+        place = self._put(findings.held)
+        if place is None:
+            return report
+        return replace(report, findings=Folded(place, findings.count))
+
+    def read(self, start: int, size: int) -> bytes:
+        """Return what lies at a place.
+
+        Raises:
+            OSError: it cannot be read.
+        """
+        if self.file is None:
+            return b""
+        with self.lock:
+            self.file.seek(start)
+            return self.file.read(size)
+
+    def _put(self, held: bytes) -> "_Place | None":
+        if self.file is None:
+            return None
+        try:
+            with self.lock:
+                start = self.file.seek(0, os.SEEK_END)
+                written = self.file.write(held)
+        except OSError:
+            return None
+        return _Place(self, start, len(held)) if written == len(held) else None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Place:
+    """Where bytes lie on a shelf."""
+
+    shelf: Shelf
+    start: int
+    size: int
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -17,12 +97,22 @@ class Folded:
     """Findings that are unfolded anew whenever somebody looks at them.
 
     Attributes:
-        packed: of this process or one of its workers, and of nobody else.
+        held: bytes of this process or one of its workers, and of nobody else; or where they lie.
         count: how many findings they are.
     """
 
-    packed: bytes
+    held: bytes | _Place
     count: int
+
+    @property
+    def packed(self) -> bytes:
+        """The bytes, wherever they are."""
+        held = self.held
+        return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
+
+    def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int]]:
+        # Another process has no part in the shelf.
+        return Folded, (self.packed, self.count)
 
     def __len__(self) -> int:
         return self.count
@@ -66,6 +156,15 @@ def digest_of_report(report: Report) -> str:
         return hashlib.sha256(repr(report).encode()).hexdigest()
     rest = repr(replace(report, findings=())).encode()
     return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
+
+
+def _with_shared_names(report: Report) -> Report:
+    """Let equal names be held once for all reports."""
+    return replace(report, options=_shared(report.options), givens=_shared(report.givens))
+
+
+def _shared(named: Mapping[str, _Value]) -> Mapping[str, _Value]:
+    return {sys.intern(name): value for name, value in named.items()}
 
 
 def unfolded(report: Report) -> Report:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -166,9 +167,9 @@ def _entry(row: Mapping[str, Any], person: Mapping[str, Any]) -> Issued:
         ),
         variant=Variant(
             id=row["variant"],
-            scheme=row["scheme"],
-            options={name: str(one) for name, one in _pairs(row["options"])},
-            given={name: _finite(one) for name, one in _pairs(row["given"])},
+            scheme=sys.intern(row["scheme"]),
+            options={sys.intern(name): str(one) for name, one in _pairs(row["options"])},
+            given={sys.intern(name): _finite(one) for name, one in _pairs(row["given"])},
         ),
         issued_on=date.fromisoformat(row["issued_on"]),
         deadline=None if deadline is None else date.fromisoformat(deadline),

@@ -23,7 +23,7 @@ from gripcourse.gradebook.model import (
 from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Rules, Waiver, timings_of
 from gripcourse.gradebook.works import StudentWork, works_of
-from gripcourse.grading.folded import folded
+from gripcourse.grading.folded import Shelf
 from gripcourse.grading.model import Report
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import LateRule
@@ -101,11 +101,11 @@ def keep(
         told=publications(book),
         waived=waivers(book),
     )
-    kept = list(graded)
+    kept, shelf = list(graded), Shelf()
     for students in _portions(list(places)):
         for student, reports in _kept(keeping, students, places, graded):
             for number, report in zip(places[student], reports, strict=True):
-                kept[number] = replace(graded[number], report=folded(report))
+                kept[number] = replace(graded[number], report=shelf.put(report))
     return tuple(kept)
 
 
