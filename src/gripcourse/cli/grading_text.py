@@ -1,6 +1,7 @@
 """What the commands print that grade, mark and show what came of it."""
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -48,6 +49,7 @@ FLAGS = {
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""
 
+_ALIKE = 2  # files of one name
 _NAMED = 10  # files of one kind, or students, that a line names
 
 
@@ -55,9 +57,10 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
     from gripcourse.usecases.grade import FILES_CSV, GRADES_CSV, INCIDENTS, REPORTS
 
+    called = _called(outcome.reports)
     rows = [
         (
-            one_line(Path(one.file).name),
+            called(one.file),
             one_line(one.name) or one.student or "—",
             one.variant or "—",
             _score(one, words),
@@ -74,7 +77,7 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     )
     lines = [table_text([words.say(head) for head in heads], rows, right={3})]
     lines += [
-        f"{one_line(Path(one.file).name)}: {words.say(flag.message)}"
+        f"{called(one.file)}: {words.say(flag.message)}"
         for one in outcome.reports
         for flag in one.flags
     ]
@@ -119,9 +122,9 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return what must be said even where nothing else is: our faults, and how much waits."""
     from gripcourse.usecases.grade import FILES_CSV, INCIDENTS
 
-    ours = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT)
+    ours, called = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT), _called(outcome.reports)
     lines = [
-        f"{one_line(Path(one.file).name)}: {words.say(flag.message)}"
+        f"{called(one.file)}: {words.say(flag.message)}"
         for one in outcome.reports
         for flag in one.flags
         if flag.code in ours
@@ -139,6 +142,19 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Incidents, each with its trace")
         lines.append(f"{words.say(said)}: {out / INCIDENTS}")
     return "\n".join(lines)
+
+
+def _called(reports: Sequence["Report"]) -> Callable[[str], str]:
+    """Return what names a file of a batch: its name, with its folder where others have the same."""
+    count = Counter(Path(one.file).name for one in reports)
+
+    def called(file: str) -> str:
+        path = Path(file)
+        return one_line(
+            path.name if count[path.name] < _ALIKE else f"{path.parent.name}/{path.name}"
+        )
+
+    return called
 
 
 def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:

@@ -132,6 +132,9 @@ class ReportResult:
         digest: SHA-256 of the file's bytes, hexadecimal; empty where it could not be read.
         known_by: what told whose file it is: `person`, `signature`, `platform`, `file_name` or
             nothing.
+        earned: what is left of the score after lateness; null where not judged or not known.
+        days_late: days begun after the deadline that cost something.
+        counts: whether it is the work of the student that counts.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/report/1"
@@ -152,6 +155,9 @@ class ReportResult:
     findings: tuple[FindingResult, ...]
     digest: str = ""
     known_by: KnownBy = KnownBy.NOTHING
+    earned: float | None = None
+    days_late: int = 0
+    counts: bool = True
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
@@ -266,6 +272,9 @@ def report_result(report: Report, words: Words) -> ReportResult:
         findings=tuple(_finding_result(one, words) for one in report.findings),
         digest=report.digest,
         known_by=report.known_by,
+        earned=report.earned if report.judged else None,
+        days_late=0 if report.timing is None else report.timing.days_late,
+        counts=report.timing is None or report.timing.counts,
     )
 
 

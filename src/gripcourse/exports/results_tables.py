@@ -91,6 +91,9 @@ def _student(report: ReportResult, students: Mapping[str, Student]) -> Cells:
         "score": report.score,
         "max_score": report.max_score,
         "open_points": report.open_points if report.judged else None,
+        "earned": report.earned,
+        "days_late": report.days_late,
+        "counts": report.counts,
         "flags": "; ".join(dict.fromkeys(one.code for one in report.flags)),
         "file": report.file,
     }

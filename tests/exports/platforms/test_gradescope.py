@@ -2,11 +2,14 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
 from gripcourse.course.model import Course
+from gripcourse.exports.platforms.comment import comment_lines
 from gripcourse.exports.platforms.gradescope import gradescope_results
+from gripcourse.exports.platforms.works import works_of
 from gripcourse.exports.report_result import GradesResult
 from gripcourse.grading.model import Flag, FlagCode
 from gripcourse.text.words import Words, message
@@ -25,6 +28,20 @@ def test_the_tests_add_up_to_the_score(graded: Graded, course: Course) -> None:
     shown = {one["visibility"] for one in (plain, *plain["tests"])}
     assert shown <= {"after_published", "hidden"}
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
+
+
+def test_lateness_costs_on_a_platform_what_it_costs_in_the_grades(
+    graded: Graded, course: Course
+) -> None:
+    (report,) = graded({"s17.xlsx": "s17"}).reports
+    assert report.score is not None
+    late = replace(report, earned=report.score / 2, days_late=5)
+    plain = gradescope_results(late, course, Words("ru"), published=False)
+    assert plain["score"] == pytest.approx(report.score / 2, abs=1e-3)
+    earlier = replace(report, score=1.0, earned=1.0, counts=False)
+    ((work,), notes) = works_of(GradesResult((earlier, late), needs_person=False), {})
+    assert (work.points, notes) == (report.score / 2, ())
+    assert "минус" in list(comment_lines(work, course, Words("ru")))[1]
 
 
 def test_what_is_published_is_seen_at_once(graded: Graded, course: Course) -> None:

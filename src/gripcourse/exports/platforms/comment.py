@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from html import escape
+from typing import Final
 
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
@@ -11,10 +12,19 @@ from gripcourse.solver.plan import plan_of
 from gripcourse.text.amounts import points_out_of, points_text
 from gripcourse.text.words import Words, message
 
+_NOTHING: Final = 1e-9  # points
+
 
 def comment_lines(work: GradedWork, course: Course, words: Words) -> Iterator[str]:
     """Yield the lines: the sum first, then each section, then what waits for a person."""
     yield _of(work.points, work.total, words)
+    if work.lost > _NOTHING:
+        said = message(
+            "Handed in late (days: {days}): minus {points} points.",
+            days=work.report.days_late,
+            points=points_text(work.lost, words),
+        )
+        yield words.say(said)
     for section in course.sections:
         inside = [one for one in work.report.findings if one.section == section.id]
         if inside:

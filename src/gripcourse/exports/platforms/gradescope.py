@@ -36,7 +36,10 @@ def gradescope_results(
             "stdout_visibility": _HIDDEN,
         }
     remarks = [*report.remarks, *(cause.message for cause in report.causes)]
+    late = report.earned is not None and report.earned < (report.score or 0.0)
     return {
+        # What lateness takes off belongs to no section.
+        **({"score": round(report.earned or 0.0, 4)} if late else {}),
         "output": "\n".join(remarks),
         "output_format": "text",
         "test_output_format": "text",

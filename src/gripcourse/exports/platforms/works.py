@@ -32,8 +32,14 @@ class GradedWork:
 
     @property
     def points(self) -> float:
-        """Points so far: what waits for a person has none yet."""
-        return self.report.score or 0.0
+        """Points so far, after lateness: what waits for a person has none yet."""
+        left = self.report.score if self.report.earned is None else self.report.earned
+        return left or 0.0
+
+    @property
+    def lost(self) -> float:
+        """Points that lateness took off."""
+        return (self.report.score or 0.0) - self.points
 
     @property
     def total(self) -> float:
@@ -92,11 +98,12 @@ def works_of(
     """
     judged: dict[str, list[ReportResult]] = {}
     for report in grades.reports:
-        if report.judged and report.student:
+        if report.judged and report.student and report.counts:
             judged.setdefault(report.student, []).append(report)
     works, notes = [], []
     for student, reports in judged.items():
-        if len({(one.score, one.max_score, one.open_points) for one in reports}) > 1:
+        points = {(one.score, one.earned, one.max_score, one.open_points) for one in reports}
+        if len(points) > 1:
             notes.append(_several(student, reports))
             continue
         known = students.get(student)
