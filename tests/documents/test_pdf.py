@@ -55,6 +55,12 @@ def test_a_symbol_in_a_title_looks_as_in_a_formula(templates: Path, title: str, 
     assert ("<sub>" in page) is ("_" in title and "_" not in shown)
 
 
+def test_a_power_of_a_symbol_stands_above_its_subscript(templates: Path) -> None:
+    (templates / "title.html.j2").write_text("{{ title | prose }}", encoding="utf-8")
+    page = render_html(Document("title.html.j2", (), {"title": "k_d²·A"}), templates, Words("en"))
+    assert "<sub>d</sub></span>²·A" in page
+
+
 def test_the_same_content_gives_the_same_bytes(templates: Path, document: Document) -> None:
     first = render_pdf(document, templates, Words("en"))
     assert first == render_pdf(document, templates, Words("en"))
