@@ -330,9 +330,7 @@ def test_no_page_of_the_desk_breaks_a_rule_of_accessibility(desk: str, sized: "W
     pages = ("", "student/s01", "student/s03", "?state=asks", "student/nobody", "marking")
     more = ("marking/s01/general_view_drawing", "regrading", "figures", "flags", "grading")
     # Each page in another language than its neighbour, and on the telephone than on the desk.
-    turn = list(SIZES).index(
-        "phone" if sized.execute_script("return innerWidth") < 500 else "desktop"
-    )
+    turn = int(sized.execute_script("return innerWidth") < SIZES["desktop"]["width"])
     for number, page in enumerate((*pages, *more), turn):
         language = LANGUAGES[number % len(LANGUAGES)]
         read_in(sized, language)

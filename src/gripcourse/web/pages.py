@@ -11,6 +11,7 @@ from starlette.responses import HTMLResponse, Response
 
 from gripcourse.documents.pdf import template_environment
 from gripcourse.text.words import LANGUAGES, Message, Words
+from gripcourse.variants.model import Issued
 from gripcourse.web.site import Site
 
 _LANGUAGE: Final = "visitor_language"
@@ -84,6 +85,11 @@ def visitor_words(site: Site, request: Request) -> Words:
     """
     known: str | None = getattr(request.state, _LANGUAGE, None)
     return Words(known or asked_language(request) or site.context.course.language)
+
+
+def student_words(site: Site, issued: Issued) -> Words:
+    """Return the language of a student: the roster's, else the course's."""
+    return Words(issued.student.language or site.context.course.language)
 
 
 def remember_visitor(request: Request, words: Words, home: str = "") -> None:

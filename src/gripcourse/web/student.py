@@ -26,7 +26,7 @@ from gripcourse.usecases.links import open_link, signed_for
 from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
-from gripcourse.web.pages import notice, page, remember_visitor, visitor_words
+from gripcourse.web.pages import notice, page, remember_visitor, student_words, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
 from gripcourse.web.site import Site
@@ -79,11 +79,6 @@ class Visit:
     def refuse(self, why: WebRefusal) -> Response:
         """Say why something is not done, with a way back."""
         return notice(self.site, self.request, self.words, why.said, why.status, self.home)
-
-
-def student_words(site: Site, issued: Issued) -> Words:
-    """Return the language of a student: the roster's, else the course's."""
-    return Words(issued.student.language or site.context.course.language)
 
 
 Answer: TypeAlias = Callable[[Visit], Response]
