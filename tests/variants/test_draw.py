@@ -12,7 +12,7 @@ from gripcourse.errors import TableError
 from gripcourse.solver.plan import make_plan
 from gripcourse.text.words import message
 from gripcourse.variants.cases import Cases
-from gripcourse.variants.draw import draw
+from gripcourse.variants.draw import draw, nothing_left
 from gripcourse.variants.explain import why_infeasible
 from gripcourse.variants.search import Batch, Sifted
 from gripcourse.variants.space import load_spaces
@@ -126,3 +126,20 @@ def test_the_reference_course_accepts_enough_of_what_is_tried(reference_course: 
     for tally in drawn.tallies:
         # Three levers about one axis accept least: their links and fingers need room.
         assert tally.acceptance > 0.005, [f"{one.count} {one.what}" for one in tally.refusals[:3]]
+
+
+def test_constraints_that_leave_nothing_together_are_told_with_what_each_refuses(
+    small_with: Change,
+) -> None:
+    angle = '[[constraint]]\nformula = "angle <= 60"'
+    few, many = (f'[[constraint]]\nformula = "teeth {one}"\n' for one in ("<= 17", ">= 20"))
+    course = small_with(angle, f"{few}{many}{angle}")
+    (problem, *_) = nothing_left(course, load_spaces(course))
+    assert problem.file == "variants/spaces/press.toml"
+    assert "teeth <= 17" in str(problem.what)
+    assert "teeth >= 20" in str(problem.what)
+    assert "loosen the constraints" in str(problem.remedy)
+
+
+def test_a_space_that_can_be_drawn_from_has_no_problem(small_course: Course) -> None:
+    assert not list(nothing_left(small_course, load_spaces(small_course)))

@@ -14,6 +14,7 @@ from gripcourse.course.check_formulas import check_formulas
 from gripcourse.course.check_graph import check_graph, circular_names
 from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_notes import check_notes
+from gripcourse.course.check_one_end import check_one_end
 from gripcourse.course.check_options import check_option_names, check_option_rules
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_symbols import check_symbols
@@ -56,7 +57,7 @@ def check_course(
     found += _check_used_parts(course)
     found += _check_columns(course)
     found += check_titles(course)
-    found += check_notes(course)
+    found += [*check_notes(course), *check_one_end(course)]
     return list({(one.file, str(one.key), str(one.what)): one for one in found}.values())
 
 

@@ -14,6 +14,7 @@ Span: TypeAlias = tuple[int, int]
 Operator: TypeAlias = Literal["+", "-", "*", "/", "**", "<", "<=", ">", ">=", "==", "and"]
 
 _NOWHERE: Span = (0, 0)
+_TWO = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,3 +134,12 @@ def names(node: Node) -> tuple[str, ...]:
     """Return the ids of the quantities that a formula uses, each once, in order of appearance."""
     found = {part.id: None for part in walk(node) if isinstance(part, Name)}
     return tuple(name for name in found if name not in CONSTANTS)
+
+
+def choices_of_two(node: Node) -> Iterator[Call]:
+    """Yield the calls that take the greater or lesser of two values, each of other quantities."""
+    for part in walk(node):
+        if isinstance(part, Call) and part.function in {"max", "min"}:
+            used = [set(names(one)) for one in part.arguments]
+            if len(used) == _TWO and used[0] - used[1] and used[1] - used[0]:
+                yield part

@@ -12,10 +12,13 @@ from gripcourse.drawing.view.interference import (
 )
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Array, Column
+from gripcourse.proofs.calculations import PrintedCalculation
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import Trial
+from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.words import message
 
+_IN_ORDER = message("Write its corners in order, all the way round.")
 _A_PICTURE = message("The general view does not say that its parts are bodies.")
 
 
@@ -42,6 +45,14 @@ def prove_interference(course: Course, scheme: Scheme, trials: tuple[Trial, ...]
     return concluded(proof, len(names), problems)
 
 
+def crossed_in_example(one: PrintedCalculation) -> Iterator[Problem]:
+    """Yield which outlines of a general view cross themselves with the numbers of an example."""
+    values = evaluate(one.plan, to_si(one.plan, one.known)).values
+    for file, key in crossed_outlines(one.plan.scheme, one.plan.columns, values):
+        what = message("The outline crosses itself with the numbers of {file}.", file=one.file)
+        yield Problem(file, key, what, _IN_ORDER)
+
+
 def _crossed(
     scheme: Scheme, columns: Mapping[str, Column], values: Mapping[str, Array]
 ) -> Iterator[Problem]:
@@ -51,7 +62,7 @@ def _crossed(
             wrong=int(wrong.sum()),
             count=len(wrong),
         )
-        yield Problem(file, key, what, message("Write its corners in order, all the way round."))
+        yield Problem(file, key, what, _IN_ORDER)
 
 
 def _overlapping(scheme: Scheme, found: Overlaps, file: str, names: list[str]) -> Iterator[Problem]:

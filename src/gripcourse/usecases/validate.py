@@ -10,6 +10,7 @@ from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids
 from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Convention
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
@@ -20,6 +21,8 @@ from gripcourse.proofs.check_declared import check_declared
 from gripcourse.proofs.declared import read_declared_proofs
 from gripcourse.proofs.equilibrium.check import check_mechanisms
 from gripcourse.proofs.equilibrium.read import read_mechanisms
+from gripcourse.proofs.interference import crossed_in_example
+from gripcourse.proofs.model import ProofKind
 from gripcourse.proofs.published_cases import read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
@@ -27,6 +30,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
 from gripcourse.usecases.templates import filling_problems, read_templates, sample_documents
+from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
@@ -64,7 +68,8 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     if is_sound:
         problems += _printed_problems(course)
         spaces, found = _spaces(course)
-        problems += [*found, *_table_problems(course, load_policy(course))]
+        problems += [*found, *nothing_left(course, spaces)]
+        problems += _table_problems(course, load_policy(course))
         for sample in islice(samples(course, load_policy(course), spaces, words), 1):
             documents, hindered = sample_documents(sample)
             problems += [*hindered, *filling_problems(documents, templates, words, read)]
@@ -114,6 +119,8 @@ def _printed_problems(course: Course, scheme: str | None = None) -> list[Problem
     problems += [*found, *check_mechanisms(course, mechanisms)]
     for one in calculations(course, cases, scheme):
         problems += differences(one)
+        if one.kind is ProofKind.EXAMPLE and one.plan.convention is Convention.CORRECTED:
+            problems += crossed_in_example(one)
     return problems
 
 

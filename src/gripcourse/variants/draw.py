@@ -4,7 +4,7 @@ Candidates are tried in rounds of growing size, each solved in one evaluation. T
 spaces, count and seed give the same variants.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -112,6 +112,20 @@ def draw_space(course: Course, space: Space, order: DrawingOrder, further: Filte
     tally = Tally(space.scheme, int(search.tried.sum()), search.sound, search.refusals(),
                   by_count(search.set_aside))  # fmt: skip
     return Found(space.scheme, rows, tally)
+
+
+def nothing_left(course: Course, spaces: Sequence[Space]) -> Iterator[Problem]:
+    """Yield which spaces leave nothing to draw, with what refuses how many candidates.
+
+    Each is tried with its first and its last combination of options, as a drawing tries them.
+    """
+    for space in spaces:
+        ends = {0, len(space.cases) - 1} if len(space.cases) else set()
+        order = DrawingOrder(space.scheme, dict.fromkeys(ends, 1), np.random.SeedSequence(0))
+        try:
+            draw_space(course, space, order, None)
+        except TableError as error:
+            yield from error.problems
 
 
 def mixed(found: Sequence[Found], count: int, seed: int) -> Drawn:

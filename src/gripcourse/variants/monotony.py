@@ -11,7 +11,7 @@ import numpy as np
 
 from gripcourse.course.quantity import Kind
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
-from gripcourse.formula.tree import Call, Formula, Node, names, walk
+from gripcourse.formula.tree import Formula, choices_of_two, names
 from gripcourse.solver.family import Member
 from gripcourse.solver.solve import from_si
 from gripcourse.text.units import dimension
@@ -20,7 +20,6 @@ from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
 
 _PERCENTS = (5.0, 50.0, 95.0)
-_TWO = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +151,7 @@ def taken_of(group: Group) -> Iterator[Taken]:
         formula = member.plan.reference_formula(member.quantity.id)
         if formula is None or member.quantity.kind is not Kind.FORMULA:
             continue
-        for call in _choices_of_two(formula.tree):
+        for call in choices_of_two(formula.tree):
             first, second = (
                 evaluate_formula(
                     Formula("", one, formula.units),
@@ -187,12 +186,3 @@ def _ends(group: Group) -> Iterator[EndShare]:
             yield EndShare(
                 group.family.scheme, quantity, first, second, len(shares), share, reasons[quantity]
             )
-
-
-def _choices_of_two(tree: Node) -> Iterator[Call]:
-    """Yield the calls that take the greater or lesser of two values, each of other quantities."""
-    for part in walk(tree):
-        if isinstance(part, Call) and part.function in {"max", "min"}:
-            used = [set(names(one)) for one in part.arguments]
-            if len(used) == _TWO and used[0] - used[1] and used[1] - used[0]:
-                yield part
