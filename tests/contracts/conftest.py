@@ -68,6 +68,11 @@ class Composition:
     references: tuple[Reference, ...]
 
     @property
+    def name(self) -> str:
+        """The scheme and the choices of its options."""
+        return _name(self.plan.scheme.id, tuple(sorted(self.plan.options.items())))
+
+    @property
     def example(self) -> Reference:
         """The worked example where there is one for these options, else a variant."""
         return self.references[0]
@@ -138,12 +143,11 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "scheme_id" in metafunc.fixturenames:
         metafunc.parametrize("scheme_id", list(schemes))
     if "composition_key" in metafunc.fixturenames:
-        only_guide = "of_the_guide" in metafunc.fixturenames
         keys = [
             (scheme.id, tuple(sorted(options.items())))
             for scheme in schemes.values()
             for options in covering_sets(scheme.id)
-            if not only_guide or _is_of_the_guide(scheme, options)
+            if _is_of_the_guide(scheme, options)
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
     if "declared_proof" in metafunc.fixturenames:
@@ -303,6 +307,28 @@ def composed(
         return made[key, convention]
 
     return compose
+
+
+@pytest.fixture(scope="session")
+def composition_keys() -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
+    """Schemes with as few combinations of options as hold every choice.
+
+    A contract looks at each in a subtest: a test of its own takes much longer than most contracts.
+    """
+    return tuple(
+        (scheme, tuple(sorted(options.items())))
+        for scheme in reference_course().schemes
+        for options in covering_sets(scheme)
+    )
+
+
+@pytest.fixture(scope="session")
+def compositions(
+    composition_keys: tuple[tuple[str, tuple[tuple[str, str], ...]], ...],
+    composed: Callable[..., Composition],
+) -> tuple[Composition, ...]:
+    """Those combinations of options, in the corrected convention."""
+    return tuple(composed(key) for key in composition_keys)
 
 
 @pytest.fixture

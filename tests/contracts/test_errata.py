@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+import pytest
+
 from gripcourse.course.compose import reference_formula
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import AsPrinted, Convention, Quantity
@@ -71,15 +73,19 @@ def test_the_corrected_convention_takes_none(course: Course) -> None:
     assert faults == []
 
 
-def test_what_is_printed_differs_from_what_is_right(composition: "Composition") -> None:
+def test_what_is_printed_differs_from_what_is_right(
+    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests
+) -> None:
     """In the plan of the guide's convention; that the numbers differ is tested with the slips."""
-    plan = composition.plan
-    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
-    changed = {
-        name
-        for name, one in plan.quantities.items()
-        if guide.reference_formula(name) != plan.reference_formula(name)
-        or reference_rounding(one, Convention.AS_PRINTED)
-        is not reference_rounding(one, Convention.CORRECTED)
-    }
-    assert changed == {name for name, one in plan.quantities.items() if one.as_printed}
+    for composition in compositions:
+        with subtests.test(composition=composition.name):
+            plan = composition.plan
+            guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
+            changed = {
+                name
+                for name, one in plan.quantities.items()
+                if guide.reference_formula(name) != plan.reference_formula(name)
+                or reference_rounding(one, Convention.AS_PRINTED)
+                is not reference_rounding(one, Convention.CORRECTED)
+            }
+            assert changed == {name for name, one in plan.quantities.items() if one.as_printed}

@@ -110,20 +110,20 @@ def steps_from(plan: Plan, one: Quantity) -> set[object]:
     return {own, *((*own, name, written(name)) for name in users)}
 
 
-def test_reference_answers_earn_everything(composition: "Composition", policy: Policy) -> None:
-    report = judged(composition, reference_answers(composition), policy)
-    assert report.score == pytest.approx(report.max_score)
-    assert report.score + report.open_points == pytest.approx(policy.total)
-
-
-@pytest.fixture(scope="module")
-def seen() -> set[object]:
-    """Steps from an answer to what is computed from it that were looked at already."""
-    return set()
+def test_reference_answers_earn_everything(
+    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests, policy: Policy
+) -> None:
+    for composition in compositions:
+        with subtests.test(composition=composition.name):
+            report = judged(composition, reference_answers(composition), policy)
+            assert report.score == pytest.approx(report.max_score)
+            assert report.score + report.open_points == pytest.approx(policy.total)
 
 
 def test_one_answer_outside_its_band_loses_that_item_only(
-    composition: "Composition", policy: Policy, seen: set[object]
+    compositions: "tuple[Composition, ...]",
+    subtests: pytest.Subtests,
+    policy: Policy,
 ) -> None:
     """Every answer that is declared, with each formula that it goes into.
 
@@ -131,19 +131,24 @@ def test_one_answer_outside_its_band_loses_that_item_only(
     follows from it, by another formula or declares it itself.
     """
     strict = replace(policy, printed_credit=None)  # else near a printed one it would earn all
-    right = reference_answers(composition)
-    methods, faults = methods_of(composition.plan, strict), []
-    for one in composition.plan.answered:
-        steps = steps_from(composition.plan, one)
-        if steps <= seen:
-            continue
-        seen |= steps
-        answers = {**right, one.id: moved_alone(composition, one, right, strict)}
-        report = judged(composition, answers, strict, methods)
-        lost = {
-            found.quantity for found in report.findings if found.points < found.max_points - 1e-9
-        }
-        lost -= {manual.id for manual in composition.plan.manual}
-        if lost != {one.id}:
-            faults.append(f"{one.id}: {sorted(lost)}")
-    assert faults == []
+    seen: set[object] = set()  # steps from an answer to what is computed from it
+    for composition in compositions:
+        with subtests.test(composition=composition.name):
+            right = reference_answers(composition)
+            methods, faults = methods_of(composition.plan, strict), []
+            for one in composition.plan.answered:
+                steps = steps_from(composition.plan, one)
+                if steps <= seen:
+                    continue
+                seen |= steps
+                answers = {**right, one.id: moved_alone(composition, one, right, strict)}
+                report = judged(composition, answers, strict, methods)
+                lost = {
+                    found.quantity
+                    for found in report.findings
+                    if found.points < found.max_points - 1e-9
+                }
+                lost -= {manual.id for manual in composition.plan.manual}
+                if lost != {one.id}:
+                    faults.append(f"{one.id}: {sorted(lost)}")
+            assert faults == []

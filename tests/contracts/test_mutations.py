@@ -1,5 +1,6 @@
 """A wrong sign in a formula does not go unnoticed: every operator is flipped, one at a time."""
 
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,12 +42,6 @@ EQUIVALENT = {
 Array = NDArray[np.float64]
 
 
-@pytest.fixture(scope="module")
-def looked_at() -> set[object]:
-    """Flips that were seen in an earlier composition: a shared part is looked at once."""
-    return set()
-
-
 def test_a_flipped_operator_breaks_what_is_printed_of_its_quantity(
     subject: Subject, trials: dict[str, tuple[Trial, ...]]
 ) -> None:
@@ -57,22 +52,23 @@ def test_a_flipped_operator_breaks_what_is_printed_of_its_quantity(
     assert sum(one.compared for one in results) > 1000
 
 
-@pytest.mark.parametrize("convention", Convention)
 def test_a_flipped_operator_changes_an_answer(
     course: Course,
-    composition_key: "Key",
+    composition_keys: "tuple[Key, ...]",
     composed: "Callable[..., Composition]",
-    convention: Convention,
     policy: Policy,
-    looked_at: set[object],
+    subtests: pytest.Subtests,
 ) -> None:
     """Also one of a printed version; what schemes and versions share is looked at once."""
-    scheme, options = composition_key
-    flips = flipped_formulas(make_plan(course, scheme, dict(options), convention))
-    if {one.key for one in flips} <= looked_at:
-        return
-    composition = composed(composition_key, convention)
-    assert unseen(composition, policy, looked_at) - EQUIVALENT.keys() == set()
+    looked_at: set[object] = set()
+    for convention, key in product(Convention, composition_keys):
+        with subtests.test(convention=convention, composition=key):
+            scheme, options = key
+            flips = flipped_formulas(make_plan(course, scheme, dict(options), convention))
+            if {one.key for one in flips} <= looked_at:
+                continue
+            composition = composed(key, convention)
+            assert unseen(composition, policy, looked_at) - EQUIVALENT.keys() == set()
 
 
 def unseen(composition: "Composition", policy: Policy, looked_at: set[object]) -> set[str]:

@@ -30,6 +30,15 @@ class Fault:
     what: str
     remedy: str
     place: str = ""
+    alone: bool = False
+
+    def is_said_by(self, problem: Problem) -> bool:
+        """Tell whether a problem names the place of this fault, what is wrong and what to do."""
+        return (
+            (problem.file, str(problem.key)) == (self.place or self.file, self.key)
+            and self.what in str(problem.what)
+            and self.remedy in str(problem.remedy)
+        )
 
 
 FAULTS = {
@@ -40,7 +49,10 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
+ALONE = {name: fault for name, fault in FAULTS.items() if fault.alone}
+
+
+@pytest.mark.parametrize("fault", ALONE.values(), ids=ALONE)
 def test_a_fault_is_one_problem_with_its_place_and_remedy(draft: "Draft", fault: Fault) -> None:
     if "shuffled" in fault.new:
         _shuffle(draft)
@@ -48,6 +60,24 @@ def test_a_fault_is_one_problem_with_its_place_and_remedy(draft: "Draft", fault:
     assert (problem.file, str(problem.key)) == (fault.place or fault.file, fault.key)
     assert fault.what in str(problem.what)
     assert fault.remedy in str(problem.remedy)
+
+
+def test_faults_that_hide_nothing_are_one_problem_each_all_at_once(draft: "Draft") -> None:
+    faults = {name: fault for name, fault in FAULTS.items() if not fault.alone}
+    for fault in faults.values():
+        draft.edit(fault.file, fault.old, fault.new)
+    problems = draft.problems()
+    told = {
+        name: sum(fault.is_said_by(problem) for problem in problems)
+        for name, fault in faults.items()
+    }
+    assert {name: count for name, count in told.items() if count != 1} == {}
+    strange = [
+        (one.file, str(one.key), str(one.what))
+        for one in problems
+        if sum(fault.is_said_by(one) for fault in faults.values()) != 1
+    ]
+    assert strange == []
 
 
 def _shuffle(draft: "Draft") -> None:
@@ -99,6 +129,13 @@ def test_a_name_of_a_part_that_is_not_there_leads_to_that_part(draft: "Draft") -
     problem = draft.edit(file, "/(2*friction)", "/(2*friction)*jaw_angle/jaw_angle").problem()
     assert (problem.file, problem.key) == (file, "quantity.grip_force.formula")
     assert f"a part that declares it, as {SECTIONS}prism_angle.toml" in str(problem.remedy)
+
+
+def test_a_part_that_cannot_be_read_hides_what_seems_undeclared(draft: "Draft") -> None:
+    file = f"{SECTIONS}friction_grip.toml"
+    draft.append(file, "[override.pin_stress_allowed]\nbounds = [1, 2]")
+    (problem,) = draft.put(f"{SECTIONS}pin.toml", b"[").problems()
+    assert problem.file == f"{SECTIONS}pin.toml"
 
 
 def test_a_circle_hides_what_seems_unused_in_it(draft: "Draft") -> None:

@@ -67,12 +67,16 @@ def some_variants() -> list[str]:
     return found
 
 
-def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Give a test several variants of each scheme, or the smallest of each."""
-    if "any_variant" in metafunc.fixturenames:
-        metafunc.parametrize("any_variant", some_variants())
-    if "small_variant" in metafunc.fixturenames:
-        metafunc.parametrize("small_variant", [one[0]["variant"] for one in issued().values()])
+@pytest.fixture(scope="session")
+def any_variants() -> list[str]:
+    """Several variants of each scheme, each a subtest: a test of its own takes much longer."""
+    return some_variants()
+
+
+@pytest.fixture(scope="session")
+def small_variants() -> list[str]:
+    """The smallest variant of each scheme, each a subtest."""
+    return [one[0]["variant"] for one in issued().values()]
 
 
 @pytest.fixture(scope="session")

@@ -15,10 +15,14 @@ if TYPE_CHECKING:
     from conftest import Draw
 
 
-def test_every_gripper_is_seen_from_two_sides(draw: "Draw", any_variant: str) -> None:
-    faces = draw(any_variant).view.figure.faces
-    assert len(faces) == 2
-    assert Face.MAIN in faces
+def test_every_gripper_is_seen_from_two_sides(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            faces = draw(any_variant).view.figure.faces
+            assert len(faces) == 2
+            assert Face.MAIN in faces
 
 
 def test_three_fingers_are_seen_at_120_degrees(draw: "Draw", smallest: Mapping[str, str]) -> None:
@@ -38,22 +42,27 @@ def test_three_fingers_are_seen_at_120_degrees(draw: "Draw", smallest: Mapping[s
     assert sorted(angles) == [-150, -30, 90]
 
 
-def test_the_holes_of_the_flange_are_those_of_its_table(draw: "Draw", any_variant: str) -> None:
-    drawn = draw(any_variant)
-    if drawn.plan.options.get("mounting", "flange") != "flange":
-        return
-    figure = drawn.view.figure
-    face = next(one for one in figure.faces if one is not Face.MAIN)
-    [label] = [one for one in figure.labelled if {"count", "hole"} <= set(one.values)]
-    holes = [
-        one.stroke
-        for one in figure.seen[face]
-        if isinstance(one.stroke, Arc)
-        and one.stroke.is_circle
-        and abs(2 * one.stroke.radius - label.values["hole"]) < 1e-6
-        and abs(2 * math.hypot(*one.stroke.centre) - drawn.values["flange_bolt_circle"]) < 1e-6
-    ]
-    assert len(holes) == label.values["count"]
+def test_the_holes_of_the_flange_are_those_of_its_table(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn = draw(any_variant)
+            if drawn.plan.options.get("mounting", "flange") != "flange":
+                continue
+            figure = drawn.view.figure
+            face = next(one for one in figure.faces if one is not Face.MAIN)
+            [label] = [one for one in figure.labelled if {"count", "hole"} <= set(one.values)]
+            holes = [
+                one.stroke
+                for one in figure.seen[face]
+                if isinstance(one.stroke, Arc)
+                and one.stroke.is_circle
+                and abs(2 * one.stroke.radius - label.values["hole"]) < 1e-6
+                and abs(2 * math.hypot(*one.stroke.centre) - drawn.values["flange_bolt_circle"])
+                < 1e-6
+            ]
+            assert len(holes) == label.values["count"]
 
 
 TOOTHED = ("rack_parallelogram", "pinion_racks", "worm_sector", "cross_cylinder")
@@ -75,18 +84,22 @@ def test_teeth_are_drawn_by_their_tip_pitch_and_root_lines(
     assert round(pitch - 1.25 * module, 6) in radii[LineKind.THIN]
 
 
-def test_a_bayonet_shank_has_its_two_lugs(draw: "Draw", any_variant: str) -> None:
-    drawn = draw(any_variant)
-    if drawn.plan.options.get("mounting") != "bayonet":
-        return
-    collar = drawn.values["bayonet_collar"]
-    lugs = [
-        one.stroke
-        for one in drawn.view.figure.seen[Face.END]
-        if isinstance(one.stroke, Arc)
-        and not one.stroke.is_circle
-        and one.kind is LineKind.OUTLINE
-        and one.stroke.centre == (0.0, 0.0)
-        and one.stroke.radius > collar / 2
-    ]
-    assert {round((one.low + one.high) / 2) for one in lugs} >= {90, 270}
+def test_a_bayonet_shank_has_its_two_lugs(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn = draw(any_variant)
+            if drawn.plan.options.get("mounting") != "bayonet":
+                continue
+            collar = drawn.values["bayonet_collar"]
+            lugs = [
+                one.stroke
+                for one in drawn.view.figure.seen[Face.END]
+                if isinstance(one.stroke, Arc)
+                and not one.stroke.is_circle
+                and one.kind is LineKind.OUTLINE
+                and one.stroke.centre == (0.0, 0.0)
+                and one.stroke.radius > collar / 2
+            ]
+            assert {round((one.low + one.high) / 2) for one in lugs} >= {90, 270}

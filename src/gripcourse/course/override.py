@@ -169,6 +169,8 @@ def _report_unknown_parts(change: _Change, parts: Sequence[str]) -> None:
 def _report_unknown(
     change: _Change, table: Table, part_ids: Sequence[str], raw_parts: Mapping[str, RawPart]
 ) -> None:
+    if not raw_parts.keys() >= set(part_ids):
+        return  # a part that cannot be read, a problem of its own, may declare it
     known = {one for part in part_ids for one in raw_parts[part].quantities}
     what = (
         message("No part of the scheme declares '{name}'.", name=change.name)

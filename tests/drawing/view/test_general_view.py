@@ -68,93 +68,127 @@ def test_every_scheme_has_a_general_view(course: Course) -> None:
     assert {name for name, scheme in course.schemes.items() if scheme.view is None} == set()
 
 
-def test_no_number_stands_on_another_one_or_on_the_outline(draw: "Draw", any_variant: str) -> None:
-    drawn = draw(any_variant)
-    for name, face in drawn.view.faces.items():
-        boxes = boxes_of(face)
-        assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
-        scale = drawn.view.arranged.factor
-        extent = drawn.view.figure.extent(name)
-        bare = Box(*(one * scale for one in (extent.left, extent.bottom, extent.right, extent.top)))
-        assert not [one for one in boxes if one.overlaps(bare)]
+def test_no_number_stands_on_another_one_or_on_the_outline(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn = draw(any_variant)
+            for name, face in drawn.view.faces.items():
+                boxes = boxes_of(face)
+                assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+                scale = drawn.view.arranged.factor
+                extent = drawn.view.figure.extent(name)
+                bare = Box(
+                    *(one * scale for one in (extent.left, extent.bottom, extent.right, extent.top))
+                )
+                assert not [one for one in boxes if one.overlaps(bare)]
 
 
 def test_no_line_of_a_dimension_or_a_leader_runs_through_a_number(
-    draw: "Draw", any_variant: str
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
-    for face in draw(any_variant).view.faces.values():
-        numbers = [one.text_box for one in face.dimensions]
-        for own, start, end in extension_lines(face):
-            others = [box for number, box in enumerate(numbers) if number != own]
-            assert not [box for box in others if cuts(start, end, box)]
-        for leader in face.leaders:
-            assert not [box for box in numbers if cuts(leader.note.at, leader.knee, box)]
-            others = [one.box for one in face.leaders if one is not leader]
-            assert not [box for box in others if cuts(leader.note.at, leader.knee, box)]
-        for axis in face.axes:
-            assert not [box for box in boxes_of(face) if cuts(axis.start, axis.end, box)]
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            for face in draw(any_variant).view.faces.values():
+                numbers = [one.text_box for one in face.dimensions]
+                for own, start, end in extension_lines(face):
+                    others = [box for number, box in enumerate(numbers) if number != own]
+                    assert not [box for box in others if cuts(start, end, box)]
+                for leader in face.leaders:
+                    assert not [box for box in numbers if cuts(leader.note.at, leader.knee, box)]
+                    others = [one.box for one in face.leaders if one is not leader]
+                    assert not [box for box in others if cuts(leader.note.at, leader.knee, box)]
+                for axis in face.axes:
+                    assert not [box for box in boxes_of(face) if cuts(axis.start, axis.end, box)]
 
 
-def test_dimension_lines_do_not_overlap(draw: "Draw", any_variant: str) -> None:
-    for face in draw(any_variant).view.faces.values():
-        lines = [one.box for one in face.dimensions]
-        assert not [pair for pair in combinations(lines, 2) if pair[0].overlaps(pair[1])]
+def test_dimension_lines_do_not_overlap(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            for face in draw(any_variant).view.faces.values():
+                lines = [one.box for one in face.dimensions]
+                assert not [pair for pair in combinations(lines, 2) if pair[0].overlaps(pair[1])]
 
 
-def test_leaders_do_not_cross(draw: "Draw", any_variant: str) -> None:
-    for face in draw(any_variant).view.faces.values():
-        assert not [pair for pair in combinations(face.leaders, 2) if cross(*pair)]
+def test_leaders_do_not_cross(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            for face in draw(any_variant).view.faces.values():
+                assert not [pair for pair in combinations(face.leaders, 2) if cross(*pair)]
 
 
-def test_everything_has_its_own_place_on_the_sheet(draw: "Draw", any_variant: str) -> None:
-    view = draw(any_variant).view
-    sheet = view.arranged.sheet
-    boxes = [face.box.moved(view.arranged.origins[name]) for name, face in view.faces.items()]
-    boxes += [block_box(sheet, len(view.rows)), corner_box(sheet), view.arranged.lines]
-    assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
-    assert not [one for one in boxes if sheet.frame.joined(one) != sheet.frame]
-
-
-def test_a_dimension_measures_the_quantity_that_it_names(draw: "Draw", any_variant: str) -> None:
-    drawn = draw(any_variant)
-    assert drawn.view.figure.measured
-    scale = drawn.view.arranged.factor
-    for face in drawn.view.faces.values():
-        for one in face.dimensions:
-            if one.wanted.text.endswith(FOR_REFERENCE):
-                continue
-            low, high = one.wanted.span
-            measured = [
-                known.declared.quantity
-                for known in drawn.view.figure.measured
-                if abs(drawn.values[known.declared.quantity] - (high - low) / scale) < 1e-6
+def test_everything_has_its_own_place_on_the_sheet(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            view = draw(any_variant).view
+            sheet = view.arranged.sheet
+            boxes = [
+                face.box.moved(view.arranged.origins[name]) for name, face in view.faces.items()
             ]
-            assert measured, f"{one.wanted.text} is no quantity of any_variant {any_variant}"
+            boxes += [block_box(sheet, len(view.rows)), corner_box(sheet), view.arranged.lines]
+            assert not [pair for pair in combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+            assert not [one for one in boxes if sheet.frame.joined(one) != sheet.frame]
+
+
+def test_a_dimension_measures_the_quantity_that_it_names(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn = draw(any_variant)
+            assert drawn.view.figure.measured
+            scale = drawn.view.arranged.factor
+            for face in drawn.view.faces.values():
+                for one in face.dimensions:
+                    if one.wanted.text.endswith(FOR_REFERENCE):
+                        continue
+                    low, high = one.wanted.span
+                    measured = [
+                        known.declared.quantity
+                        for known in drawn.view.figure.measured
+                        if abs(drawn.values[known.declared.quantity] - (high - low) / scale) < 1e-6
+                    ]
+                    assert measured, (
+                        f"{one.wanted.text} is no quantity of any_variant {any_variant}"
+                    )
 
 
 def test_the_numbers_of_the_drawing_are_those_of_the_solution(
-    draw: "Draw", any_variant: str
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
-    drawn, words = draw(any_variant), Words("ru")
-    texts = written(drawn)
-    for one in drawn.view.figure.measured:
-        value = drawn.values[one.declared.quantity]
-        if drawn.plan.quantities[one.declared.quantity].kind is Kind.FORMULA:
-            value = round(value, 1)
-        assert f"{one.declared.sign}{length_text(value, words)}" in texts
-    for position in drawn.view.figure.positions:
-        for name in position.part.sizes:
-            if name in drawn.values and drawn.plan.quantities[name].unit == "mm":
-                number = length_text(drawn.values[name], words)
-                assert any(f"= {number}" in text for text in texts)
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn, words = draw(any_variant), Words("ru")
+            texts = written(drawn)
+            for one in drawn.view.figure.measured:
+                value = drawn.values[one.declared.quantity]
+                if drawn.plan.quantities[one.declared.quantity].kind is Kind.FORMULA:
+                    value = round(value, 1)
+                assert f"{one.declared.sign}{length_text(value, words)}" in texts
+            for position in drawn.view.figure.positions:
+                for name in position.part.sizes:
+                    if name in drawn.values and drawn.plan.quantities[name].unit == "mm":
+                        number = length_text(drawn.values[name], words)
+                        assert any(f"= {number}" in text for text in texts)
 
 
-def test_extension_lines_begin_on_something(draw: "Draw", any_variant: str) -> None:
-    drawn = draw(any_variant)
-    for one in drawn.view.figure.measured:
-        strokes = [seen.stroke for seen in drawn.view.figure.seen[one.declared.face]]
-        for point in (one.start, one.end):
-            assert is_near(point, strokes), (one.declared.file, one.declared.key)
+def test_extension_lines_begin_on_something(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            drawn = draw(any_variant)
+            for one in drawn.view.figure.measured:
+                strokes = [seen.stroke for seen in drawn.view.figure.seen[one.declared.face]]
+                for point in (one.start, one.end):
+                    assert is_near(point, strokes), (one.declared.file, one.declared.key)
 
 
 def is_near(point: Point, strokes: list[Stroke]) -> bool:
@@ -169,64 +203,86 @@ def is_near(point: Point, strokes: list[Stroke]) -> bool:
 
 
 def test_the_main_view_and_that_from_the_end_are_equally_high(
-    draw: "Draw", any_variant: str
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
-    figure = draw(any_variant).view.figure
-    if Face.END in figure.faces and draw(any_variant).plan.scheme.id not in THREE_FINGERS:
-        edges = {
-            face: [one.stroke for one in figure.seen[face] if one.kind is LineKind.OUTLINE]
-            for face in (Face.MAIN, Face.END)
-        }
-        main, end = (reach(edges[face], Side.RIGHT) for face in (Face.MAIN, Face.END))
-        assert main[0][1] == pytest.approx(end[0][1], abs=0.1)
-        assert main[1][1] == pytest.approx(end[1][1], abs=0.1)
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            figure = draw(any_variant).view.figure
+            if Face.END in figure.faces and draw(any_variant).plan.scheme.id not in THREE_FINGERS:
+                edges = {
+                    face: [one.stroke for one in figure.seen[face] if one.kind is LineKind.OUTLINE]
+                    for face in (Face.MAIN, Face.END)
+                }
+                main, end = (reach(edges[face], Side.RIGHT) for face in (Face.MAIN, Face.END))
+                assert main[0][1] == pytest.approx(end[0][1], abs=0.1)
+                assert main[1][1] == pytest.approx(end[1][1], abs=0.1)
 
 
-def test_the_list_of_parts_has_a_row_for_every_position(draw: "Draw", small_variant: str) -> None:
-    view = draw(small_variant).view
-    assert [row.number for row in view.rows] == [str(n + 1) for n in range(len(view.rows))]
-    shown = [one for face in view.faces.values() for one in face.leaders]
-    assert {row.number for row in view.rows} <= {one.note.text for one in shown}
-    assert len({row.title for row in view.rows}) == len(view.rows)
+def test_the_list_of_parts_has_a_row_for_every_position(
+    draw: "Draw", small_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for small_variant in small_variants:
+        with subtests.test(variant=small_variant):
+            view = draw(small_variant).view
+            assert [row.number for row in view.rows] == [str(n + 1) for n in range(len(view.rows))]
+            shown = [one for face in view.faces.values() for one in face.leaders]
+            assert {row.number for row in view.rows} <= {one.note.text for one in shown}
+            assert len({row.title for row in view.rows}) == len(view.rows)
 
 
-def test_positions_stand_in_the_order_of_their_numbers(draw: "Draw", any_variant: str) -> None:
-    leaders = draw(any_variant).view.faces[Face.MAIN].leaders
-    ordered = sorted(leaders, key=lambda one: one.left)
-    numbers = [int(one.note.text) for one in ordered if one.note.text.isdigit()]
-    assert numbers == sorted(numbers)
-    assert numbers
+def test_positions_stand_in_the_order_of_their_numbers(
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            leaders = draw(any_variant).view.faces[Face.MAIN].leaders
+            ordered = sorted(leaders, key=lambda one: one.left)
+            numbers = [int(one.note.text) for one in ordered if one.note.text.isdigit()]
+            assert numbers == sorted(numbers)
+            assert numbers
 
 
-def test_a_file_of_a_drawing_is_sound(draw: "Draw", small_variant: str) -> None:
+def test_a_file_of_a_drawing_is_sound(
+    draw: "Draw", small_variants: list[str], subtests: pytest.Subtests
+) -> None:
     """Every scheme in one language, every language in some schemes."""
-    drawn = draw(small_variant, LANGUAGES[int(small_variant) % len(LANGUAGES)])
-    document, audit = recover.read(BytesIO(dxf_bytes(drawn.view.document)))
-    assert not audit.errors
-    assert not audit.fixes
-    assert not document.audit().errors
-    figure = drawn.view.figure
-    asked = len(figure.measured) + len(figure.overall)
-    assert len(document.modelspace().query("DIMENSION")) == asked
+    for small_variant in small_variants:
+        with subtests.test(variant=small_variant):
+            drawn = draw(small_variant, LANGUAGES[int(small_variant) % len(LANGUAGES)])
+            document, audit = recover.read(BytesIO(dxf_bytes(drawn.view.document)))
+            assert not audit.errors
+            assert not audit.fixes
+            assert not document.audit().errors
+            figure = drawn.view.figure
+            asked = len(figure.measured) + len(figure.overall)
+            assert len(document.modelspace().query("DIMENSION")) == asked
 
 
 @pytest.mark.parametrize("turn", [0, 1])
-def test_a_drawing_speaks_its_language(draw: "Draw", small_variant: str, turn: int) -> None:
+def test_a_drawing_speaks_its_language(
+    draw: "Draw", small_variants: list[str], subtests: pytest.Subtests, turn: int
+) -> None:
     """Every scheme in two languages, each language in two schemes of three."""
-    language = LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]
-    drawn = draw(small_variant, language)
-    words = Words(language)
-    titles = {row.title for row in drawn.view.rows}
-    assert titles <= set(written(drawn))
-    sign = "." if language == "en" else ","
-    other = "," if sign == "." else "."
-    numbers = [text for text in written(drawn) if re.fullmatch(r"Ø?\d+[.,]\d", text)]
-    assert not [text for text in numbers if other in text], words.language
+    for small_variant in small_variants:
+        with subtests.test(variant=small_variant):
+            language = LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]
+            drawn = draw(small_variant, language)
+            words = Words(language)
+            titles = {row.title for row in drawn.view.rows}
+            assert titles <= set(written(drawn))
+            sign = "." if language == "en" else ","
+            other = "," if sign == "." else "."
+            numbers = [text for text in written(drawn) if re.fullmatch(r"Ø?\d+[.,]\d", text)]
+            assert not [text for text in numbers if other in text], words.language
 
 
-def test_a_drawing_fits_into_a_report(draw: "Draw", small_variant: str) -> None:
-    drawn = draw(small_variant)
-    assert len(ET.tostring(parsed(drawn))) < 60_000
+def test_a_drawing_fits_into_a_report(
+    draw: "Draw", small_variants: list[str], subtests: pytest.Subtests
+) -> None:
+    for small_variant in small_variants:
+        with subtests.test(variant=small_variant):
+            drawn = draw(small_variant)
+            assert len(ET.tostring(parsed(drawn))) < 60_000
 
 
 def test_lines_behind_a_part_are_not_seen(draw: "Draw") -> None:
@@ -237,11 +293,13 @@ def test_lines_behind_a_part_are_not_seen(draw: "Draw") -> None:
 
 
 def test_a_gripper_is_drawn_at_a_standard_scale_on_a_standard_sheet(
-    draw: "Draw", any_variant: str
+    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
-    arranged = draw(any_variant).view.arranged
-    assert any(arranged.sheet in one for one in FORMATS)
-    assert arranged.scale in SCALES
+    for any_variant in any_variants:
+        with subtests.test(variant=any_variant):
+            arranged = draw(any_variant).view.arranged
+            assert any(arranged.sheet in one for one in FORMATS)
+            assert arranged.scale in SCALES
 
 
 @pytest.mark.parametrize("name", ['<b>&"', "%%c", r"\P{x}", "{", "^J", "Їжаченко-Шульга О. О."])
