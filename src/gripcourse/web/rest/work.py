@@ -23,7 +23,6 @@ from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, TokenRole
 from gripcourse.web.rest.wishes import PublishingReason, RegradingWish
 from gripcourse.web.rest.work_results import (
-    BatchResult,
     ChangedItemResult,
     ChangedWorkResult,
     EvidenceResult,
@@ -34,7 +33,6 @@ from gripcourse.web.rest.work_results import (
     FlagWithEvidenceResult,
     GradingResult,
     OtherWorkResult,
-    ProgressResult,
     RegradeResult,
     RegradesResult,
     RegradingResult,
@@ -109,17 +107,10 @@ def grading(call: DeskCall) -> GradingResult | WebRefusal:
         runs=progress is not None or site.own_batch.runs,
         silent=progress is not None and progress.is_silent(site.clock()),
         failed=site.own_batch.failed,
-        progress=None
-        if progress is None
-        else ProgressResult(
-            progress.phase, progress.done, progress.total, progress.began, progress.at
-        ),
+        progress=progress,
         last=None if last is None else last.at,
         waiting=len({one.student for one in hand_ins if not one.is_drawing}),
-        batches=tuple(
-            BatchResult(one.number, one.files, one.by, one.why, one.at)
-            for one in site.context.desk.batches()
-        ),
+        batches=site.context.desk.batches(),
     )
 
 

@@ -4,8 +4,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import ClassVar
 
+from gripcourse.desk.model import GradedBatch
 from gripcourse.gradebook.regrade import Shift
-from gripcourse.usecases.progress import BatchPhase
+from gripcourse.usecases.progress import BatchProgress
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,43 +145,6 @@ class FlagsResult:
 
 
 @dataclass(frozen=True, slots=True)
-class BatchResult:
-    """Files were graded into the gradebook.
-
-    Attributes:
-        number: counts from 1.
-        files: how many.
-        by: who had them graded.
-        why: may be empty.
-        at: when.
-    """
-
-    number: int
-    files: int
-    by: str
-    why: str
-    at: datetime
-
-
-@dataclass(frozen=True, slots=True)
-class ProgressResult:
-    """How far a batch is.
-
-    Attributes:
-        phase: what is being done.
-        done, total: files of this phase.
-        began: when the batch began.
-        at: when something was done last.
-    """
-
-    phase: BatchPhase
-    done: int
-    total: int
-    began: datetime
-    at: datetime
-
-
-@dataclass(frozen=True, slots=True)
 class GradingResult:
     """The batch that is being graded, and those before.
 
@@ -199,10 +163,10 @@ class GradingResult:
     runs: bool
     silent: bool
     failed: bool
-    progress: ProgressResult | None
+    progress: BatchProgress | None
     last: datetime | None
     waiting: int
-    batches: tuple[BatchResult, ...]
+    batches: tuple[GradedBatch, ...]
 
 
 @dataclass(frozen=True, slots=True)
