@@ -14,15 +14,14 @@ from gripcourse.errors import UsageError
 from gripcourse.exports.plain import json_schema
 from gripcourse.exports.report_result import (
     CauseResult,
-    DecisionResult,
     FindingResult,
     FlagResult,
     GradesResult,
     ReportResult,
 )
-from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.model import Against, Decision, Outcome
 
-DECISION = DecisionResult(
+DECISION = Decision(
     automatic=Outcome.WRONG,
     credit=0.5,
     lines={"sizes": 1.0},

@@ -3,36 +3,12 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from datetime import datetime
 from typing import Any, ClassVar
 
 from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
 from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
 from gripcourse.text.words import LANGUAGES, Message, Words
-
-
-@dataclass(frozen=True, slots=True)
-class DecisionResult:
-    """What a person decided about an item.
-
-    Attributes:
-        automatic: what the program had found by itself.
-        credit: share of the item's points, 0 to 1.
-        lines: share that each line of the rubric earned; empty without a rubric.
-        marker: who decided.
-        decided_at: when.
-        comment: for the student; empty for none.
-        outdated: whether the file or the automatic results are others than the person saw.
-    """
-
-    automatic: Outcome
-    credit: float
-    lines: Mapping[str, float]
-    marker: str
-    decided_at: datetime
-    comment: str
-    outdated: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +51,7 @@ class FindingResult:
     roots: tuple[str, ...]
     message: str
     remarks: tuple[str, ...]
-    decision: DecisionResult | None = None
+    decision: Decision | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -308,21 +284,7 @@ def _finding_result(finding: Finding, words: Words) -> FindingResult:
         roots=finding.roots,
         message=words.say(finding.message),
         remarks=_said(finding.remarks, words),
-        decision=_decision_result(finding.decision),
-    )
-
-
-def _decision_result(decision: Decision | None) -> DecisionResult | None:
-    if decision is None:
-        return None
-    return DecisionResult(
-        automatic=decision.automatic,
-        credit=decision.credit,
-        lines=dict(decision.lines),
-        marker=decision.marker,
-        decided_at=decision.decided_at,
-        comment=decision.comment,
-        outdated=decision.outdated,
+        decision=finding.decision,
     )
 
 
