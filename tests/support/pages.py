@@ -1,7 +1,9 @@
 """Sheets and reports that nobody reads: laying out each takes a second or two."""
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from html import unescape
 
 import pytest
 
@@ -26,6 +28,13 @@ def not_laid_out() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(LAYOUT, lambda html, *_: SIGNATURE + html.encode())
         yield
+
+
+def text_of_page(made: bytes) -> str:
+    """Return the text of a document that was not laid out, every run of spaces as one space."""
+    page = made.removeprefix(SIGNATURE).decode()
+    text = unescape(re.sub(r"<[^>]*>", " ", page[page.index("<body") :]))
+    return " ".join(text.split())
 
 
 @contextmanager
