@@ -101,7 +101,7 @@ clean: ## remove everything that make made
 	@touch $@
 
 .venv/dev.stamp: .venv/run.stamp
-	@$(PIP_INSTALL) --group dev
+	@$(PIP_INSTALL) --group dev --group docs
 	@$(PIP_INSTALL) --no-deps --group axe
 	@touch $@
 

@@ -36,7 +36,9 @@ if TYPE_CHECKING:
 REPOSITORY = Path(__file__).parents[1]
 BORROWED = {"why/changes.md": "CHANGELOG.md", "why/measured.md": "benchmarks/results.md"}
 """Pages that stand elsewhere in the repository, by the names that they have on the site."""
-GENERATED = ("commands.md", "formulas.md", "functions/index.rst", "keys.md")
+DEAR = ("formulas.md", "functions/index.rst")
+"""Pages that take minutes to make."""
+GENERATED = ("commands.md", "keys.md", *DEAR)
 PUBLIC = "gripcourse.api"
 _LANGUAGE = Words("en")
 
@@ -50,6 +52,24 @@ def main(site: Path) -> None:
     work = site.parent / f"{site.name}-work"
     for old in (site, work):
         shutil.rmtree(old, ignore_errors=True)
+    pages = gather_pages(work)
+    write_functions(pages / "functions")
+    course = load_course(REPOSITORY)
+    write_formulas(course, pages, work / "extra")
+    command = sphinx_command("html", pages, site)
+    doctrees = ["--doctree-dir", str(work / "doctrees"), "--jobs", "auto"]
+    subprocess.run([*command, *doctrees], check=True)  # noqa: S603 (own words)
+
+
+def gather_pages(work: Path) -> Path:
+    """Copy the pages that are written by hand, beside what the commands and the keys tell.
+
+    Args:
+        work: where the copy is made; it is made for it.
+
+    Returns:
+        The folder of the pages.
+    """
     pages = work / "docs"
     shutil.copytree(REPOSITORY / "docs", pages)
     for name, origin in BORROWED.items():
@@ -58,12 +78,13 @@ def main(site: Path) -> None:
     (work / "examples").symlink_to(REPOSITORY / "examples")
     _write(pages / "commands.md", command_pages())
     _write(pages / "keys.md", key_page(FILE_KINDS))
-    write_functions(pages / "functions")
-    course = load_course(REPOSITORY)
-    write_formulas(course, pages, work / "extra")
-    sphinx = [sys.executable, "-m", "sphinx", "--builder", "html", "--fail-on-warning", "--quiet"]
-    jobs = ["--jobs", "auto", "--doctree-dir", str(work / "doctrees")]
-    subprocess.run([*sphinx, *jobs, str(pages), str(site)], check=True)  # noqa: S603 (own words)
+    return pages
+
+
+def sphinx_command(builder: str, pages: Path, site: Path) -> list[str]:
+    """Return the command that makes a site of pages; each warning is an error."""
+    strict = ["--fail-on-warning", "--quiet", str(pages), str(site)]
+    return [sys.executable, "-m", "sphinx", "--builder", builder, *strict]
 
 
 class HelpPage:

@@ -1,6 +1,7 @@
 """The reference course, loaded once, and how property tests run."""
 
 import gc
+import os
 import re
 import subprocess
 from collections.abc import Callable
@@ -36,6 +37,12 @@ def pytest_collection_finish() -> None:
     """Keep what is loaded by now, modules and tests, out of every search for garbage."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Start one process more than there are processors: some tests wait for other programs."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(optionalhook=True)

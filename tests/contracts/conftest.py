@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from gripcourse.course.load import load_course
-from gripcourse.course.model import Course, Scheme
+from gripcourse.course.model import Course
 from gripcourse.course.option_sets import option_sets
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.policy.model import Policy
@@ -144,10 +144,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("scheme_id", list(schemes))
     if "composition_key" in metafunc.fixturenames:
         keys = [
-            (scheme.id, tuple(sorted(options.items())))
+            (scheme.id, tuple(sorted(example.options.items())))
             for scheme in schemes.values()
-            for options in covering_sets(scheme.id)
-            if _is_of_the_guide(scheme, options)
+            if (example := scheme.example) is not None and example.source.work == "guide"
         ]
         metafunc.parametrize("composition_key", keys, ids=[_name(*key) for key in keys])
     if "declared_proof" in metafunc.fixturenames:
@@ -226,11 +225,6 @@ def _formulas_of(plan: Plan) -> frozenset[object]:
 def course() -> Course:
     """The reference course, the same that the collection has loaded."""
     return reference_course()
-
-
-def _is_of_the_guide(scheme: Scheme, options: Mapping[str, str]) -> bool:
-    example = scheme.example
-    return example is not None and example.source.work == "guide" and example.options == options
 
 
 def _name(scheme: str, options: tuple[tuple[str, str], ...]) -> str:

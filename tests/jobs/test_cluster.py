@@ -144,10 +144,10 @@ def happened(
     with open_cluster(cluster.address) as found:
         pool, hands = found.pool, found.workers
         doubled = in_order(
-            run_each(errands.double, range(5), 1, workers=hands, seconds=9, pool=pool)
+            run_each(errands.double, range(5), 1, workers=hands, seconds=60, pool=pool)
         )
         hostile = in_order(
-            run_each(errands.obey, ORDERS, None, workers=hands, seconds=0.5, pool=pool)
+            run_each(errands.obey, ORDERS, None, workers=hands, seconds=2, pool=pool)
         )
         alive = first.poll() is second.poll() is None
         by_processes = batch.graded("processes", PROCESSES, 1, lambda: None)
@@ -155,7 +155,7 @@ def happened(
         with patch.context() as other:
             other.setattr(on_cluster, "program_here", lambda: {**program_here(), **OLDER})
             late_stranger = refusal(
-                lambda: in_order(run_each(errands.double, [1], 1, workers=1, seconds=9, pool=pool))
+                lambda: in_order(run_each(errands.double, [1], 1, workers=1, seconds=60, pool=pool))
             )
     with patch.context() as other:
         other.setattr(on_cluster, "program_here", lambda: {**program_here(), **OLDER})

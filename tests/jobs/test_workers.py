@@ -25,14 +25,14 @@ IMPATIENT = Pool(PROCESSES.open, apart=True, limits=Limits(grace=0.2))
 @pytest.mark.parametrize("pool", [PROCESSES, THREADS, INLINE], ids=["processes", "threads", "here"])
 def test_results_are_in_the_order_of_the_items(errands: ModuleType, pool: Pool | None) -> None:
     done: list[int] = []
-    jobs = run_each(errands.double, range(5), 1, workers=2, seconds=9, pool=pool)
+    jobs = run_each(errands.double, range(5), 1, workers=2, seconds=60, pool=pool)
     assert in_order(jobs, done.append) == (1, 3, 5, 7, 9)
     assert sorted(done) == [0, 1, 2, 3, 4]
 
 
 @pytest.mark.parametrize("pool", [THREADS, INLINE], ids=["threads", "here"])
 def test_a_failure_is_that_of_its_job_alone(errands: ModuleType, pool: Pool | None) -> None:
-    jobs = run_each(errands.stop_at_odd, range(3), None, workers=2, seconds=9, pool=pool)
+    jobs = run_each(errands.stop_at_odd, range(3), None, workers=2, seconds=60, pool=pool)
     zero, one, two = in_order(jobs)
     assert (zero, two) == (0, 2)
     assert isinstance(one, Lost)
@@ -41,7 +41,7 @@ def test_a_failure_is_that_of_its_job_alone(errands: ModuleType, pool: Pool | No
 
 
 def test_a_failure_is_raised_where_all_jobs_are_needed(errands: ModuleType) -> None:
-    jobs = run_each(errands.stop_at_odd, range(3), None, workers=1, seconds=9, pool=INLINE)
+    jobs = run_each(errands.stop_at_odd, range(3), None, workers=1, seconds=60, pool=INLINE)
     with pytest.raises(JobLostError, match="1 is odd"):
         in_order(all_done(jobs))
 
@@ -54,7 +54,7 @@ def test_one_worker_of_trusted_work_is_this_process() -> None:
 def test_what_jobs_share_travels_once_to_each_worker(errands: ModuleType, tmp_path: Path) -> None:
     diary = tmp_path / "diary"
     luggage = errands.Luggage(diary)
-    jobs = run_each(errands.carry, range(12), luggage, workers=2, seconds=9)
+    jobs = run_each(errands.carry, range(12), luggage, workers=2, seconds=60)
     assert in_order(jobs) == tuple(range(12))
     unpacked = diary.read_text(encoding="ascii").split()
     assert 1 <= len(unpacked) == len(set(unpacked)) <= 2
@@ -63,12 +63,12 @@ def test_what_jobs_share_travels_once_to_each_worker(errands: ModuleType, tmp_pa
 def test_threads_share_the_thing_itself(errands: ModuleType, tmp_path: Path) -> None:
     diary = tmp_path / "diary"
     luggage = errands.Luggage(diary)
-    in_order(run_each(errands.carry, range(4), luggage, workers=2, seconds=9, pool=THREADS))
+    in_order(run_each(errands.carry, range(4), luggage, workers=2, seconds=60, pool=THREADS))
     assert not diary.exists()
 
 
 def test_what_cannot_be_unpacked_is_said_by_each_job(errands: ModuleType) -> None:
-    jobs = run_each(errands.carry, range(2), errands.Unwrappable(), workers=1, seconds=9)
+    jobs = run_each(errands.carry, range(2), errands.Unwrappable(), workers=1, seconds=60)
     reasons = {one.reason for one in in_order(jobs) if isinstance(one, Lost)}
     assert reasons == {"RuntimeError: lost on the way"}
 
@@ -78,7 +78,7 @@ from gripcourse.jobs.workers import in_order, run_each
 import errands
 if __name__ != "__main__":
     raise SystemExit("this script is not for workers")
-jobs = run_each(errands.carry, range(9), bytes(1_000_000), workers=2, seconds=9)
+jobs = run_each(errands.carry, range(9), bytes(1_000_000), workers=2, seconds=60)
 print(len(lost := in_order(jobs)), {one.reason for one in lost})
 """
 
@@ -97,7 +97,7 @@ def test_a_worker_that_cannot_start_is_said_by_each_job(tmp_path: Path) -> None:
 
 
 def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> None:
-    jobs = run_each(errands.leave, range(3), None, workers=1, seconds=9, pool=INLINE)
+    jobs = run_each(errands.leave, range(3), None, workers=1, seconds=60, pool=INLINE)
     zero, one, two = in_order(jobs)
     assert (zero, two) == (0, 2)
     assert isinstance(one, Lost)
@@ -106,7 +106,7 @@ def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> No
 @pytest.mark.skipif(sys.platform != "linux", reason="sleeps in a library of the system")
 def test_who_hangs_in_a_library_is_ended_and_the_others_are_done(errands: ModuleType) -> None:
     items = ["one", "deaf", "two"]
-    jobs = run_each(errands.deaf, items, None, workers=1, seconds=0.3, pool=IMPATIENT)
+    jobs = run_each(errands.deaf, items, None, workers=1, seconds=2, pool=IMPATIENT)
     one, hung, two = in_order(jobs)
     assert (one, two) == ("one", "two")
     assert isinstance(hung, Lost)
@@ -126,14 +126,14 @@ def test_no_worker_outlives_a_program_that_is_killed(errands: ModuleType, tmp_pa
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems bound no memory")
 class TestMemory:
     def test_a_worker_has_its_limit(self, errands: ModuleType) -> None:
-        (found,) = in_order(run_each(errands.memory, [0], None, workers=1, seconds=9))
+        (found,) = in_order(run_each(errands.memory, [0], None, workers=1, seconds=60))
         assert isinstance(found, tuple)
         assert found[0] == Limits().memory
 
     def test_a_lower_limit_of_the_system_is_taken_and_said(
         self, errands: ModuleType, bounded: int
     ) -> None:
-        (found,) = in_order(run_each(errands.memory, [0], None, workers=1, seconds=9))
+        (found,) = in_order(run_each(errands.memory, [0], None, workers=1, seconds=60))
         assert found == (bounded, bounded)
         said = str(memory_notice(Limits()))
         assert str(bounded // 1024**2) in said

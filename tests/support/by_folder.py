@@ -9,19 +9,9 @@ from xdist.scheduler import LoadScopeScheduling
 
 # By the seconds of the processor that they took, longest first; the rest is short.
 DEAR = (
-    *("usecases", "contracts", "documents", "web", "drawing", "variants", "cli", "simulation"),
-    *(
-        "demo",
-        "workbook",
-        "grading",
-        "course",
-        "jobs",
-        "submission",
-        "batch",
-        "hostile",
-        "examples",
-        "likeness",
-    ),
+    *("usecases", "contracts", "documents", "web", "jobs", "drawing", "variants", "cli"),
+    *("simulation", "demo", "workbook", "grading", "course", "submission", "batch", "hostile"),
+    *("examples", "likeness"),
 )
 
 

@@ -48,7 +48,7 @@ class Classroom:
     def issue(self, issue_one: IssueOne = usual, **changes: object) -> Issuing:
         """Issue by the order, or by one that differs; the register keeps what was issued."""
         order = replace(self.order, **changes)  # type: ignore[arg-type]
-        workers = 0 if issue_one is usual else 2  # only what may fail needs a process of its own
+        workers = 0 if issue_one is usual else 1  # only what may fail needs a process of its own
         return issue_order(
             self.course, self.policy, order, workers, lambda _: None, issue_one=issue_one
         )

@@ -20,7 +20,7 @@ from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.collect import collect
 from gripcourse.usecases.grade import GradingOutcome, grade, json_text, write_results
 from support.classroom import forget_one_jaw
-from support.pages import no_pages
+from support.pages import no_pages, not_laid_out
 
 if TYPE_CHECKING:
     from support.classroom import Classroom
@@ -42,7 +42,7 @@ def run(
         context,
         out,
         GRADED_ON,
-        workers,
+        0,
         nothing,
         passed_over=found.passed_over,
     )
@@ -95,7 +95,8 @@ def rough(
 @pytest.fixture(scope="module")
 def graded(issued: "Classroom", inbox: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("graded")
-    run(issued.context, [inbox], out, workers=1)
+    with not_laid_out():
+        run(issued.context, [inbox], out, workers=1)
     return out
 
 
@@ -183,7 +184,8 @@ class TestResults:
     def test_grading_again_gives_the_same_bytes(
         self, issued: "Classroom", inbox: Path, graded: Path, tmp_path: Path
     ) -> None:
-        run(issued.context, [inbox], tmp_path)
+        with not_laid_out():
+            run(issued.context, [inbox], tmp_path)
         for path in sorted(graded.rglob("*.*")):
             assert (tmp_path / path.relative_to(graded)).read_bytes() == path.read_bytes(), path
 

@@ -14,6 +14,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
 from support.classroom import ROSTER, Classroom, open_classroom
+from support.pages import not_laid_out
 
 STUDENTS = ("s01", "s02", "s03")
 
@@ -31,9 +32,10 @@ ONE = ROSTER.partition("s02,")[0]
 
 @pytest.fixture(scope="module")
 def complete(tmp_path_factory: pytest.TempPathFactory, policy: Policy) -> Classroom:
-    """One student, whose sheet is laid out too; nobody may change this course."""
+    """One student, whose sheet is made too; nobody may change this course."""
     classroom = open_classroom(tmp_path_factory.mktemp("complete"), policy, ONE)
-    classroom.issue()
+    with not_laid_out():
+        classroom.issue()
     return classroom
 
 
@@ -71,7 +73,8 @@ class TestDocuments:
         self, complete: Classroom, tmp_path: Path
     ) -> None:
         """The register keeps the day of issue, so that a lost sheet is made again as it was."""
-        again = complete.issue(out=tmp_path, today=complete.order.today.replace(day=30))
+        with not_laid_out():
+            again = complete.issue(out=tmp_path, today=complete.order.today.replace(day=30))
         assert [one.student for one in again.handouts] == ["s01"]
         assert len(contents(tmp_path)) == 2
         assert contents(tmp_path) == contents(complete.order.out)
@@ -80,7 +83,8 @@ class TestDocuments:
         self, complete: Classroom, policy: Policy, tmp_path: Path
     ) -> None:
         fresh = open_classroom(tmp_path, policy, ONE)
-        fresh.issue()
+        with not_laid_out():
+            fresh.issue()
         assert contents(fresh.order.out) == contents(complete.order.out)
 
 

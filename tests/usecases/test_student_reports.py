@@ -94,7 +94,7 @@ def batch(
         replace(reports[-1], student=name, file=f"inbox/{name}.xlsx")
         for name in ("s04", "s05", "s06")
     ]
-    return results([*reports, *more], small.context, out, fake.meet_their_fates, 2), out
+    return results([*reports, *more], small.context, out, fake.meet_their_fates, 1), out
 
 
 def test_the_others_have_their_reports_whole_and_nothing_else_is_left(
@@ -156,9 +156,9 @@ def test_the_report_on_the_batch_names_the_incidents(batch: tuple[GradingOutcome
 def test_a_report_that_takes_too_long_is_stopped(
     fake: ModuleType, reports: list[Report], small: "Classroom", tmp_path: Path, way: str
 ) -> None:
-    printing = Printing(small.course, small.policy, GRADED_ON, seconds=0.3)
+    printing = Printing(small.course, small.policy, GRADED_ON, seconds=2)
     done: list[Path] = []
-    outcomes = write_reports(reports, printing, tmp_path, 2, done.append, getattr(fake, way))
+    outcomes = write_reports(reports, printing, tmp_path, 1, done.append, getattr(fake, way))
     assert [isinstance(one, Path) for one in outcomes] == [
         report.student != "s02" for report in reports
     ]

@@ -2,10 +2,12 @@
 
 import re
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
+from jinja2 import Environment, meta, nodes
 
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document
@@ -28,6 +30,23 @@ def documents(course: Course, policy: Policy) -> list[Document]:
     made, problems = sample_documents(next(samples(course, policy, (), WORDS)))
     assert problems == []
     return made
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _read_once() -> Iterator[None]:
+    """Take what a text of a template was read as before: of thirty a test changes one."""
+    parse = Environment.parse
+    trees: dict[tuple[str, str | None], nodes.Template] = {}
+
+    def parsed(self: Environment, source: str, name: str | None, file: str) -> nodes.Template:
+        if (source, name) not in trees:
+            trees[source, name] = parse(self, source, name, file)
+        return trees[source, name]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Environment, "parse", parsed)
+        patch.setattr(meta, "find_undeclared_variables", cache(meta.find_undeclared_variables))
+        yield
 
 
 @pytest.fixture

@@ -9,7 +9,6 @@ import re
 import socket
 import subprocess
 import sys
-import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -34,6 +33,7 @@ from gripcourse.usecases.grade import GRADES_JSON
 from gripcourse.usecases.hand_in import hand_in
 from gripcourse.usecases.publish import publish, withdraw
 from gripcourse.usecases.sign_in import offer_sign_in
+from support.processes import wait_for
 
 if TYPE_CHECKING:
     from selenium.webdriver.remote.webdriver import WebDriver
@@ -70,13 +70,16 @@ def address(opened: "Server") -> Iterator[str]:
     opened.graded.mkdir(exist_ok=True)
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL)  # noqa: S603 (ourselves)
     url = f"http://127.0.0.1:{port}"
-    ends = time.monotonic() + SECONDS
-    while time.monotonic() < ends:
+
+    def answers() -> bool:
+        assert running.poll() is None
         try:
-            urllib.request.urlopen(url, timeout=1).close()
-            break
+            urllib.request.urlopen(url, timeout=SECONDS).close()
         except (URLError, OSError):
-            time.sleep(0.2)
+            return False
+        return True
+
+    wait_for(answers)
     yield url
     running.terminate()
     assert running.wait(SECONDS) in (0, -15)

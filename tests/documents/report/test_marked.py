@@ -1,6 +1,6 @@
 """What a person decided, as a student and an instructor read it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from datetime import UTC, date, datetime
 
@@ -16,6 +16,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import Level
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import LANGUAGES, Texts, Words
+from support.pages import not_laid_out, text_of_page
 
 Change = Callable[..., Report]
 
@@ -78,15 +79,21 @@ def overruled(perfect: Report, wrong: Change, with_finding: Change) -> Report:
     )
 
 
+@pytest.fixture(autouse=True)
+def _not_laid_out() -> Iterator[None]:
+    with not_laid_out():
+        yield
+
+
 @pytest.fixture
 def printed(
-    plan: Plan, policy: Policy, course: Course, graded_on: date, text_of: Callable[[bytes], str]
+    plan: Plan, policy: Policy, course: Course, graded_on: date
 ) -> Callable[[Report, str], str]:
     """Return the text of a student's report."""
 
     def make(report: Report, language: str) -> str:
         words = Words(language)
-        return text_of(student_report(report, plan, policy, course, words, graded_on))
+        return text_of_page(student_report(report, plan, policy, course, words, graded_on))
 
     return make
 
@@ -216,9 +223,8 @@ class TestTheCohort:
         policy: Policy,
         course: Course,
         graded_on: date,
-        text_of: Callable[[bytes], str],
     ) -> None:
-        text = text_of(cohort_report([overruled, marked], policy, course, ENGLISH, graded_on))
+        text = text_of_page(cohort_report([overruled, marked], policy, course, ENGLISH, graded_on))
         assert "Marked by the instructor: General view drawing" in text
         assert "Decided by the instructor" in text
         assert "Описка в условии." in text
@@ -229,9 +235,8 @@ class TestTheCohort:
         policy: Policy,
         course: Course,
         graded_on: date,
-        text_of: Callable[[bytes], str],
     ) -> None:
-        text = text_of(cohort_report([perfect], policy, course, ENGLISH, graded_on))
+        text = text_of_page(cohort_report([perfect], policy, course, ENGLISH, graded_on))
         assert "Marked by the instructor" not in text
         assert "Decided by the instructor" not in text
 
