@@ -8,9 +8,9 @@ from pathlib import Path
 from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids
-from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
+from gripcourse.course.read import read_course
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
