@@ -5,8 +5,12 @@ def main() -> None:
     """Run the command line."""
     # A worker runs the script that started it once more, as a module: it needs no command line.
     from gripcourse.cli.main import main as run  # noqa: PLC0415
+    from gripcourse.machine.process_wide import leave_to_the_end  # noqa: PLC0415
 
-    run()
+    try:
+        run()
+    finally:
+        leave_to_the_end()
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.course.check import check_course
-from gripcourse.course.load import read_course
+from gripcourse.course.read import read_course
 from gripcourse.policy.load import read_policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.init import empty_course

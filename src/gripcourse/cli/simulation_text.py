@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from gripcourse.cli.foreign_text import Layout, foreign_tables, percent, rate_cells, rates_table
 from gripcourse.cli.text import table_text
-from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 
 # `gripcourse --help` needs nothing of what is measured.
@@ -176,7 +175,7 @@ def audit_text(found: "ToleranceAudit", policy: "Policy", words: Words) -> str:
     shown = [one for one in found.quantities if one.changes or one.tally.refused]
     shaky = [one for one in found.quantities if one.ill_conditioned]
     floors = ", ".join(
-        f"{words.number(value)} {unit_text(unit, words.language)}".strip()
+        f"{words.number(value)} {_unit(unit, words)}".strip()
         for unit, value in policy.floors.items()
     )
     answers = sum(one.tally.answers for one in found.quantities)
@@ -234,5 +233,11 @@ def _band(tolerance: "Tolerance", one: "AuditedBand", words: Words) -> str:
     relative = f"{percent(tolerance.relative, words)} %"
     if not one.by_absolute:
         return relative
-    unit = unit_text(one.quantity.unit, words.language)
+    unit = _unit(one.quantity.unit, words)
     return f"{relative}, {words.number(tolerance.absolute)} {unit}".strip()
+
+
+def _unit(unit: str, words: Words) -> str:
+    from gripcourse.text.units import unit_text
+
+    return unit_text(unit, words.language)

@@ -1,11 +1,8 @@
 """What the command line prints: tables, summaries and the progress bar."""
 
-import hashlib
 import io
-import json
 import math
 import sys
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import count
@@ -19,7 +16,7 @@ from gripcourse.machine.files import write_text
 from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Message, Texts, Words, message
 
-# rich costs 60 ms to import: only who prints a table or a bar pays.
+# rich costs 60 ms to import: only who prints a table or a bar pays; likewise other rare ones.
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
@@ -280,6 +277,8 @@ def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
 
 def json_text(plain: object) -> str:
     """Return the plain form of a result as JSON."""
+    import json
+
     # A terminal that lacks letters gets them as JSON writes them, not as question marks.
     is_plain = (sys.stdout.encoding or "").lower().replace("-", "") != "utf8"
     return json.dumps(plain, ensure_ascii=is_plain, indent=1, allow_nan=False)
@@ -297,6 +296,9 @@ def doctor_text(found: "Sequence[MachineCheck]", words: Words) -> str:
 
 def write_incident(trace: str) -> Path | None:
     """Write a traceback where a user can find it, and return where; None where nothing can be."""
+    import hashlib
+    import tempfile
+
     number = hashlib.sha256(trace.encode()).hexdigest()[:8]
     path = Path(tempfile.gettempdir()) / f"gripcourse-incident-{number}.log"
     # The folder is everybody's: not through a link that somebody laid there, and for nobody else.

@@ -1,37 +1,15 @@
-"""Loading a course: every file of it, every fault collected."""
+"""Loading a course: the checked one that is kept, else every file of it, every fault collected."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
-from gripcourse.course.catalogue import read_catalogue
-from gripcourse.course.check import check_course
-from gripcourse.course.compose import inherited
-from gripcourse.course.declare import declare
-from gripcourse.course.diagram import Element, read_elements
-from gripcourse.course.equations import read_equations
-from gripcourse.course.errata import Erratum, read_errata
-from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
-from gripcourse.course.kinematics import read_kinematics, read_positions
-from gripcourse.course.model import Catalogue, Course, Part, Scheme, Section, SectionDetail, Work
-from gripcourse.course.note import read_notes
-from gripcourse.course.options import read_options
-from gripcourse.course.override import RawPart
-from gripcourse.course.quantity import Convention, Quantity
-from gripcourse.course.scheme import Shared, read_scheme
-from gripcourse.course.toml_table import Table, read_toml
-from gripcourse.course.view import View
-from gripcourse.course.view_keys import SHARED_VIEW
-from gripcourse.course.view_read import read_shared
-from gripcourse.errors import CourseError, Problem
+from gripcourse.course.model import Course
+from gripcourse.errors import CourseError
 from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.kept import digest_of, keep, read_kept
-from gripcourse.machine.resources import COURSE_FOLDERS
-from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import LANGUAGES, message
+from gripcourse.machine.resources import COURSE_FOLDERS, VARIANTS
 
-VARIANTS = "variants"
 RUBRICS = "grader/rubric"  # items that persons mark name a file there
 _READ = ("**/*.toml", "catalogues/*.csv")  # not the roster and the tables: a course has no people
 
@@ -67,6 +45,10 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
     kept = None if digest is None else _kept_at(digest, root)
     if kept is not None:
         return kept, digest
+    # Only who finds nothing kept reads and checks: 50 modules.
+    from gripcourse.course.check import check_course  # noqa: PLC0415 (as said)
+    from gripcourse.course.read import read_course  # noqa: PLC0415
+
     course, problems = read_course(root)
     if course is not None:
         problems += check_course(course)
@@ -101,209 +83,3 @@ def _kept_at(digest: str, root: Path) -> Course | None:
     """Return the same course to who loads it again, with all that was made of it since."""
     kept = _kept(digest)
     return None if kept is None else replace(kept, root=root)
-
-
-def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
-    """Read all files of a course; what cannot be read is a problem, not an exception.
-
-    Returns:
-        The course, None where a file could not be read at all (whoever checked a course with such a
-        gap would report everything that uses what is missing); and all problems of single files.
-    """
-    problems = strange_files(root, COURSE_FOLDERS)
-    if problems:
-        return None, problems
-    folder = root / VARIANTS
-    table = read_toml(folder / "course.toml", root, problems, COURSE)
-    if table is None:
-        return None, problems
-    table.known_keys()
-    parts, raw = _parts(folder / "sections", root, problems)
-    errata = read_errata(folder / "errata.toml", root, problems)
-    course = inherited(
-        Course(
-            id=table.text("id"),
-            title=table.texts("title"),
-            language=_language(table),
-            sections=_sections(table),
-            works=_works(table),
-            errata=errata or {},
-            constants=_quantities(table.named_tables("constant"), constant=True),
-            parts=parts,
-            schemes=_schemes(folder, root, raw, problems),
-            catalogues=_catalogues(folder / "catalogues", root, problems),
-            convention=_convention(table, errata),
-            positions=read_positions(table),
-            notes=read_notes(table),
-            root=root,
-            address=table.text("address", ""),
-        )
-    )
-    is_whole = errata is not None and _is_whole(course, folder)
-    return course if is_whole else None, problems
-
-
-def _is_whole(course: Course, folder: Path) -> bool:
-    """Tell whether every file of the course could be read."""
-    return (
-        bool(course.schemes)
-        and len(course.parts) == len(list((folder / "sections").glob("*.toml")))
-        and len(course.catalogues) == len(list((folder / "catalogues").glob("*.csv")))
-        and all(path.name in course.schemes for path in _scheme_folders(folder / "schemes"))
-    )
-
-
-def _parts(
-    folder: Path, root: Path, problems: list[Problem]
-) -> tuple[dict[str, Part], dict[str, RawPart]]:
-    """Read the shared parts; the raw tables too, because a scheme may override single keys."""
-    parts: dict[str, Part] = {}
-    raw: dict[str, RawPart] = {}
-    for path in sorted(folder.glob("*.toml")):
-        table = read_toml(path, root, problems, PART)
-        if table is None:
-            continue
-        table.known_keys()
-        motion = table.table("kinematics")
-        raw[path.stem] = RawPart(
-            table.named_tables("quantity"),
-            table.named_tables("override"),
-            None if motion is None else read_kinematics(motion),
-        )
-        quantities = _quantities(raw[path.stem].quantities)
-        parts[path.stem] = Part(path.stem, quantities, table.file)
-    return parts, raw
-
-
-def _quantities(tables: Mapping[str, Table], *, constant: bool = False) -> dict[str, Quantity]:
-    return {name: declare(name, table, constant=constant) for name, table in tables.items()}
-
-
-def _scheme_folders(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []
-
-
-def _schemes(
-    folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
-) -> dict[str, Scheme]:
-    shared = Shared(
-        parts=raw,
-        options=read_options(folder / "options", root, problems),
-        drawings=_drawings(folder / "drawing", root, problems),
-        symbols=_symbols(folder / "diagram", root, problems),
-    )
-    paths = _scheme_folders(folder / "schemes")
-    found = (read_scheme(path, root, shared, problems) for path in paths)
-    schemes = {scheme.id: scheme for scheme in found if scheme is not None}
-    if not paths:
-        problems.append(
-            Problem(
-                str((folder / "schemes").relative_to(root)),
-                "",
-                message("The course has no scheme."),
-                message("Write at least one folder with a scheme.toml."),
-            )
-        )
-    return schemes
-
-
-def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
-    """Read what several general views share, by the names of the files; None: cannot be read."""
-    found = (
-        (path.stem, read_toml(path, root, problems, SHARED_VIEW))
-        for path in sorted(folder.glob("*.toml"))
-    )
-    return {name: None if table is None else read_shared(table) for name, table in found}
-
-
-def _symbols(
-    folder: Path, root: Path, problems: list[Problem]
-) -> dict[str, tuple[Element, ...] | None]:
-    """Read what several diagrams share, by the names of the files; None: cannot be read."""
-    found = (
-        (path.stem, read_toml(path, root, problems, SHARED_DIAGRAM))
-        for path in sorted(folder.glob("*.toml"))
-    )
-    return {name: None if table is None else read_elements(table) for name, table in found}
-
-
-def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:
-    found = (read_catalogue(path, root, problems) for path in sorted(folder.glob("*.csv")))
-    return {catalogue.id: catalogue for catalogue in found if catalogue is not None}
-
-
-def _sections(table: Table) -> tuple[Section, ...]:
-    found = tuple(_section(one) for one in table.tables("section"))
-    if not found and table.values.get("section", []) == []:
-        table.add(
-            "section",
-            message("The course has no section."),
-            message("Write at least one [[section]] with id, title, short and task."),
-        )
-    for number, one in enumerate(found, 1):
-        if one.id and one.id in {earlier.id for earlier in found[: number - 1]}:
-            table.add(
-                f"section[{number}].id",
-                message("Two sections have the id '{id}'.", id=one.id),
-                message("Give each section an id of its own."),
-            )
-    return found
-
-
-def _section(table: Table) -> Section:
-    table.known_keys()
-    return Section(
-        table.text("id"),
-        table.texts("title"),
-        table.texts("short"),
-        table.texts("task"),
-        tuple(_detail(one) for one in table.tables("detail")),
-    )
-
-
-def _detail(table: Table) -> SectionDetail:
-    table.known_keys()
-    return SectionDetail(table.strings("quantities"), table.texts("text"))
-
-
-def _works(table: Table) -> dict[str, Work]:
-    return {
-        name: Work(
-            name,
-            inner.texts("title"),
-            read_equations(inner.table("equations")),
-            at_hand=inner.flag("at_hand", default=True),
-        )
-        for name, inner in table.named_tables("work").items()
-    }
-
-
-def _language(table: Table) -> str:
-    language = table.text("language")
-    if language in LANGUAGES:
-        return language
-    table.add(
-        "language",
-        message("This is no language of the course."),
-        did_you_mean(language, LANGUAGES),
-    )
-    return LANGUAGES[0]
-
-
-def _convention(table: Table, errata: Mapping[str, Erratum] | None) -> Convention:
-    written = table.text("convention", Convention.CORRECTED)
-    if written in list(Convention):
-        if written == Convention.AS_PRINTED and errata == {}:
-            table.add(
-                "convention",
-                message("The course lists no errata: nothing is printed otherwise."),
-                message("Write '{corrected}', or list the errata in variants/errata.toml.",
-                        corrected=Convention.CORRECTED),
-            )  # fmt: skip
-        return Convention(written)
-    table.add(
-        "convention",
-        message("There is no convention '{convention}'.", convention=written),
-        did_you_mean(written, list(Convention)),
-    )
-    return Convention.CORRECTED

@@ -39,7 +39,7 @@ from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
 from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
-from gripcourse.machine.process_wide import few_collections
+from gripcourse.machine.process_wide import few_collections, libraries_by_full_name
 from gripcourse.machine.resources import template_file, template_folders
 from gripcourse.text.amounts import (
     day_text,
@@ -136,7 +136,8 @@ def _scoped(_document: object, pdf: Any) -> None:  # noqa: ANN401 - pydyf ships 
 
 
 def _laid_out(html: str, styles: tuple[str, ...], templates: Path) -> Any:  # noqa: ANN401 - WeasyPrint ships no types
-    from weasyprint import HTML, URLFetcher
+    with libraries_by_full_name():
+        from weasyprint import HTML, URLFetcher
 
     sheets = [_style_sheet(path, path.stat().st_mtime_ns) for path in _paths(templates, styles)]
     source = HTML(string=html, url_fetcher=URLFetcher(allowed_protocols=("data",)))

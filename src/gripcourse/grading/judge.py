@@ -147,10 +147,13 @@ def _substituted(
 def _findings(case: GradingCase, settled: Sequence[JudgedAnswer]) -> tuple[Finding, ...]:
     outcomes = {one.quantity.id: (one.judgement.outcome, one.judgement.against) for one in settled}
     roots = roots_of(case.plan, outcomes)
-    return tuple(_finding(case, one, roots.get(one.quantity.id, set())) for one in settled)
+    own = from_si(case.plan, case.follow_through.numbers.values)
+    return tuple(_finding(case, one, own, roots.get(one.quantity.id, set())) for one in settled)
 
 
-def _finding(case: GradingCase, judged: JudgedAnswer, roots: set[str]) -> Finding:
+def _finding(
+    case: GradingCase, judged: JudgedAnswer, own: Mapping[str, float], roots: set[str]
+) -> Finding:
     quantity, judgement = judged.quantity, judged.judgement
     answer = judged.answer or _blank(quantity)
     reference = _declared(case, quantity, case.reference.get(quantity.id))
@@ -168,7 +171,7 @@ def _finding(case: GradingCase, judged: JudgedAnswer, roots: set[str]) -> Findin
         reference=reference,
         expected=judgement.expected,
         band=judgement.band,
-        inputs=_inputs(case, judged),
+        inputs=_inputs(case, judged, own),
         points=available * judgement.credit * share,
         max_points=available,
         slip=judgement.slip,
@@ -207,13 +210,20 @@ def _range(judged: JudgedAnswer) -> tuple[float | None, float | None]:
     return None if math.isnan(low) else low, None if math.isnan(high) else high
 
 
-def _inputs(case: GradingCase, judged: JudgedAnswer) -> dict[str, float]:
-    """Return what the worked line substitutes, in declared units."""
-    follow_through = (
-        case.follow_through if judged.comparison is None else judged.comparison.follow_through
-    )
+def _inputs(case: GradingCase, judged: JudgedAnswer, own: Mapping[str, float]) -> dict[str, float]:
+    """Return what the worked line substitutes, in declared units.
+
+    Args:
+        case: the submission.
+        judged: the answer.
+        own: every quantity at the numbers that the case follows, in declared units.
+    """
     names = case.plan.inputs[judged.quantity.id]
-    return from_si(case.plan, {name: follow_through.numbers.values[name] for name in names})
+    comparison = judged.comparison
+    if comparison is None or comparison.follow_through is case.follow_through:
+        return {name: own[name] for name in names}
+    numbers = comparison.follow_through.numbers
+    return from_si(case.plan, {name: numbers.values[name] for name in names})
 
 
 def _sorted(case: GradingCase, names: set[str]) -> tuple[str, ...]:

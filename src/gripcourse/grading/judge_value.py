@@ -13,6 +13,8 @@ from gripcourse.grading.shortened import judge_shortened
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Message, message
 
+_CORRECT: Final = message("Correct.")
+_FOLLOWS: Final = message("Follows from your own earlier numbers.")
 ANOTHER_READING: Final = message("Accepted: another reading of what is asked.")
 
 
@@ -38,14 +40,14 @@ def judge_value(comparison: Comparison) -> Judgement:
 
 def _matches(comparison: Comparison) -> Iterator[Judgement]:
     if comparison.fits(comparison.reference) and not _contradicts_itself(comparison):
-        yield _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, message("Correct."))
+        yield _conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, _CORRECT)
     if _follows(comparison, comparison.follows):
         yield _conclude(
             comparison,
             Outcome.CARRIED,
             Against.OWN_INPUTS,
             comparison.policy.carried_credit,
-            message("Follows from your own earlier numbers."),
+            _FOLLOWS,
         )
     yield from _alternatives(comparison)
     yield from _printed(comparison)

@@ -7,7 +7,6 @@ operating system does in one step. What was there before stays until the new fil
 import errno
 import os
 import re
-import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -177,7 +176,7 @@ def make_private_folder(path: Path) -> None:
 
 
 def _temporary(path: Path) -> Path:
-    return path.with_name(f".{path.stem}.{secrets.token_hex(_TOKEN_BYTES)}{path.suffix}")
+    return path.with_name(f".{path.stem}.{os.urandom(_TOKEN_BYTES).hex()}{path.suffix}")
 
 
 def discard_all_unfinished(folder: Path) -> None:

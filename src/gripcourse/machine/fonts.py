@@ -8,7 +8,7 @@ from contextlib import redirect_stdout
 from io import BytesIO, StringIO
 from typing import Any
 
-from gripcourse.machine.process_wide import without_warnings
+from gripcourse.machine.process_wide import libraries_by_full_name, without_warnings
 from gripcourse.text.words import Message, message
 
 # The families that the style sheets name, each with the Debian package that brings it.
@@ -64,7 +64,7 @@ def load_pango() -> tuple[str, Any]:
     """Load the libraries the way WeasyPrint does: (reason of failure or "", its bindings)."""
     try:
         # WeasyPrint prints advice of its own on standard output and warns; the check says it all.
-        with without_warnings(), redirect_stdout(StringIO()):
+        with libraries_by_full_name(), without_warnings(), redirect_stdout(StringIO()):
             # 450 ms that no other command should pay for.
             from weasyprint.text import ffi  # noqa: PLC0415
     except OSError as error:

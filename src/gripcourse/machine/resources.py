@@ -11,9 +11,10 @@ from pathlib import Path
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.text.words import message
 
+VARIANTS = "variants"
 TEMPLATES = "templates"
-REQUIRED_FOLDERS = ("variants", "grader")
-COURSE_FOLDERS = ("variants", TEMPLATES, "grader")
+REQUIRED_FOLDERS = (VARIANTS, "grader")
+COURSE_FOLDERS = (VARIANTS, TEMPLATES, "grader")
 
 _PACKAGE = Path(__file__).parents[1]
 

@@ -119,7 +119,7 @@ def _supplied(known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDAr
         if math.isnan(known):
             return computed
         number = finite(known)
-        return np.broadcast_to(number, computed.shape) if computed.ndim else number
+        return np.full(computed.shape, number) if computed.ndim else number
     if np.isfinite(known).all():
         return known
     return finite(np.where(np.isnan(known), computed, known))

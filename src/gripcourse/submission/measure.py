@@ -3,7 +3,6 @@
 import math
 import re
 from dataclasses import dataclass, replace
-from decimal import Decimal
 from functools import lru_cache
 from typing import Final
 
@@ -163,8 +162,9 @@ def _plain(
 
 def _half_unit(value: float) -> float:
     """Return half a unit of the last digit that a spreadsheet shows, of fifteen at most."""
-    exponent = Decimal(f"{value:.15g}").as_tuple().exponent
-    return float(f"5e{int(exponent) - 1}") if value else 0.0
+    digits, _, exponent = f"{value:.15g}".partition("e")
+    decimals = len(digits.partition(".")[2])
+    return float(f"5e{int(exponent or 0) - decimals - 1}") if value else 0.0
 
 
 def _measures(unit: str) -> bool:

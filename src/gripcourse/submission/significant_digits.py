@@ -27,23 +27,20 @@ def figures_of_number(value: float, number_format: str) -> Figures | None:
         The figures that are certain, without a bound above; None for a zero, and for a number with
         all the digits that can be stored, which nobody typed.
     """
-    stored = Decimal(repr(abs(value)))
-    if value == 0 or len(stored.as_tuple().digits) > _DIGITS_STORED:
+    digits = repr(abs(value)).partition("e")[0].replace(".", "").lstrip("0")
+    if value == 0 or len(digits) > _DIGITS_STORED:
         return None
-    return Figures(max(_certain(stored), _shown(stored, number_format)), None)
+    return Figures(max(len(digits.rstrip("0")), _shown(value, number_format)), None)
 
 
-def _certain(stored: Decimal) -> int:
-    return len(stored.normalize().as_tuple().digits)
-
-
-def _shown(stored: Decimal, number_format: str) -> int:
+def _shown(value: float, number_format: str) -> int:
     """Count what a format with decimals shows, where it hides nothing."""
     first, places = _decimals(number_format)
     if places is None:
         return 0
     if "E" in first.upper():
         return 1 + places
+    stored = Decimal(repr(abs(value)))
     shown = stored.scaleb(2) if "%" in first else stored
     hides = -int(shown.normalize().as_tuple().exponent) > places
     return 0 if hides else len(f"{shown:.{places}f}".replace(".", "").lstrip("0"))

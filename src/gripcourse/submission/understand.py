@@ -102,7 +102,9 @@ def cell_text(cell: RawCell) -> str:
     else:
         text = "" if value is None else str(value)
     line = " ".join(text[: LONGEST_SHOWN * 4].split())
-    return "".join(sign for sign in line if sign.isprintable())[:LONGEST_SHOWN]
+    if not line.isprintable():
+        line = "".join(sign for sign in line if sign.isprintable())
+    return line[:LONGEST_SHOWN]
 
 
 def _verdict(value: CellValue) -> Understood | Message:

@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final, TypeAlias
 
-from gripcourse.course.load import VARIANTS
 from gripcourse.errors import Problem, UsageError, system_problem
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.machine.files import write_text
-from gripcourse.machine.resources import COURSE_FOLDERS, course_root, skeleton_root
+from gripcourse.machine.resources import COURSE_FOLDERS, VARIANTS, course_root, skeleton_root
 from gripcourse.text.words import Message, Words, message
 
 _PURPOSES = {

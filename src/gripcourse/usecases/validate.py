@@ -8,10 +8,12 @@ from pathlib import Path
 from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids
-from gripcourse.course.load import read_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
+from gripcourse.course.read import read_course
 from gripcourse.errors import GripcourseError, Problem, UsageError
+from gripcourse.issuing.register_file import old_register_path
+from gripcourse.machine.database.home import exists, home_of
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.policy.load import load_policy, read_policy
@@ -133,7 +135,9 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
 
 def register_problems(course: Course) -> tuple[Problem, ...]:
     """Return what is wrong with what was issued from a course."""
-    # 200 ms for the database that who checks one scheme need not pay.
+    if not exists(home_of(course.root)) and not old_register_path(course.root).is_file():
+        return ()
+    # 200 ms for the database that only who has issued pays.
     from gripcourse.issuing.store import read_register  # noqa: PLC0415
 
     try:

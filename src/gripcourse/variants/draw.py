@@ -40,11 +40,13 @@ class DrawingOrder:
         scheme: id of the space's scheme.
         wanted: how many variants of each combination of options, by its number.
         seed: of everything that chance decides there.
+        evenly: whether candidates are spread evenly, or left to chance alone.
     """
 
     scheme: str
     wanted: Mapping[int, int]
     seed: np.random.SeedSequence
+    evenly: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +100,7 @@ def orders_of(spaces: Sequence[Space], count: int, seed: int) -> tuple[DrawingOr
 def draw_space(course: Course, space: Space, order: DrawingOrder, further: Filter | None) -> Found:
     """Draw the variants of one space; see `draw`."""
     rng = np.random.default_rng(order.seed)
-    search = Search(course, space, further, rng)
+    search = Search(course, space, further, rng, evenly=order.evenly)
     lacking = search.find(order.wanted)
     if lacking:
         _make_up(space, search, order.wanted, lacking, rng if further is not None else None)
@@ -117,11 +119,13 @@ def draw_space(course: Course, space: Space, order: DrawingOrder, further: Filte
 def nothing_left(course: Course, spaces: Sequence[Space]) -> Iterator[Problem]:
     """Yield which spaces leave nothing to draw, with what refuses how many candidates.
 
-    Each is tried with its first and its last combination of options, as a drawing tries them.
+    Each is tried with its first and its last combination of options, with as many candidates as a
+    drawing tries. Chance alone finds what is left: the even sequence takes longer to import.
     """
     for space in spaces:
         ends = {0, len(space.cases) - 1} if len(space.cases) else set()
-        order = DrawingOrder(space.scheme, dict.fromkeys(ends, 1), np.random.SeedSequence(0))
+        seed = np.random.SeedSequence(0)
+        order = DrawingOrder(space.scheme, dict.fromkeys(ends, 1), seed, evenly=False)
         try:
             draw_space(course, space, order, None)
         except TableError as error:

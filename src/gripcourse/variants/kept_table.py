@@ -7,7 +7,6 @@ from gripcourse.course.load import course_digest, load_with_digest
 from gripcourse.course.model import Course
 from gripcourse.machine.kept import keep, read_kept
 from gripcourse.variants.model import Variant
-from gripcourse.variants.table import read_table
 
 
 def load_with_table(root: Path, table: Path) -> tuple[Course, tuple[Variant, ...]]:
@@ -30,6 +29,8 @@ def load_with_table(root: Path, table: Path) -> tuple[Course, tuple[Variant, ...
     kept = None if digest is None else read_kept(digest)
     if isinstance(kept, tuple):
         return course, kept
+    from gripcourse.variants.table import read_table  # noqa: PLC0415 (nothing else needs its 20 modules)
+
     variants = read_table(table, course)
     # What changed while it was read is not kept under the digest of what was there before.
     if digest is not None and digest == _digest(course_digest(root), table):

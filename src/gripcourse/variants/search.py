@@ -97,7 +97,13 @@ class Search:
     """The search for variants of one space; it remembers what it found."""
 
     def __init__(
-        self, course: Course, space: Space, further: Filter | None, rng: np.random.Generator
+        self,
+        course: Course,
+        space: Space,
+        further: Filter | None,
+        rng: np.random.Generator,
+        *,
+        evenly: bool = True,
     ) -> None:
         """Begin.
 
@@ -106,9 +112,10 @@ class Search:
             space: what is drawn from.
             further: a further condition on feasible candidates.
             rng: scrambles the sequence of points.
+            evenly: whether there is such a sequence; else chance alone puts them.
         """
         self._course, self._space, self._further = course, space, further
-        self._points = _Points(rng)
+        self._points = _Points(rng, evenly=evenly)
         self._cases: dict[int, SpaceCase] = {}
         self._reasons = _Reasons(len(space.cases))
         self.rows: list[dict[tuple[float, ...], Mapping[str, float]]] = [
@@ -234,16 +241,16 @@ class Search:
 class _Points:
     """Points of the unit cube, one coordinate for each given, evenly spread over a scheme."""
 
-    def __init__(self, rng: np.random.Generator) -> None:
-        self._rng = rng
+    def __init__(self, rng: np.random.Generator, *, evenly: bool) -> None:
+        self._rng, self._evenly = rng, evenly
         self._columns: dict[str, int] = {}
         self._sequence: qmc.Sobol | None = None
 
     def begin(self, ids: Iterable[str]) -> None:
         """Name the givens that have a coordinate of the sequence; later ones are left to chance."""
-        from scipy.stats import qmc  # noqa: PLC0415 - costs 700 ms, only drawing pays
+        if self._evenly and self._sequence is None:
+            from scipy.stats import qmc  # noqa: PLC0415 - costs 700 ms, only drawing pays
 
-        if self._sequence is None:
             self._columns = {id_: at for at, id_ in enumerate(dict.fromkeys(ids))}
             dimensions = max(len(self._columns), 1)
             self._sequence = qmc.Sobol(dimensions, scramble=True, rng=self._rng)

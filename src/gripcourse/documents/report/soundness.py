@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from gripcourse.analytics.difficulty import EqualDifficulty, equally_hard
 from gripcourse.analytics.reliability import reliability_table
-from gripcourse.analytics.shares import VIEWS, score_table, share_table
+from gripcourse.analytics.shares import FEWEST, VIEWS, score_table, share_table
 from gripcourse.course.model import Course
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Message, Words, message
@@ -32,6 +32,8 @@ def reliability_rows(
         course: titles of the schemes.
         words: the reader's language.
     """
+    if _are_too_few(reports):
+        return []
     rows = []
     for found in reliability_table(share_table(reports)).to_dict("records"):
         alphas = [found[f"alpha_{view}"] for view in VIEWS]
@@ -49,11 +51,18 @@ def reliability_rows(
 
 def difficulty_sentences(reports: Sequence[Report], words: Words) -> Iterator[str]:
     """Yield what the test of equally hard schemes says, with consequences and without them."""
+    if _are_too_few(reports):
+        return
     scores = score_table(share_table(reports))
     for view in VIEWS:
         found = equally_hard(scores[view], scores["scheme"])
         if found is not None:
             yield words.say(_told(view, _values(found, words)))
+
+
+def _are_too_few(reports: Sequence[Report]) -> bool:
+    """Tell whether nothing can be said of so few works, so that no table need be made of them."""
+    return sum(report.judged for report in reports) < FEWEST
 
 
 def _told(view: str, values: Mapping[str, str | int]) -> Message:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from datetime import date, datetime, time, timedelta
 from functools import cache
 from typing import Final, NamedTuple, TypeAlias
+from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
@@ -42,9 +43,13 @@ def formats_of(package: Package, part: str) -> tuple[str, ...]:
     Raises:
         UnreadableContentError: there is a format that no program writes.
     """
+    return package.made_of(part, _formats_in)
+
+
+def _formats_in(styles: Element) -> tuple[str, ...]:
     declared: dict[str, str] = {}
     used: list[str] = []
-    for element in package.root(part).iter():
+    for element in styles.iter():
         if local(element) == "numFmt":
             declared[element.get("numFmtId", "")] = element.get("formatCode", "")
         elif local(element) == "cellXfs":

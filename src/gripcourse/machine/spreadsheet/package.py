@@ -1,25 +1,38 @@
 """The parts of a workbook's archive, found as a spreadsheet program finds them: by relationships.
 
 Each part is gone through once, and checked on the way. Pictures, charts and pivot tables stay
-packed: they cost nothing here and cannot be damaged.
+packed: they cost nothing here and cannot be damaged. The works of a course share their theme, their
+styles and their types of content: such a part is gone through once for all of them.
 """
 
 import posixpath
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final
+from functools import lru_cache
+from typing import Any, Final, TypeVar
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.xml_scan import RefusedError, XmlScan, local, local_name
+from gripcourse.machine.spreadsheet.xml_scan import (
+    Bounds,
+    RefusedError,
+    Seen,
+    XmlScan,
+    local,
+    local_name,
+)
+
+Made = TypeVar("Made")
 
 _OFFICE_DOCUMENT: Final = "officeDocument"
 _USUAL_WORKBOOK: Final = "xl/workbook.xml"
 _CHUNK: Final = 1 << 16
 # Bytes of XML parsed at a time: the parser looks through a long attribute again with each portion.
 _PORTION: Final = 1 << 20
+_SHORT: Final = 1 << 15  # bytes of a part that may be the same in many works
+_KEPT: Final = 64  # such parts, two megabytes at most
 _BEFORE_XML: Final = b"\xef\xbb\xbf\xff\xfe\0 \t\r\n"  # byte order marks and white space
 
 
@@ -68,6 +81,21 @@ class Package:
     def tree(self, part: str) -> Element:
         """Return the tree of a part that nobody else reads. Errors: as above."""
         return self._scan.root(self._content(part))
+
+    def made_of(self, part: str, make: Callable[[Element], Made]) -> Made:
+        """Return what is made of the tree of a part that nobody else reads. Errors: as above.
+
+        Args:
+            part: its name.
+            make: called once for all parts with the same bytes; what it returns must not change.
+        """
+        content = self._content(part)
+        if len(content) > _SHORT:
+            return make(self._scan.root(content))
+        made: Made
+        made, seen = _made_of(content, make)
+        self._scan.add(seen)
+        return made
 
     def elements(self, part: str) -> Iterator[Element]:
         """Yield the elements of a long part as they end; who has read one may clear it.
@@ -120,10 +148,10 @@ class Package:
                 raise RefusedError(WhyRefused.INVALID_XML) from fault
 
     def _check_content(self, content: bytes) -> None:
-        try:
-            self._scan.root(content)  # faster, but each prefix must mean something
-        except (ParseError, LookupError, UnicodeError):
-            self._scan.check(content)
+        if len(content) > _SHORT:
+            _go_through(content, self._scan)
+        else:
+            self._scan.add(_seen_in(content))
 
     def _unpacked(self, member: zipfile.ZipInfo) -> bytes:
         """Return a part that is XML, however it is called; nothing of others: they stay packed."""
@@ -175,6 +203,30 @@ class Package:
         """Return the name of the part that lists sheets and names."""
         found = (one.part for one in self.related("") if one.kind == _OFFICE_DOCUMENT)
         return next(found, _USUAL_WORKBOOK)
+
+
+def _go_through(content: bytes, scan: XmlScan) -> None:
+    try:
+        scan.root(content)  # faster, but each prefix must mean something
+    except (ParseError, LookupError, UnicodeError):
+        scan.check(content)
+
+
+@lru_cache(maxsize=_KEPT)
+def _seen_in(content: bytes) -> Seen:
+    scan = _scan_of_short()
+    _go_through(content, scan)
+    return scan.seen
+
+
+@lru_cache(maxsize=_KEPT)
+def _made_of(content: bytes, make: Callable[[Element], Any]) -> tuple[Any, Seen]:
+    scan = _scan_of_short()
+    return make(scan.root(content)), scan.seen
+
+
+def _scan_of_short() -> XmlScan:
+    return XmlScan(Bounds(part=_SHORT, total=_SHORT, elements=_SHORT))
 
 
 def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:

@@ -19,6 +19,12 @@ MOST_COVERED: Final = 100_000  # cells; the reader makes one for each cell that 
 MOST_RANGES: Final = 5_000
 MOST_RELATIONS: Final = 10_000  # of all parts; each link to the network is one
 
+_MOST: Final[Mapping[str, tuple[int, WhyRefused]]] = {
+    "sheet": (MOST_SHEETS, WhyRefused.TOO_LARGE),
+    "relation": (MOST_RELATIONS, WhyRefused.TOO_LARGE),
+    "range": (MOST_RANGES, WhyRefused.MERGED),
+    "covered": (MOST_COVERED, WhyRefused.MERGED),
+}
 _RANGES: Final = frozenset({"mergeCell", "hyperlink", "comment"})
 _COUNTED: Final = _RANGES | {"sheet", "Relationship"}
 _TAG_OF: Final = attrgetter("tag")
@@ -51,6 +57,19 @@ class Bounds:
     elements: int
 
 
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What a part holds of what is bounded.
+
+    Attributes:
+        elements: of XML.
+        counted: how many sheets, relations, ranges and covered cells.
+    """
+
+    elements: int
+    counted: Mapping[str, int]
+
+
 class XmlScan:
     """What was seen of an archive's XML so far; it changes, because a parser calls back."""
 
@@ -59,6 +78,23 @@ class XmlScan:
         self._elements = 0
         self._unpacked = 0
         self._seen: Counter[str] = Counter()
+
+    @property
+    def seen(self) -> Seen:
+        """What was seen so far."""
+        return Seen(self._elements, dict(self._seen))
+
+    def add(self, seen: Seen) -> None:
+        """Count what a part holds that was gone through before, byte for byte the same.
+
+        Raises:
+            RefusedError: it is too much.
+        """
+        self._elements += seen.elements
+        if self._elements > self._bounds.elements:
+            raise RefusedError(WhyRefused.TOO_LARGE)
+        for what, number in seen.counted.items():
+            self._count(what, number)
 
     def unpack(self, size: int) -> None:
         """Count the declared size of a part, which `zipfile` never unpacks beyond.
@@ -131,7 +167,8 @@ class XmlScan:
                 raise RefusedError(WhyRefused.FOREIGN_CONTENT)
             if self._elements > self._bounds.elements:
                 raise RefusedError(WhyRefused.TOO_LARGE)
-            level = list(chain.from_iterable(one for one in level if len(one)))
+            with_children = filter(len, level)
+            level = list(chain.from_iterable(with_children))
             tags.update(map(_TAG_OF, level))
         for tag in tags:
             if local_name(tag) in _COUNTED:
@@ -141,15 +178,15 @@ class XmlScan:
 
     def _count_one(self, name: str, attributes: Mapping[str, str]) -> None:
         if name == "sheet":
-            self._count("sheet", 1, MOST_SHEETS, WhyRefused.TOO_LARGE)
+            self._count("sheet", 1)
         elif name == "Relationship":
-            self._count("relation", 1, MOST_RELATIONS, WhyRefused.TOO_LARGE)
+            self._count("relation", 1)
         else:
-            covered = _covered(attributes.get("ref", ""))
-            self._count("range", 1, MOST_RANGES, WhyRefused.MERGED)
-            self._count("covered", covered, MOST_COVERED, WhyRefused.MERGED)
+            self._count("range", 1)
+            self._count("covered", _covered(attributes.get("ref", "")))
 
-    def _count(self, what: str, number: int, most: int, reason: WhyRefused) -> None:
+    def _count(self, what: str, number: int) -> None:
+        most, reason = _MOST[what]
         self._seen[what] += number
         if self._seen[what] > most:
             raise RefusedError(reason)
