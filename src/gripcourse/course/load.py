@@ -10,6 +10,7 @@ from gripcourse.course.check import check_course
 from gripcourse.course.compose import inherited
 from gripcourse.course.declare import declare
 from gripcourse.course.diagram import Element, read_elements
+from gripcourse.course.digest import VARIANTS, course_digest
 from gripcourse.course.equations import read_equations
 from gripcourse.course.errata import Erratum, read_errata
 from gripcourse.course.keys import COURSE, PART, SHARED_DIAGRAM
@@ -26,14 +27,10 @@ from gripcourse.course.view_keys import SHARED_VIEW
 from gripcourse.course.view_read import read_shared
 from gripcourse.errors import CourseError, Problem
 from gripcourse.machine.enclosed import strange_files
-from gripcourse.machine.kept import digest_of, keep, read_kept
+from gripcourse.machine.kept import keep, read_kept
 from gripcourse.machine.resources import COURSE_FOLDERS
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, message
-
-VARIANTS = "variants"
-RUBRICS = "grader/rubric"  # items that persons mark name a file there
-_READ = ("**/*.toml", "catalogues/*.csv")  # not the roster and the tables: a course has no people
 
 
 def load_course(root: Path) -> Course:
@@ -78,16 +75,6 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
         for remembered in (_kept, _kept_at):  # that there was none
             remembered.cache_clear()
     return course, digest
-
-
-def course_digest(root: Path) -> str | None:
-    """Digest all that a course is loaded from and checked with; None: some cannot be read."""
-    try:
-        folders = (root / VARIANTS, root / RUBRICS)
-        below = (path for folder in folders for pattern in _READ for path in folder.glob(pattern))
-        return digest_of(root, [path for path in below if path.is_file()])
-    except OSError:
-        return None
 
 
 @lru_cache(maxsize=4)

@@ -7,7 +7,7 @@ from datetime import date
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import Graded, grade_files, incident_number
+from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
 from gripcourse.exports.grades import Called, grades_csv
@@ -178,6 +178,27 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         missing=missing(reports, context),
         cohort_fault="" if failed is None else failed.reason,
     )
+
+
+def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path) -> bool:
+    """Tell whether the next run need not look at any file or report again while nothing changes.
+
+    What could not be read, and what failed on our side, may be the machine's fault of that day.
+
+    Args:
+        graded: the batch.
+        context: that it was graded with.
+        out: folder of its results, written.
+    """
+    recalculate = context.recalculate
+    whole = all(is_found_out(one.report, recalculate=recalculate) for one in graded)
+    return whole and not (out / INCIDENTS).exists()
+
+
+def taken_over_next_time(outcome: GradingOutcome) -> GradingOutcome:
+    """Return what the next run comes to while nothing changes."""
+    taken_over = TakenOver(results=len(outcome.reports), reports=len(outcome.written))
+    return replace(outcome, taken_over=taken_over)
 
 
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:

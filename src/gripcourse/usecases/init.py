@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Final, TypeAlias
 
-from gripcourse.course.load import VARIANTS
+from gripcourse.course.digest import VARIANTS
 from gripcourse.errors import Problem, UsageError, system_problem
 from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.machine.files import write_text
