@@ -29,7 +29,7 @@ from gripcourse.grading.model import Decision, Flag, FlagCode, Outcome, Report, 
 from gripcourse.grading.path_pattern import path_pattern
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import message
-from gripcourse.usecases.as_before import Asked, Beginning, Said, beginning
+from gripcourse.usecases.as_before import Beginning, GradingAsked, SaidAtEnd, beginning
 from gripcourse.usecases.collect import collect
 from gripcourse.usecases.grade import GradingOutcome, grade, is_settled, write_results
 from gripcourse.usecases.gradebook import keep
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 GRADED_ON: Final = date(2026, 12, 2)
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
 WORKS: Final = Path("works")
-SAID: Final = Said("belts", "two works", "", needs_person=False)
+SAID: Final = SaidAtEnd("belts", "two works", "", needs_person=False)
 HERE = Path(__file__).parent
 LATE = """
 [late]
@@ -92,7 +92,7 @@ class Desk:
     def begun(self, out: str = "out", *options: object) -> Beginning:
         """Return how everything stands."""
         found = collect([WORKS])
-        return beginning(Asked(self.course.root, self.gradebook, Path(out), found, options))
+        return beginning(GradingAsked(self.course.root, self.gradebook, Path(out), found, options))
 
     @property
     def gradebook(self) -> str:

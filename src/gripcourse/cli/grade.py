@@ -37,7 +37,7 @@ from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
-    from gripcourse.usecases.as_before import Beginning, Said
+    from gripcourse.usecases.as_before import Beginning, SaidAtEnd
     from gripcourse.usecases.grade import GradingOutcome
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
@@ -88,7 +88,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
     from gripcourse.machine.office import office_command
-    from gripcourse.usecases.as_before import Asked, beginning
+    from gripcourse.usecases.as_before import GradingAsked, beginning
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.note_batch import note_batch
 
@@ -106,14 +106,14 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     )
     manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
     options = (order, str(out), words.language, bool(workers), office_command())
-    begun = beginning(Asked(root, gradebook_place(gradebook, root), out, found, options))
+    begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
     said = None if json or afresh else begun.said_before()
     if said is None:
         needs_person = _grade_anew(begun, order, manner)
     else:
         now, files = datetime.now(UTC), len(found.files)
         note_batch(begun.asked.place, said.course, files, manner.by, why, now)
-        _repeat(said)
+        _say(said)
         needs_person = said.needs_person
     raise typer.Exit(NEEDS_PERSON if needs_person else DONE)
 
@@ -214,34 +214,32 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     if manner.json:
         result = command.batch_result(outcome.reports, words, asked.found.passed_over)
         typer.echo(cli_text.json_text(result.to_dict()))
-    else:
-        _say(outcome, out, words)
+        return outcome.needs_person
+    # Once: to lay out the table of a large batch takes seconds.
+    text = grading_text.batch_text(outcome, out, words)
+    said = _said(text, outcome, context.course.id, out, words)
+    _say(said)
     if earlier is not None and command.is_settled(graded, context, out):
-        again = _said(command.taken_over_next_time(outcome), context.course.id, out, words)
+        again = _said(text, command.taken_over_next_time(outcome), context.course.id, out, words)
         begun.keep(again, [one.report.digest for one in graded], now)
     return outcome.needs_person
 
 
-def _said(outcome: "GradingOutcome", course: str, out: Path, words: Words) -> "Said":
-    from gripcourse.usecases.as_before import Said
+def _said(
+    text: str, outcome: "GradingOutcome", course: str, out: Path, words: Words
+) -> "SaidAtEnd":
+    from gripcourse.usecases.as_before import SaidAtEnd
 
-    return Said(
+    return SaidAtEnd(
         course=course,
-        whole=grading_text.grading_text(outcome, out, words),
+        whole=grading_text.with_taken_over(text, outcome, words),
         problems=grading_text.problems_text(outcome, out, words),
         needs_person=outcome.needs_person,
     )
 
 
-def _repeat(said: "Said") -> None:
-    """Say what an earlier run said."""
+def _say(said: "SaidAtEnd") -> None:
+    """Say all, or where nobody wants to hear it no more than what went wrong or waits."""
     confirm(said.whole)
     if is_quiet() and said.needs_person:
         typer.echo(said.problems, err=True)
-
-
-def _say(outcome: "GradingOutcome", out: Path, words: Words) -> None:
-    """Say all, or where nobody wants to hear it no more than what went wrong or waits."""
-    confirm(grading_text.grading_text(outcome, out, words))
-    if is_quiet() and outcome.needs_person:
-        typer.echo(grading_text.problems_text(outcome, out, words), err=True)

@@ -30,7 +30,7 @@ _ANY_SIZE: Final = 1 << 62  # bytes
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class GradingAsked:
     """What a run is asked for.
 
     Attributes:
@@ -49,7 +49,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class SaidAtEnd:
     """What a run said at its end.
 
     Attributes:
@@ -76,23 +76,23 @@ class Beginning:
         states: of the databases.
     """
 
-    asked: Asked
+    asked: GradingAsked
     versions: str
     around: str
     states: tuple[DatabaseState, ...]
 
-    def said_before(self) -> Said | None:
+    def said_before(self) -> SaidAtEnd | None:
         """Return what an earlier run said, where all is as it left it; None where it is not."""
         try:
             kept = json.loads(_said_path(self.asked.out).read_text(encoding="utf-8"))
-            said = Said(**kept["said"])
+            said = SaidAtEnd(**kept["said"])
             same_results = kept["results"] == _results(self.asked.out)
             same = same_results and kept["key"] == self._key(_digests(self.asked), self.states)
         except (OSError, ValueError, TypeError, KeyError):  # none yet, or damaged
             return None
         return said if same else None
 
-    def keep(self, said: Said, digests: Sequence[str], moment: datetime) -> None:
+    def keep(self, said: SaidAtEnd, digests: Sequence[str], moment: datetime) -> None:
         """Keep what this run says, unless somebody else changed the gradebook meanwhile.
 
         Args:
@@ -118,7 +118,7 @@ class Beginning:
         )
 
 
-def beginning(asked: Asked) -> Beginning:
+def beginning(asked: GradingAsked) -> Beginning:
     """Look at everything before a run.
 
     Raises:
@@ -136,7 +136,7 @@ def beginning(asked: Asked) -> Beginning:
     return Beginning(asked, versions_of(asked.root), digest_of_texts(around), _states(asked, now))
 
 
-def _states(asked: Asked, moment: datetime) -> tuple[DatabaseState, ...]:
+def _states(asked: GradingAsked, moment: datetime) -> tuple[DatabaseState, ...]:
     places = dict.fromkeys((asked.place, home_of(asked.root)))
     return tuple(state_of(place, moment) for place in places)
 
@@ -147,7 +147,7 @@ def _named_with_time(file: Readable) -> str:
     return repr((shown_name(file), time))
 
 
-def _digests(asked: Asked) -> list[str]:
+def _digests(asked: GradingAsked) -> list[str]:
     return [digest_of_content(one, LARGEST_FILE) for one in asked.found.files]
 
 
