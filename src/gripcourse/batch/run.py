@@ -83,7 +83,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
             it comes; None for neither.
         pool: kind of workers.
     """
-    shelf = Shelf()
+    shelf = Shelf(register=context.register)
     known = {} if kept is None else kept.of(files, shelf)
     for number in known:
         on_done(files[number])
