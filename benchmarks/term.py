@@ -9,7 +9,7 @@ package, started here). Then as many as `--printed` with all their reports.
 Students are issued the variants of the course's table again and again; everybody answers rightly
 but for a few numbers. Works are made by putting answers into the bytes of issued workbooks: opening
 each of them with a library would take longer than grading. The whole command runs in a process of
-its own, whose peak is that of the largest of its processes.
+its own. Each line is printed as soon as it is measured, and what fails takes nothing else along.
 """
 
 import argparse
@@ -21,14 +21,15 @@ import secrets
 import subprocess
 import sys
 import tempfile
+import traceback
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import date
 from importlib import import_module
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, sleep
 from xml.sax.saxutils import escape
 
 from cluster import cluster
@@ -52,9 +53,9 @@ from gripcourse.workbook.write import answer_workbook
 
 WORKS = (1000, 10_000)
 PRINTED = 200
-PARTS = ("local", "cluster", "postgresql", "printed")
 WORKERS = 2
 WRONG = 3  # answers of each student
+SECONDS = 0.05  # between two looks at a command's memory
 SEED = 26063
 _SHEET = re.compile(r'<sheet name="([^"]*)"[^>]*r:id="rId(\d+)"')
 _NAME = re.compile(r'<definedName name="([^"]*)">([^<]*)</definedName>')
@@ -65,20 +66,29 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", nargs="*", type=int, default=WORKS)
     parser.add_argument("--printed", type=int, default=PRINTED)
-    parser.add_argument("--only", nargs="*", choices=PARTS, default=PARTS)
+    parser.add_argument("--only", nargs="*", choices=(*PARTS, PRINTING), default=(*PARTS, PRINTING))
     arguments = parser.parse_args()
+    failed = False
     for works in arguments.count:
         with made(works) as base:
-            if "local" in arguments.only:
-                locally(base, ("--grades-only",))
-            if "cluster" in arguments.only:
-                on_a_cluster(base)
-            if "postgresql" in arguments.only:
-                in_postgresql(base)
-    if "printed" in arguments.only and arguments.printed:
+            for name, measure in PARTS.items():
+                if name in arguments.only:
+                    failed |= not went_well(name, measure, base)
+    if PRINTING in arguments.only and arguments.printed:
         with made(arguments.printed) as base:
-            print("  with all reports")
-            locally(base, ())
+            print("  with all reports", flush=True)
+            failed |= not went_well(PRINTING, printing, base)
+    sys.exit(failed)
+
+
+def went_well(name: str, measure: Callable[[Path], None], base: Path) -> bool:
+    """Measure one part; a failure is said and takes no other part along."""
+    try:
+        measure(base)
+    except Exception:  # noqa: BLE001 (an hour of measuring is not lost for it)
+        print(f"  {name} failed:\n{traceback.format_exc()}", flush=True)
+        return False
+    return True
 
 
 @contextmanager
@@ -90,6 +100,16 @@ def made(works: int) -> Iterator[Path]:
         hand_in(base, works)
         print(f"{works} works, made in {perf_counter() - start:.0f} s", flush=True)
         yield base
+
+
+def grades_only(base: Path) -> None:
+    """Grade on this machine without printing anything."""
+    locally(base, ("--grades-only",))
+
+
+def printing(base: Path) -> None:
+    """Grade on this machine and print all reports."""
+    locally(base, ())
 
 
 def locally(base: Path, more: Sequence[str]) -> None:
@@ -214,11 +234,19 @@ def _typed(sheet: str, cell: str, value: float | str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Cost:
-    """What a command cost: seconds, seconds of the processor, MB of its largest process."""
+    """What a command cost: seconds, seconds of the processor, peaks in MB.
+
+    Attributes:
+        seconds: by the clock.
+        busy: of the processor, of the command and all its workers.
+        peak: of the command itself, as it was seen last.
+        largest: of the largest of its processes.
+    """
 
     seconds: float
     busy: float
     peak: float
+    largest: float
 
 
 def told(
@@ -230,6 +258,7 @@ def told(
         private.write_bytes((base / "issued.sqlite").read_bytes())
     cost = graded(base, ["works", "--out", out, "--workers", str(workers), *more])
     said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
+    said += f", of the largest process {cost.largest:.0f} MB"
     print(f"  {title:<24} {said}", flush=True)
     return cost
 
@@ -240,12 +269,21 @@ def graded(base: Path, words: Sequence[str]) -> Cost:
     start = perf_counter()
     with (base / "said").open("wb") as said:
         process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
-        _, status, used = os.wait4(process.pid, 0)
+        seen, ended = 0.0, 0
+        while not ended:
+            with suppress(IndexError):  # it ends just now
+                seen = peak(process.pid)
+            sleep(SECONDS)
+            ended, status, used = os.wait4(process.pid, os.WNOHANG)
     seconds = perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode not in {0, 1}:
         raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    return Cost(seconds, used.ru_utime + used.ru_stime, used.ru_maxrss / 1000)
+    return Cost(seconds, used.ru_utime + used.ru_stime, seen, used.ru_maxrss / 1000)
+
+
+PARTS = {"local": grades_only, "cluster": on_a_cluster, "postgresql": in_postgresql}
+PRINTING = "printed"
 
 
 if __name__ == "__main__":

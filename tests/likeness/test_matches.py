@@ -12,6 +12,7 @@ from gripcourse.likeness.matches import (
     last_unit,
     same_as_issued,
     same_as_typed,
+    typed_in_order,
 )
 
 ROWS, COLUMNS = 6, 3
@@ -54,7 +55,7 @@ def test_every_variant_within_one_unit_of_the_last_digit_is_found(
 @given(typed=TABLES)
 def test_everybody_else_who_typed_the_same_is_found(typed: list[list[float]]) -> None:
     asked = numbers(typed)
-    found = same_as_typed(asked, ROWS, COLUMNS)
+    found = same_as_typed(asked, typed_in_order(asked, ROWS, COLUMNS))
     number, owner = found.owners(np.arange(len(asked.value)))
     pairs = set(zip(number.tolist(), owner.tolist(), strict=True))
     for one in range(len(asked.value)):

@@ -12,7 +12,8 @@ from gripcourse.usecases.collect import collect
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.handed_in import handed_in_times
 from gripcourse.usecases.opening import open_grading
-from gripcourse.usecases.unchanged import open_earlier, versions_of
+from gripcourse.usecases.unchanged import open_earlier
+from gripcourse.usecases.versions import versions_of
 
 NOW = datetime(2026, 12, 9, 9, tzinfo=UTC)
 

@@ -5,11 +5,14 @@ import importlib
 import os
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime
+from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Final
@@ -26,13 +29,15 @@ from gripcourse.grading.model import Decision, Flag, FlagCode, Outcome, Report, 
 from gripcourse.grading.path_pattern import path_pattern
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import message
+from gripcourse.usecases.as_before import Beginning, GradingAsked, SaidAtEnd, beginning
 from gripcourse.usecases.collect import collect
-from gripcourse.usecases.grade import GradingOutcome, grade, write_results
+from gripcourse.usecases.grade import GradingOutcome, grade, is_settled, write_results
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.handed_in import handed_in_times
 from gripcourse.usecases.mark import enter_mark
 from gripcourse.usecases.opening import grading_of
-from gripcourse.usecases.unchanged import EARLIER, TakenOver, open_earlier, told_of, versions_of
+from gripcourse.usecases.unchanged import TakenOver, open_earlier, told_of
+from gripcourse.usecases.versions import EARLIER
 from gripcourse.usecases.waive import waive
 from support.classroom import forget_one_jaw
 
@@ -42,6 +47,7 @@ if TYPE_CHECKING:
 GRADED_ON: Final = date(2026, 12, 2)
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
 WORKS: Final = Path("works")
+SAID: Final = SaidAtEnd("belts", "two works", "", needs_person=False)
 HERE = Path(__file__).parent
 LATE = """
 [late]
@@ -62,13 +68,14 @@ class Desk:
     ) -> GradingOutcome:
         context = replace(grading_of(self.course, load_policy(self.course)), **changes)  # type: ignore[arg-type]
         folder = Path(out)
-        versions = versions_of(self.course.root)
+        begun = self.begun(out)
+        versions = begun.versions
         earlier = open_earlier(folder, context, versions, workers=0, day=day, afresh=afresh)
         files = collect([WORKS]).files
         graded = grade(files, context, 0, lambda _: None, earlier)
         times = handed_in_times((), files, ZoneInfo("Europe/Kyiv"))
         graded = keep(graded, context, self.gradebook, NOW, times)
-        return write_results(
+        outcome = write_results(
             graded,
             context,
             folder,
@@ -78,6 +85,14 @@ class Desk:
             lay_out=self.fake.page,
             earlier=earlier,
         )
+        if is_settled(graded, context, folder):
+            begun.keep(SAID, [one.report.digest for one in graded], NOW)
+        return outcome
+
+    def begun(self, out: str = "out", *options: object) -> Beginning:
+        """Return how everything stands."""
+        found = collect([WORKS])
+        return beginning(GradingAsked(self.course.root, self.gradebook, Path(out), found, options))
 
     @property
     def gradebook(self) -> str:
@@ -199,6 +214,8 @@ def test_what_changes_is_made_anew_and_nothing_stale_is_left(desk: Desk, change:
     do, expected = CHANGES[change]
     found = do(desk)
     options = found if isinstance(found, dict) else {}
+    as_before = (SAID, None) if change == "nothing" else (None, None)
+    assert (desk.begun().said_before(), desk.begun("anew").said_before()) == as_before or options
     taken_over = desk.grade(**options).taken_over
     assert expected is None or taken_over == expected
     desk.grade(**{**options, "out": "anew"})
@@ -228,8 +245,8 @@ def test_evidence_that_a_new_work_brings_makes_the_report_anew_that_it_concerns(
     "part",
     [
         "gripcourse.machine.kept._program_digest",
-        "gripcourse.usecases.unchanged._libraries",
-        "gripcourse.usecases.unchanged.catalogue_file",
+        "gripcourse.usecases.versions._libraries",
+        "gripcourse.usecases.versions.catalogue_file",
     ],
 )
 def test_another_program_library_or_translation_makes_all_anew(
@@ -240,6 +257,52 @@ def test_another_program_library_or_translation_makes_all_anew(
     values = {"_program_digest": b"other", "_libraries": ["other"], "catalogue_file": other}
     monkeypatch.setattr(part, lambda *_: values[part.rpartition(".")[2]])
     assert desk.grade().taken_over == NOTHING
+
+
+def file_changed(_: Desk) -> None:
+    path = WORKS / "s01.xlsx"
+    path.write_bytes(path.read_bytes() + b"more")
+    os.utime(path, (NOW.timestamp(), NOW.timestamp()))
+
+
+def row_added(desk: Desk) -> None:
+    columns = "course, student, number, name, study_group, email, language, fixed_variant"
+    with closing(sqlite3.connect(desk.gradebook)) as book, book:
+        book.execute(
+            f"INSERT INTO register_person ({columns})"  # noqa: S608 (ours)
+            f" SELECT {columns.replace('number', 'number + 1')} FROM register_person LIMIT 1"
+        )
+
+
+AROUND: Final[Mapping[str, Callable[[Desk], object]]] = {
+    "a work": file_changed,
+    "the time of a work": lambda _: os.utime(WORKS / "s01.xlsx"),
+    "one more file": lambda _: (WORKS / "s03.xlsx").write_bytes(b""),
+    "one more file that is not looked at": lambda _: (WORKS / "s03.zip").write_bytes(b""),
+    "a work that is gone": lambda _: (WORKS / "s01.xlsx").unlink(),
+    "a table": lambda _: Path("out/grades.csv").write_text("", encoding="utf-8"),
+    "a report of somebody else": lambda _: Path("out/reports/s09.pdf").write_bytes(b"%PDF-"),
+    "the register": row_added,
+    "the key": lambda _: Path("course/private/key").write_text("0" * 64, encoding="utf-8"),
+    "what was said": lambda _: Path("out", EARLIER, "said.json").write_text("{}", encoding="utf-8"),
+}
+
+
+@pytest.mark.parametrize("change", AROUND)
+def test_nothing_is_said_again_once_anything_has_changed(desk: Desk, change: str) -> None:
+    assert desk.begun().said_before() == SAID
+    assert desk.begun("out", "another option").said_before() is None
+    AROUND[change](desk)
+    assert desk.begun().said_before() is None
+
+
+def test_what_somebody_else_decides_meanwhile_is_not_passed_over_next_time(desk: Desk) -> None:
+    begun, digests = desk.begun(), [sha256(one.read_bytes()) for one in sorted(WORKS.iterdir())]
+    mark(desk)
+    begun.keep(SAID, [one.hexdigest() for one in digests], datetime.now(UTC))
+    assert desk.begun().said_before() is None
+    desk.begun().keep(SAID, [one.hexdigest() for one in digests], datetime.now(UTC))
+    assert desk.begun().said_before() == SAID
 
 
 def test_a_damaged_result_is_found_out_again(desk: Desk) -> None:

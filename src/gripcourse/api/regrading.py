@@ -71,7 +71,8 @@ def regrade(  # noqa: PLR0913 (the last ones are what everybody leaves as they a
 
 def _earlier(course: Course, context: "GradingContext", workers: int) -> "KeptReports | None":
     """Return what earlier regrades found out; None where the course's folder has changed."""
-    from gripcourse.usecases.unchanged import open_earlier, versions_of
+    from gripcourse.usecases.unchanged import open_earlier
+    from gripcourse.usecases.versions import versions_of
 
     # Whoever may not write there looks, too, but pays for every look.
     with suppress(OSError):

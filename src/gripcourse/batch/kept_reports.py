@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
-from gripcourse.machine.content import Readable, content_of, shown_name
+from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.kept import read_value, write_value
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 
@@ -44,13 +44,10 @@ class KeptReports:
     def keep(self, file: Readable, report: Report) -> None:
         """Keep the report of a file under the digest of the bytes that it was made from.
 
-        A file that could not be read is looked at again each time: the machine may be to blame.
-
         Raises:
             OSError: it cannot be written.
         """
-        if report.digest and not report.refusal:
-            write_value(self._path(file, report.digest), report)
+        write_value(self._path(file, report.digest), report)
 
     def flags_of(self, reports: Sequence[Report], find: Callable[[], FlagsOf]) -> FlagsOf:
         """Return the flags that comparing reports comes to; the last comparison is kept.
@@ -73,7 +70,7 @@ class KeptReports:
     def _find(self, file: Readable) -> Report | None:
         if not self.folder.is_dir():
             return None
-        digest = _digest(file)
+        digest = digest_of_content(file, LARGEST_FILE)
         found = read_value(self._path(file, digest)) if digest else None
         return found if isinstance(found, Report) and found.digest == digest else None
 
@@ -89,16 +86,3 @@ class _Compared:
 
     key: str
     flags: FlagsOf
-
-
-def _digest(file: Readable) -> str:
-    """Return the digest of a file; empty for one that is gone or that nobody would read."""
-    try:
-        if isinstance(file, Path):
-            if file.stat().st_size > LARGEST_FILE:
-                return ""
-            with file.open("rb") as stream:
-                return hashlib.file_digest(stream, "sha256").hexdigest()
-        return hashlib.sha256(content_of(file)).hexdigest()
-    except OSError:
-        return ""

@@ -83,7 +83,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
             it comes; None for neither.
         pool: kind of workers.
     """
-    shelf = Shelf()
+    shelf = Shelf(register=context.register)
     known = {} if kept is None else kept.of(files, shelf)
     for number in known:
         on_done(files[number])
@@ -136,12 +136,21 @@ def _keeping(
 ) -> Iterator[tuple[int, Report | Lost]]:
     """Keep what was found out of files; what failed or needs a second look is tried again."""
     for number, report in jobs:
-        is_whole = isinstance(report, Report) and not needs_second_look(
-            report, recalculate=recalculate
-        )
-        if kept is not None and isinstance(report, Report) and is_whole:
+        if isinstance(report, Lost):
+            yield number, report
+            continue
+        if kept is not None and is_found_out(report, recalculate=recalculate):
             kept.keep(files[number], report)
-        yield number, shelf.put(report) if isinstance(report, Report) else report
+        yield number, shelf.put(report)
+
+
+def is_found_out(report: Report, *, recalculate: bool) -> bool:
+    """Tell whether all is known of a file: the same bytes need not be looked at again.
+
+    A file that could not be read is looked at again each time: the machine may be to blame.
+    """
+    is_whole = not needs_second_look(report, recalculate=recalculate)
+    return bool(report.digest) and not report.refusal and is_whole
 
 
 def _in_memory(file: Readable) -> NamedBytes:

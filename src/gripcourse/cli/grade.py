@@ -1,8 +1,8 @@
 """The command that grades a batch: parse, one call, print, exit code. No logic."""
 
 import getpass
-from dataclasses import replace
-from datetime import UTC, datetime
+from dataclasses import dataclass, replace
+from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -37,6 +37,7 @@ from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
+    from gripcourse.usecases.as_before import Beginning, SaidAtEnd
     from gripcourse.usecases.grade import GradingOutcome
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
@@ -86,14 +87,70 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
-    from gripcourse.gradebook.journal import Signed
+    from gripcourse.machine.office import office_command
+    from gripcourse.usecases.as_before import GradingAsked, beginning
+    from gripcourse.usecases.collect import collect
+    from gripcourse.usecases.note_batch import note_batch
+
+    words = words_for(language)
+    found = collect(paths)
+    root = course_folder(course)
+    order = _Order(
+        whose=tuple(whose or ()),
+        handed_in=tuple(handed_in or ()),
+        pattern=pattern,
+        either_version=either_version,
+        recalculate=recalculate,
+        grades_only=grades_only,
+        day=None if on is None else day_of(on),
+    )
+    manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
+    options = (order, str(out), words.language, bool(workers), office_command())
+    begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
+    said = None if json or afresh else begun.said_before()
+    if said is None:
+        needs_person = _grade_anew(begun, order, manner)
+    else:
+        now, files = datetime.now(UTC), len(found.files)
+        note_batch(begun.asked.place, said.course, files, manner.by, why, now)
+        _say(said)
+        needs_person = said.needs_person
+    raise typer.Exit(NEEDS_PERSON if needs_person else DONE)
+
+
+@dataclass(frozen=True, slots=True)
+class _Order:
+    """What decides over what is graded and printed, as it was typed."""
+
+    whose: tuple[str, ...]
+    handed_in: tuple[str, ...]
+    pattern: str | None
+    either_version: bool | None
+    recalculate: bool
+    grades_only: bool
+    day: date | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Manner:
+    """How it is done, by whom and why, and how it is said; results do not depend on it."""
+
+    workers: int
+    cluster: str | None
+    afresh: bool
+    json: bool
+    by: str
+    why: str
+    words: Words
+
+
+def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
+    """Grade what an earlier run did not, and say all; tell whether something needs a person."""
     from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.jobs.cluster import open_workers
     from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
-    from gripcourse.usecases.begin_grading import note_batch
-    from gripcourse.usecases.collect import collect
     from gripcourse.usecases.gradebook import (
         check_gradebook,
         course_deadlines,
@@ -101,72 +158,88 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         with_kept_versions,
     )
     from gripcourse.usecases.handed_in import handed_in_times
+    from gripcourse.usecases.note_batch import note_batch
     from gripcourse.usecases.opening import open_grading, recalculating
     from gripcourse.usecases.progress import progress_noted
     from gripcourse.usecases.student_reports import student_pdf
-    from gripcourse.usecases.unchanged import open_earlier, versions_of
+    from gripcourse.usecases.unchanged import open_earlier
     from gripcourse.usecases.whose import read_whose
 
-    words = words_for(language)
-    found = collect(paths)
-    files = found.files
-    root = course_folder(course)
-    versions = versions_of(root)
-    context = open_grading(root)
-    decided = read_whose(whose or (), files, context.register)
+    asked, words = begun.asked, manner.words
+    files, out, place = asked.found.files, asked.out, asked.place
+    context = open_grading(asked.root)
     context = replace(
         context,
-        whose=decided,
-        pattern=None if pattern is None else path_pattern(pattern, context.register),
-        either_version=either_version,
+        whose=read_whose(order.whose, files, context.register),
+        pattern=None if order.pattern is None else path_pattern(order.pattern, context.register),
+        either_version=order.either_version,
     )
-    if recalculate:
-        context = recalculating(context, workers)
-    times = handed_in_times(handed_in or (), files, zone_of(context.policy.late))
-    place = gradebook_place(gradebook, context.course.root)
+    if order.recalculate:
+        context = recalculating(context, manner.workers)
+    times = handed_in_times(order.handed_in, files, zone_of(context.policy.late))
     check_gradebook(place)
     context = with_kept_versions(context, place)
     # Read again where they are needed; what is wrong there is said before anything is graded.
     course_deadlines(context)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
-    stated = None if on is None else day_of(on)
-    earlier = open_earlier(out, context, versions, workers=workers, day=stated, afresh=afresh)
+    earlier = open_earlier(
+        out, context, begun.versions, workers=manner.workers, day=order.day, afresh=manner.afresh
+    )
     say_limits(words)
     with (
-        open_workers(workers, cluster) as (hands, pool),
+        open_workers(manner.workers, manner.cluster) as (hands, pool),
         cli_text.progress() as shown,
         progress_noted(out, shown) as step,
     ):
         tick = step(words.say(message("Grading")), len(files))
         graded = command.grade(files, context, hands, lambda _: tick(), earlier, pool)
-        signed = Signed(by or getpass.getuser(), datetime.now(UTC), why)
-        graded = keep(graded, context, place, signed.done_at, times)
-        note_batch(place, context.course.id, len(graded), signed)
-        if not grades_only:
+        now = datetime.now(UTC)
+        graded = keep(graded, context, place, now, times)
+        note_batch(place, context.course.id, len(graded), manner.by, manner.why, now)
+        if not order.grades_only:
             tick = step(words.say(message("Writing reports")), len(files))
         outcome = command.write_results(
             graded,
             context,
             out,
-            day_of(on),
+            order.day or day_of(None),
             hands,
             lambda _: tick(),
-            passed_over=found.passed_over,
-            lay_out=None if grades_only else student_pdf,
+            passed_over=asked.found.passed_over,
+            lay_out=None if order.grades_only else student_pdf,
             earlier=earlier,
             pool=pool,
         )
-    if json:
-        result = command.batch_result(outcome.reports, words, found.passed_over)
+    if manner.json:
+        result = command.batch_result(outcome.reports, words, asked.found.passed_over)
         typer.echo(cli_text.json_text(result.to_dict()))
-    else:
-        _say(outcome, out, words)
-    raise typer.Exit(NEEDS_PERSON if outcome.needs_person else DONE)
+        return outcome.needs_person
+    # Once: to lay out the table of a large batch takes seconds.
+    text = grading_text.batch_text(outcome, out, words)
+    said = _said(text, outcome, context.course.id, out, words)
+    _say(said)
+    if earlier is not None and command.is_settled(graded, context, out):
+        again = _said(text, command.taken_over_next_time(outcome), context.course.id, out, words)
+        begun.keep(again, [one.report.digest for one in graded], now)
+    return outcome.needs_person
 
 
-def _say(outcome: "GradingOutcome", out: Path, words: Words) -> None:
+def _said(
+    text: str, outcome: "GradingOutcome", course: str, out: Path, words: Words
+) -> "SaidAtEnd":
+    from gripcourse.usecases.as_before import SaidAtEnd
+
+    return SaidAtEnd(
+        course=course,
+        whole=grading_text.with_taken_over(text, outcome, words),
+        problems=grading_text.problems_text(outcome, out, words),
+        needs_person=outcome.needs_person,
+    )
+
+
+def _say(said: "SaidAtEnd") -> None:
     """Say all, or where nobody wants to hear it no more than what went wrong or waits."""
-    confirm(grading_text.grading_text(outcome, out, words))
-    if is_quiet() and outcome.needs_person:
-        typer.echo(grading_text.problems_text(outcome, out, words), err=True)
+    confirm(said.whole)
+    if is_quiet() and said.needs_person:
+        typer.echo(said.problems, err=True)

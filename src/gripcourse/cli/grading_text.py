@@ -55,6 +55,26 @@ _NAMED = 10  # files of one kind, or students, that a line names
 
 def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return the scores as a table, what a person must look at, and where everything is."""
+    return with_taken_over(batch_text(outcome, out, words), outcome, words)
+
+
+def with_taken_over(text: str, outcome: "GradingOutcome", words: Words) -> str:
+    """Add to the text of a batch how much of it an earlier run had found out."""
+    if not (outcome.taken_over.results or outcome.taken_over.reports):
+        return text
+    said = message(
+        "Nothing changed for {results} of {files} files and {reports} of {written} reports: "
+        "taken over as they were. --afresh makes all of them anew.",
+        results=outcome.taken_over.results,
+        files=len(outcome.reports),
+        reports=outcome.taken_over.reports,
+        written=len(outcome.written),
+    )
+    return f"{text}\n{words.say(said)}"
+
+
+def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
+    """Return what `grading_text` does but for what was taken over: the same at each run."""
     from gripcourse.usecases.grade import FILES_CSV, GRADES_CSV, INCIDENTS, REPORTS
 
     called = _called(outcome.reports)
@@ -95,16 +115,6 @@ def grading_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     lines += _cohort_fault(outcome, words)
     if outcome.grades_only:
         lines.append(words.say(message("Nothing was printed, as you said.")))
-    if outcome.taken_over.results or outcome.taken_over.reports:
-        said = message(
-            "Nothing changed for {results} of {files} files and {reports} of {written} reports: "
-            "taken over as they were. --afresh makes all of them anew.",
-            results=outcome.taken_over.results,
-            files=len(outcome.reports),
-            reports=outcome.taken_over.reports,
-            written=len(outcome.written),
-        )
-        lines.append(words.say(said))
     incidents = out / INCIDENTS
     for said, place in (
         (message("Student reports"), None if outcome.grades_only else out / REPORTS),

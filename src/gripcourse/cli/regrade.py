@@ -73,7 +73,8 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.usecases.gradebook import with_kept_versions
     from gripcourse.usecases.mark import existing_gradebook
     from gripcourse.usecases.opening import open_grading
-    from gripcourse.usecases.unchanged import open_earlier, versions_of
+    from gripcourse.usecases.unchanged import open_earlier
+    from gripcourse.usecases.versions import versions_of
     from gripcourse.usecases.whose import read_whose
 
     words = words_for(language)

@@ -4,14 +4,12 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from gripcourse.course.digest import course_digest
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
 from gripcourse.machine.enclosed import strange_files
-from gripcourse.machine.kept import digest_of, keep, read_kept
-from gripcourse.machine.resources import COURSE_FOLDERS, VARIANTS
-
-RUBRICS = "grader/rubric"  # items that persons mark name a file there
-_READ = ("**/*.toml", "catalogues/*.csv")  # not the roster and the tables: a course has no people
+from gripcourse.machine.kept import keep, read_kept
+from gripcourse.machine.resources import COURSE_FOLDERS
 
 
 def load_course(root: Path) -> Course:
@@ -60,16 +58,6 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
         for remembered in (_kept, _kept_at):  # that there was none
             remembered.cache_clear()
     return course, digest
-
-
-def course_digest(root: Path) -> str | None:
-    """Digest all that a course is loaded from and checked with; None: some cannot be read."""
-    try:
-        folders = (root / VARIANTS, root / RUBRICS)
-        below = (path for folder in folders for pattern in _READ for path in folder.glob(pattern))
-        return digest_of(root, [path for path in below if path.is_file()])
-    except OSError:
-        return None
 
 
 @lru_cache(maxsize=4)

@@ -69,10 +69,12 @@ def grades_text(
     called: Called = _PLAIN,
 ) -> str:
     """Return the table as text; see `grades_csv`."""
-    sections = tuple(
-        dict.fromkeys(finding.section for report in reports for finding in report.findings)
-    )
     timed = any(report.timing is not None for report in reports)
+    parts = [
+        _parts(unfolded(report), students.get(report.student), called, timed=timed)
+        for report in reports
+    ]
+    sections = tuple(dict.fromkeys(section for one in parts for section in one.points))
     header = (
         *("student", "name", "group", "email", "variant"),
         *("score", "max_score", "percent", "open_points"),
@@ -82,8 +84,7 @@ def grades_text(
         *("slips", "flags", "file"),
     )
     rows = [
-        _row(unfolded(report), sections, students.get(report.student), called, timed=timed)
-        for report in reports
+        (*one.before, *(one.points.get(name, "") for name in sections), *one.after) for one in parts
     ]
     handed_in = {report.student for report in reports}
     rows += (
@@ -99,16 +100,18 @@ def _missing_row(student: Student, width: int) -> tuple[str, ...]:
     return (*known, *("",) * (width - len(known) - 2), NOT_HANDED_IN, "")
 
 
-def _row(
-    report: Report,
-    sections: tuple[str, ...],
-    student: Student | None,
-    called: Called,
-    *,
-    timed: bool,
-) -> tuple[str, ...]:
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """The cells of a row: those before the points of sections, these by section, those after."""
+
+    before: tuple[str, ...]
+    points: Mapping[str, str]
+    after: tuple[str, ...]
+
+
+def _parts(report: Report, student: Student | None, called: Called, *, timed: bool) -> _Parts:
     flags = "; ".join(dict.fromkeys(flag.code for flag in report.flags))
-    return (
+    before = (
         *map(
             text_cell,
             (
@@ -122,11 +125,9 @@ def _row(
         *_points(report),
         *_grades(report, called),
         *(_timing(report) if timed else ()),
-        *_section_points(report, sections),
-        text_cell("; ".join(_slips(report))),
-        text_cell(flags),
-        text_cell(report.file),
     )
+    after = ("; ".join(_slips(report)), flags, report.file)
+    return _Parts(before, _section_points(report), tuple(map(text_cell, after)))
 
 
 def _points(report: Report) -> tuple[str, str, str, str]:
@@ -163,13 +164,11 @@ def _timing(report: Report) -> tuple[str, ...]:
     )
 
 
-def _section_points(report: Report, sections: tuple[str, ...]) -> tuple[str, ...]:
-    if not report.judged:
-        return ("",) * len(sections)
-    totals = section_totals(report)
-    return tuple(
-        number_cell(totals[section].points) if section in totals else "" for section in sections
-    )
+def _section_points(report: Report) -> dict[str, str]:
+    return {
+        section: number_cell(total.points) if report.judged else ""
+        for section, total in section_totals(report).items()
+    }
 
 
 def _slips(report: Report) -> Iterator[str]:

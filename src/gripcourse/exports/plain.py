@@ -30,19 +30,20 @@ _SCALARS: Final[Mapping[object, tuple[str, tuple[type, ...], Message]]] = {
     date: ("string", (str,), message("A date such as 2026-09-30 is wanted.")),
     datetime: ("string", (str,), message("A date such as 2026-09-30 is wanted.")),
 }
+_PLAIN: Final = frozenset({str, bool, int, float, NoneType})
 _ENTRY: Final = re.compile(r"^    (\w[\w, ]*): (.+(?:\n {8}.+)*)", re.MULTILINE)
 
 
 def to_plain(value: object) -> Any:  # noqa: ANN401 (whatever JSON can hold)
     """Return a result as dictionaries, lists, texts and numbers that JSON can hold."""
+    if type(value) in _PLAIN:
+        return value
     if is_dataclass(value) and not isinstance(value, type):
         named = {name: to_plain(getattr(value, name)) for name in _names_of(type(value))}
         schema = getattr(value, "SCHEMA", "")
         return {KEY: schema, **named} if schema else named
-    if isinstance(value, StrEnum):
-        return value.value
-    if isinstance(value, date):
-        return value.isoformat()
+    if isinstance(value, StrEnum | date):
+        return value.value if isinstance(value, StrEnum) else value.isoformat()
     if isinstance(value, Mapping):
         return {name: to_plain(one) for name, one in value.items()}
     if isinstance(value, tuple):

@@ -17,6 +17,7 @@ from threading import Lock
 from typing import IO, TypeVar
 
 from gripcourse.grading.model import Finding, Report
+from gripcourse.variants.model import Issued
 
 _Value = TypeVar("_Value")
 
@@ -36,10 +37,12 @@ class Shelf:
     Attributes:
         file: grows at its end; None where the machine has no room for one.
         lock: for who reads and writes between threads.
+        register: by student; what a report holds as it was issued is held once.
     """
 
     file: IO[bytes] | None = field(default_factory=_new_file)
     lock: Lock = field(default_factory=Lock)
+    register: Mapping[str, Issued] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if self.file is not None:
@@ -50,7 +53,7 @@ class Shelf:
 
         On a full disk they stay in memory, folded.
         """
-        report = _with_shared_names(folded(report))
+        report = _with_shared(folded(report), self.register.get(report.student))
         findings = report.findings
         if not isinstance(findings, Folded) or isinstance(findings.held, _Place):
             return report
@@ -158,13 +161,16 @@ def digest_of_report(report: Report) -> str:
     return hashlib.sha256(b"%d\n%b%b" % (len(rest), rest, findings.packed)).hexdigest()
 
 
-def _with_shared_names(report: Report) -> Report:
-    """Let equal names be held once for all reports."""
-    return replace(report, options=_shared(report.options), givens=_shared(report.givens))
+def _with_shared(report: Report, issued: Issued | None) -> Report:
+    """Let what was issued be held once, and else equal names once for all reports."""
+    options, given = ({}, {}) if issued is None else (issued.variant.options, issued.variant.given)
+    return replace(
+        report, options=_shared(report.options, options), givens=_shared(report.givens, given)
+    )
 
 
-def _shared(named: Mapping[str, _Value]) -> Mapping[str, _Value]:
-    return {sys.intern(name): value for name, value in named.items()}
+def _shared(named: Mapping[str, _Value], held: Mapping[str, _Value]) -> Mapping[str, _Value]:
+    return held if named == held else {sys.intern(name): value for name, value in named.items()}
 
 
 def unfolded(report: Report) -> Report:

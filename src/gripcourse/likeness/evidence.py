@@ -9,20 +9,29 @@ over how much may have been taken, and divided by the number of comparisons.
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Final
 
 import numpy as np
 
 from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import in_order, same_as_issued, same_as_typed
+from gripcourse.likeness.matches import (
+    OrderedValues,
+    in_order,
+    same_as_issued,
+    same_as_typed,
+    typed_in_order,
+)
 from gripcourse.likeness.model import Chances, ComparedWork, Evidence, NumberKind
 from gripcourse.likeness.odds import PairMatches, likely_pairs, log_odds, rests_on
-from gripcourse.likeness.pool import ComparisonPool, chance_of, pool, shared_methods
+from gripcourse.likeness.pool import ComparisonPool, SharedMethods, chance_of, pool, shared_methods
 from gripcourse.policy.model import LikenessRule
 
 _LARGEST = 700.0  # logarithm of the largest odds that are told
+_AT_ONCE: Final = 100  # submissions: what comparing needs besides the numbers is room for these
 
 
 def find_evidence(
@@ -58,9 +67,44 @@ def find_evidence(
     if rule.odds == 0 or not pooled.students:
         return creators
     chosen = chances or Chances()
-    taken = taken_from_issued(pooled, rule, chosen)
-    alike = tuple(same_answers(pooled, rule, chosen))
-    return (*other_variants(pooled, taken), *owners_of_copies(pooled, taken, alike), *creators)
+    variants, pairs = _of_issued(pooled, rule, chosen)
+    alike = _of_typed(pooled, rule, chosen)
+    return (*variants, *owners_of_copies(pairs, alike), *creators)
+
+
+def _of_issued(
+    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
+) -> tuple[list[Evidence], set[tuple[str, str]]]:
+    """Find the other variants that submissions fit, and all pairs of a student and an owner."""
+    ordered = in_order(pooled.issued.values)
+    found: list[Evidence] = []
+    pairs: set[tuple[str, str]] = set()
+    for part in _portions(pooled):
+        taken = taken_from_issued(pooled.part(part), ordered, rule, chances)
+        found += other_variants(pooled, taken)
+        pairs |= {
+            (pooled.students[row], pooled.issued.owners[owner])
+            for row, owner in zip(taken.row, taken.owner, strict=True)
+        }
+    return found, pairs
+
+
+def _of_typed(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> list[Evidence]:
+    """Find the submissions in which the same numbers were typed."""
+    ordered = typed_in_order(pooled.numbers, len(pooled.students), len(pooled.issued.quantities))
+    methods = shared_methods(pooled, chances)
+    return [
+        one
+        for part in _portions(pooled)
+        for one in same_answers(pooled.part(part), ordered, methods.part(part), rule, chances)
+    ]
+
+
+def _portions(pooled: ComparisonPool) -> Iterator[slice]:
+    """Part the numbers into those of so many submissions as there is room to compare at a time."""
+    rows = range(0, len(pooled.students), _AT_ONCE)
+    begins = np.searchsorted(pooled.numbers.row, [*rows, len(pooled.students)])
+    yield from (slice(begin, end) for begin, end in pairwise(begins.tolist()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,10 +125,11 @@ class TakenNumbers:
     logs: Floats
 
 
-def taken_from_issued(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> TakenNumbers:
-    """Compare all submissions with the right values of all other students' variants."""
+def taken_from_issued(
+    pooled: ComparisonPool, issued: OrderedValues, rule: LikenessRule, chances: Chances
+) -> TakenNumbers:
+    """Compare submissions with the right values of all other students' variants."""
     least, answers = _least(pooled, rule), max(rule.answers, 1)
-    issued = in_order(pooled.issued.values)
     found = [same_as_issued(pooled.numbers, issued, moved) for moved in chances.moved]
     compared = tuple(PairMatches(pooled, one, chance_of(pooled, one, chances)) for one in found)
     likely = [likely_pairs(one, least, answers) for one in compared]
@@ -112,17 +157,17 @@ def other_variants(pooled: ComparisonPool, taken: TakenNumbers) -> Iterator[Evid
 
 
 def owners_of_copies(
-    pooled: ComparisonPool, taken: TakenNumbers, alike: Iterable[Evidence]
+    pairs: Container[tuple[str, str]], alike: Iterable[Evidence]
 ) -> Iterator[Evidence]:
     """Tell who has the same answers as another, and whose own they are.
 
     Where the other's numbers are those of this student's variant, and not the other way round,
     this student is the owner and no suspect.
+
+    Args:
+        pairs: of a student and another one whose variant the student's numbers fit.
+        alike: who has the same answers.
     """
-    pairs = {
-        (pooled.students[row], pooled.issued.owners[owner])
-        for row, owner in zip(taken.row, taken.owner, strict=True)
-    }
     for one in alike:
         student, *others = one.students
         copies = [
@@ -136,13 +181,17 @@ def owners_of_copies(
 
 
 def same_answers(
-    pooled: ComparisonPool, rule: LikenessRule, chances: Chances
+    pooled: ComparisonPool,
+    typed: OrderedValues,
+    methods: SharedMethods,
+    rule: LikenessRule,
+    chances: Chances,
 ) -> Iterator[Evidence]:
     """Yield for each submission those in which the same numbers were typed beyond chance."""
     least, answers = _least(pooled, rule), max(rule.answers, 1)
-    found = same_as_typed(pooled.numbers, len(pooled.students), len(pooled.issued.quantities))
+    found = same_as_typed(pooled.numbers, typed)
     chance = chance_of(pooled, found, chances)
-    compared = PairMatches(pooled, found, chance, shared_methods(pooled, chances))
+    compared = PairMatches(pooled, found, chance, methods)
     pairs = likely_pairs(compared, least, answers)
     row, other = np.divmod(pairs, len(pooled.students))
     pairs = pairs[pooled.own[row] != pooled.own[other]]

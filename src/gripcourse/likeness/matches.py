@@ -34,6 +34,12 @@ class ComparedNumbers:
     value: Floats
     unit: Floats
 
+    def part(self, which: slice) -> "ComparedNumbers":
+        """Return some of them."""
+        return ComparedNumbers(
+            self.row[which], self.column[which], self.value[which], self.unit[which]
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class OrderedValues:
@@ -118,11 +124,15 @@ def same_as_issued(
     return _matches(numbers, issued, reach * (1 + _SAME), 1)
 
 
-def same_as_typed(numbers: ComparedNumbers, rows: int, columns: int) -> Matches:
+def typed_in_order(numbers: ComparedNumbers, rows: int, columns: int) -> OrderedValues:
+    """Order what was typed in all submissions."""
+    return in_order(SparseTable.of((rows, columns), numbers.row, numbers.column, numbers.value))
+
+
+def same_as_typed(numbers: ComparedNumbers, typed: OrderedValues) -> Matches:
     """Find the submissions in which the same was typed, but for rounding; its own is among them."""
-    values = SparseTable.of((rows, columns), numbers.row, numbers.column, numbers.value)
     reach = np.maximum(numbers.unit / 2, _SAME * np.abs(numbers.value))
-    return _matches(numbers, in_order(values), reach * (1 + _SAME), 2)  # the pair itself
+    return _matches(numbers, typed, reach * (1 + _SAME), 2)  # the pair itself
 
 
 def density(numbers: ComparedNumbers, values: SparseTable) -> Floats:

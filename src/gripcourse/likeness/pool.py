@@ -4,7 +4,7 @@ import math
 from array import array
 from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +40,15 @@ class ComparisonPool:
     explained: Flags
     slip: Floats
 
+    def part(self, which: slice) -> "ComparisonPool":
+        """Return the same students with some of the numbers."""
+        return replace(
+            self,
+            numbers=self.numbers.part(which),
+            explained=self.explained[which],
+            slip=self.slip[which],
+        )
+
 
 def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     """Put the numbers of submissions side by side; all students own a row of issued values.
@@ -60,8 +69,8 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
             slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
             wholes.extend((row, columns[one.quantity], one.explained, slip))
             reals.extend((one.value, one.half_unit))
-    of_row, column, explained, slip_of = np.array(wholes, dtype=np.intp).reshape(-1, 4).T
-    value, half = np.array(reals, dtype=np.float64).reshape(-1, 2).T
+    of_row, column, explained, slip_of = np.asarray(wholes, dtype=np.intp).reshape(-1, 4).T
+    value, half = np.asarray(reals, dtype=np.float64).reshape(-1, 2).T
     return ComparisonPool(
         students=tuple(students),
         own=np.array([rows[student] for student in students], dtype=np.intp),
@@ -111,6 +120,10 @@ class SharedMethods:
     pooled: ComparisonPool
     right: Floats
     likely: Floats
+
+    def part(self, which: slice) -> "SharedMethods":
+        """Return the same for some of the numbers."""
+        return SharedMethods(self.pooled.part(which), self.right[which], self.likely[which])
 
     def chance(self, number: Ints, owner: Ints) -> Floats:
         """Return it for pairs of a number and a submission; 0 where they would differ."""

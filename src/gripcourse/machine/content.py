@@ -1,6 +1,7 @@
 """A file to be read: one on the disk, one inside a zip, or bytes sent under a name."""
 
 import errno
+import hashlib
 import os
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -85,3 +86,24 @@ def in_memory(source: Readable, most: int) -> NamedBytes:
     if isinstance(source, Path) and source.stat().st_size > most:
         raise OSError(errno.EFBIG, os.strerror(errno.EFBIG), name)
     return NamedBytes(name, content_of(source))
+
+
+def digest_of_content(source: Readable, most: int) -> str:
+    """Return the SHA-256 of the content, hexadecimal.
+
+    Args:
+        source: the file.
+        most: bytes; larger ones are not read.
+
+    Returns:
+        The digest; empty for a file that is gone, cannot be read or is too large.
+    """
+    try:
+        if isinstance(source, Path):
+            if source.stat().st_size > most:
+                return ""
+            with source.open("rb") as stream:
+                return hashlib.file_digest(stream, "sha256").hexdigest()
+        return hashlib.sha256(content_of(source)).hexdigest()
+    except OSError:
+        return ""

@@ -30,6 +30,10 @@ class Message:
     text: str
     values: Mapping[str, object] = field(default_factory=dict)
 
+    def __reduce__(self) -> "tuple[type[Message], tuple[str, Mapping[str, object]]]":
+        # Half the time that dataclasses take of themselves; a batch unpacks millions.
+        return Message, (self.text, self.values)
+
     def __str__(self) -> str:
         """The sentence in English."""
         return Words("en").say(self)

@@ -1,7 +1,4 @@
-"""Grading what was handed in, begun by a server: the command of the command line, by itself.
-
-Who had files graded is kept, whoever began it where.
-"""
+"""Grading what was handed in, begun by a server: the command of the command line, by itself."""
 
 import shutil
 import subprocess
@@ -9,10 +6,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from gripcourse.desk.store import open_desk
 from gripcourse.errors import Problem, UsageError
-from gripcourse.gradebook.journal import Signed
-from gripcourse.machine.database.home import exists
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.hand_in import collect_hand_ins
@@ -20,22 +14,6 @@ from gripcourse.usecases.hand_in import collect_hand_ins
 # Hidden: no backup carries what was only collected.
 _WORK: Final = ".grading"
 _LOG: Final = "grading.log"
-
-
-def note_batch(place: str, course: str, files: int, signed: Signed) -> None:
-    """Keep by whom, when and why files were graded.
-
-    Args:
-        place: of the gradebook; where there is none, nothing was kept of the files either.
-        course: id.
-        files: how many.
-        signed: at the time of the attempts that the gradebook keeps of them.
-
-    Raises:
-        GradebookError: the gradebook cannot be used.
-    """
-    if exists(place):
-        open_desk(place, course).add_batch(files, signed.person, signed.why, signed.done_at)
 
 
 def begin_grading(

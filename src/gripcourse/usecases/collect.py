@@ -14,7 +14,7 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.archive import Unusable, is_bundle, members_of
 from gripcourse.machine.content import PackedFile, Readable, shown_name
 from gripcourse.text.words import Message, message
-from gripcourse.usecases.unchanged import EARLIER
+from gripcourse.usecases.versions import EARLIER
 
 # What people hand in as a workbook: the reader says what is wrong with those that are none.
 WORKBOOKS: Final = frozenset({".xlsx", ".xlsm", ".xls", ".xlsb", ".ods", ".csv", ".numbers"})

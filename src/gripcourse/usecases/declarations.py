@@ -14,7 +14,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from gripcourse.course.load import RUBRICS, load_course
+from gripcourse.course.digest import RUBRICS
+from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import CourseError
 from gripcourse.gradebook.fingerprint import declaring_files, fingerprints

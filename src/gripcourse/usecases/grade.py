@@ -1,13 +1,13 @@
 """Grading a batch: files in; reports, grades and what a person must look at out."""
 
 import json
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import Graded, grade_files, incident_number
+from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import shares
 from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
 from gripcourse.exports.grades import Called, grades_csv
@@ -180,6 +180,27 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     )
 
 
+def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path) -> bool:
+    """Tell whether the next run need not look at any file or report again while nothing changes.
+
+    What could not be read, and what failed on our side, may be the machine's fault of that day.
+
+    Args:
+        graded: the batch.
+        context: that it was graded with.
+        out: folder of its results, written.
+    """
+    recalculate = context.recalculate
+    whole = all(is_found_out(one.report, recalculate=recalculate) for one in graded)
+    return whole and not (out / INCIDENTS).exists()
+
+
+def taken_over_next_time(outcome: GradingOutcome) -> GradingOutcome:
+    """Return what the next run comes to while nothing changes."""
+    taken_over = TakenOver(results=len(outcome.reports), reports=len(outcome.written))
+    return replace(outcome, taken_over=taken_over)
+
+
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
     """Return the students of the register of whom the batch has nothing, by id."""
     handed_in = {report.student for report in reports}
@@ -271,28 +292,35 @@ def _write_json(
     path: Path, reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
 ) -> None:
     """Write what `json_text` returns, one report after the other: all at once are large."""
-    others = tuple(map(passed_over_account, passed_over))
-    around = _json(around_reports(reports, words, (), others).to_dict())
-    before, after = around.split(_NO_REPORTS, 1)
     with replacing(path) as temporary:
         make_private(temporary)
         with temporary.open("w", encoding="utf-8", newline="") as file:
-            file.write(before + _NO_REPORTS.removesuffix("]"))
-            for number, report in enumerate(reports):
-                text = _json(report_result(report, words).to_dict()).replace("\n", "\n  ")
-                file.write(f",\n  {text}" if number else f"\n  {text}")
-            file.write(("\n ]" if reports else "]") + after)
+            file.writelines(_json_pieces(reports, words, passed_over))
 
 
 def json_text(
     reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver] = ()
 ) -> str:
-    """Return the reports as JSON; see `exports.report_result.GradesResult`."""
-    return _json(batch_result(reports, words, passed_over).to_dict())
+    """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
+    return "".join(_json_pieces(reports, words, passed_over))
 
 
-def _json(plain: Mapping[str, object]) -> str:
-    return json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
+def _json_pieces(
+    reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
+) -> Iterator[str]:
+    others = tuple(map(passed_over_account, passed_over))
+    around = _json(around_reports(reports, words, (), others).to_dict(), indent=1)
+    before, after = around.split(_NO_REPORTS, 1)
+    yield before + _NO_REPORTS.removesuffix("]")
+    for number, report in enumerate(reports):
+        yield ",\n" if number else "\n"
+        # Without indents it takes a third of the time.
+        yield _json(report_result(report, words).to_dict(), indent=None)
+    yield ("\n ]" if reports else "]") + after
+
+
+def _json(plain: Mapping[str, object], indent: int | None) -> str:
+    return json.dumps(plain, ensure_ascii=False, indent=indent, allow_nan=False)
 
 
 def batch_result(

@@ -101,7 +101,7 @@ def keep(
         told=publications(book),
         waived=waivers(book),
     )
-    kept, shelf = list(graded), Shelf()
+    kept, shelf = list(graded), Shelf(register=context.register)
     for students in _portions(list(places)):
         for student, reports in _kept(keeping, students, places, graded):
             for number, report in zip(places[student], reports, strict=True):

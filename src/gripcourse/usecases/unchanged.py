@@ -7,8 +7,6 @@ one and what was kept is not found.
 
 import hashlib
 import shutil
-import sysconfig
-from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
@@ -16,18 +14,11 @@ from typing import Final
 
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.course.load import course_digest
 from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import make_private_folder, write_text
-from gripcourse.machine.kept import digest_of
-from gripcourse.machine.resources import TEMPLATES, template_folders
-from gripcourse.text.conventions import is_english
-from gripcourse.text.translations import catalogue_file
-from gripcourse.text.words import LANGUAGES
+from gripcourse.usecases.versions import EARLIER, digest_of_texts, versions_of
 
-EARLIER: Final = ".graded"
-"""The folder among the results in which all of this is kept."""
 _PRINTED: Final = "printed"
 
 
@@ -74,7 +65,7 @@ class PrintedBefore:
         # The table of a large batch takes more room than all of its reports: piece by piece.
         with path.open("rb") as stream:
             content = hashlib.file_digest(stream, "sha256").hexdigest()
-        return _digest([self.made_with, made_from, content])
+        return digest_of_texts([self.made_with, made_from, content])
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,28 +78,9 @@ class Earlier:
 
 def told_of(*reports: Report | str) -> str:
     """Return a digest of all that reports say, and of what else a document says."""
-    return _digest(digest_of_report(one) if isinstance(one, Report) else one for one in reports)
-
-
-def versions_of(root: Path) -> str:
-    """Return a digest of all that grades and prints, but for people and files.
-
-    That are the course, its policy, its look, this program, its translations and the libraries.
-
-    Args:
-        root: folder of the course.
-
-    Raises:
-        OSError: a file cannot be read.
-    """
-    folders = (root / "grader", *template_folders(root / TEMPLATES))
-    files = (digest_of(one, (path for path in one.rglob("*") if path.is_file())) for one in folders)
-    translated = (
-        catalogue_file(language).read_text(encoding="utf-8")
-        for language in LANGUAGES
-        if not is_english(language)
+    return digest_of_texts(
+        digest_of_report(one) if isinstance(one, Report) else one for one in reports
     )
-    return _digest([course_digest(root) or "", *files, *translated, *_libraries()])
 
 
 def open_earlier(
@@ -147,23 +119,9 @@ def open_earlier(
     people = sorted(context.register.items()), sorted(context.earlier.items())
     judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
     office = (context.office, context.recalculate) if workers else None
-    results = folder / _digest([versions, *map(repr, (people, judged_by, pattern, office))])
+    results = folder / digest_of_texts([versions, *map(repr, (people, judged_by, pattern, office))])
     for old in folder.iterdir():
         if old not in {results, folder / _PRINTED}:
             shutil.rmtree(old, ignore_errors=True)
-    made_with = _digest([versions, repr(day)])
+    made_with = digest_of_texts([versions, repr(day)])
     return Earlier(KeptReports(results, context.whose), PrintedBefore(folder / _PRINTED, made_with))
-
-
-def _libraries() -> list[str]:
-    """Return the names, with versions, of the libraries beside this program."""
-    folders = {sysconfig.get_path(name) for name in ("purelib", "platlib")}
-    return sorted(path.name for one in folders for path in Path(one).glob("*.dist-info"))
-
-
-def _digest(parts: Iterable[str]) -> str:
-    whole = hashlib.sha256()
-    for part in parts:
-        # Lengths keep the end of one part apart from the beginning of the next.
-        whole.update(f"{len(part)}\n{part}".encode())
-    return whole.hexdigest()

@@ -3,7 +3,8 @@
 import hashlib
 from pathlib import Path
 
-from gripcourse.course.load import course_digest, load_with_digest
+from gripcourse.course.digest import course_digest
+from gripcourse.course.load import load_with_digest
 from gripcourse.course.model import Course
 from gripcourse.machine.kept import keep, read_kept
 from gripcourse.variants.model import Variant
