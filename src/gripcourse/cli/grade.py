@@ -158,7 +158,9 @@ def grade(  # noqa: PLR0913 (one parameter per option)
             pool=pool,
         )
     if json:
-        result = command.batch_result(outcome.reports, words, found.passed_over)
+        result = command.batch_result(
+            outcome.reports, words, found.passed_over, scales=context.policy.scales
+        )
         typer.echo(cli_text.json_text(result.to_dict()))
     else:
         _say(outcome, out, words)

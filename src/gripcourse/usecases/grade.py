@@ -28,6 +28,7 @@ from gripcourse.machine.files import (
     write_bytes,
     write_text,
 )
+from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.student_reports import (
@@ -229,7 +230,7 @@ def write_tables(
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    _write_json(out / GRADES_JSON, reports, words, passed_over)
+    _write_json(out / GRADES_JSON, reports, Called(context.policy.scales, words), passed_over)
 
 
 def _print_cohort(
@@ -268,9 +269,10 @@ def _discard_unfinished(out: Path) -> None:
 
 
 def _write_json(
-    path: Path, reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
+    path: Path, reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
 ) -> None:
     """Write what `json_text` returns, one report after the other: all at once are large."""
+    words, scales = called.words, called.scales
     others = tuple(map(passed_over_account, passed_over))
     around = _json(around_reports(reports, words, (), others).to_dict())
     before, after = around.split(_NO_REPORTS, 1)
@@ -279,16 +281,19 @@ def _write_json(
         with temporary.open("w", encoding="utf-8", newline="") as file:
             file.write(before + _NO_REPORTS.removesuffix("]"))
             for number, report in enumerate(reports):
-                text = _json(report_result(report, words).to_dict()).replace("\n", "\n  ")
+                text = _json(report_result(report, words, scales).to_dict()).replace("\n", "\n  ")
                 file.write(f",\n  {text}" if number else f"\n  {text}")
             file.write(("\n ]" if reports else "]") + after)
 
 
 def json_text(
-    reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver] = ()
+    reports: Sequence[Report],
+    words: Words,
+    passed_over: Sequence[PassedOver] = (),
+    scales: Sequence[Scale] = (),
 ) -> str:
     """Return the reports as JSON; see `exports.report_result.GradesResult`."""
-    return _json(batch_result(reports, words, passed_over).to_dict())
+    return _json(batch_result(reports, words, passed_over, (), scales).to_dict())
 
 
 def _json(plain: Mapping[str, object]) -> str:
@@ -300,10 +305,11 @@ def batch_result(
     words: Words,
     passed_over: Sequence[PassedOver] = (),
     incidents: Sequence[str] = (),
+    scales: Sequence[Scale] = (),
 ) -> GradesResult:
     """Put a batch into words for another program, with every file that was found."""
     others = tuple(map(passed_over_account, passed_over))
-    return grades_result(reports, words, incidents, others)
+    return grades_result(reports, words, incidents, others, scales)
 
 
 def passed_over_account(one: PassedOver) -> FileAccount:
