@@ -1,16 +1,12 @@
-"""The instructor's own lists in a course folder: roster and deadlines, before anybody needs them."""
-
-from collections.abc import Collection, Iterable, Iterator
+"""The instructor's own lists in a course folder, checked before anybody needs them."""
 
 from gripcourse.course.model import Course
 from gripcourse.errors import GripcourseError, Problem
-from gripcourse.gradebook.deadlines import deadlines_path, people_of_deadlines, read_deadlines
+from gripcourse.gradebook.deadlines import deadlines_path, read_deadlines
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
 from gripcourse.policy.time_rules import zone_of
-from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import message
 from gripcourse.variants.model import Student
 
 
@@ -19,20 +15,39 @@ def list_problems(course: Course, policy: Policy | None) -> list[Problem]:
 
     Args:
         course: of the folder.
-        policy: of the course; None where it cannot be read.
+        policy: of the course; None where it cannot be used.
     """
-    issued, problems = _issued(course)
-    listed, found = _listed(course, issued)
-    problems += found
+    problems: list[Problem] = []
+    issued = _issued(course, problems)
+    listed = _listed(course, issued, problems)
     path = deadlines_path(course.root)
-    if not path.is_file():
-        return problems
+    if path.is_file():
+        zone = zone_of(policy.late if policy else None)
+        # Before anything is issued the roster says who there is.
+        try:
+            read_deadlines(path, zone, issued or listed)
+        except GripcourseError as error:
+            problems += error.problems
+    return problems
+
+
+def _issued(course: Course, problems: list[Problem]) -> tuple[Student, ...]:
     try:
-        read_deadlines(path, zone_of(policy.late if policy else None))
+        register = read_register(course.root, course.id)
     except GripcourseError as error:
-        return [*problems, *error.problems]
-    # Before anything is issued the roster says who there is; without either nobody knows.
-    students = issued or listed
-    return [*problems, *_nobody(path.as_posix(), people_of_deadlines(path), students)]
+        problems += error.problems
+        return ()
+    return tuple(entry.student for entry in register.entries)
 
 
+def _listed(
+    course: Course, issued: tuple[Student, ...], problems: list[Problem]
+) -> tuple[Student, ...]:
+    path = course.root / "variants" / "roster.csv"
+    if not path.is_file():
+        return ()
+    try:
+        return read_roster(path, issued).students
+    except GripcourseError as error:
+        problems += error.problems
+        return ()

@@ -56,9 +56,11 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     course, problems = read_course(root)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course, thorough=thorough), *read_policy(course)[1]]
+    problems = [*problems, *check_course(course, thorough=thorough)]
+    policy, unfit = read_policy(course)
+    problems += unfit
     problems += [*check_equations(course), *_mix_problems(course)]
-    problems += register_problems(course)
+    problems += _list_problems(course, policy)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -131,16 +133,12 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
             yield Problem("", check.name, what, check.remedy)
 
 
-def register_problems(course: Course) -> tuple[Problem, ...]:
-    """Return what is wrong with what was issued from a course."""
+def _list_problems(course: Course, policy: Policy | None) -> list[Problem]:
+    """Return what is wrong with the lists of students and their deadlines."""
     # 200 ms for the database that who checks one scheme need not pay.
-    from gripcourse.issuing.store import read_register  # noqa: PLC0415
+    from gripcourse.usecases.check_lists import list_problems  # noqa: PLC0415
 
-    try:
-        read_register(course.root, course.id)
-    except GripcourseError as error:
-        return error.problems
-    return ()
+    return list_problems(course, policy)
 
 
 def _mix_problems(course: Course) -> list[Problem]:
