@@ -12,6 +12,8 @@ from gripcourse.errors import GradebookError
 from gripcourse.machine.database.home import address_path, exists, gradebook_path, home_of
 from gripcourse.machine.database.migrate import NEWEST
 from gripcourse.machine.database.opening import open_engine, without_password
+from gripcourse.machine.database.said import refusals_named
+from gripcourse.text.words import Words
 
 
 class TestHome:
@@ -111,6 +113,15 @@ class TestRefusals:
         with pytest.raises(GradebookError, match="not a database"):
             open_engine(str(place))
         assert place.read_text(encoding="utf-8").startswith("student,points")
+
+
+def test_a_full_disk_is_called_so() -> None:
+    engine = create_engine("sqlite://")
+    with pytest.raises(GradebookError) as caught, refusals_named("here"), engine.begin() as open_:
+        open_.execute(text("PRAGMA max_page_count = 2"))
+        open_.execute(text("CREATE TABLE rows (value TEXT)"))
+        open_.execute(text("INSERT INTO rows VALUES (zeroblob(100000))"))
+    assert "The disk is full. Make room" in caught.value.problems[0].say(Words("en"))
 
 
 def test_a_password_is_never_shown() -> None:
