@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from dataclasses import replace
 
 import pytest
@@ -10,6 +11,7 @@ from openpyxl import load_workbook
 from gripcourse.exports.report_result import GradesResult, grades_result
 from gripcourse.exports.results_tables import csv_tables, results_tables, workbook
 from gripcourse.grading.model import Report
+from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Student
 
@@ -18,8 +20,9 @@ STUDENTS = {id_: Student(id_, HOSTILE, "РТ-41", f"{id_}@uni", "", "") for id_ 
 
 
 @pytest.fixture
-def grades(perfect: Report) -> GradesResult:
-    return grades_result([replace(perfect, name=HOSTILE)], Words("ru"))
+def grades(perfect: Report, policy: Policy) -> GradesResult:
+    report = replace(perfect, name=HOSTILE)
+    return grades_result([report], Words("ru"), scales=policy.scales)
 
 
 def test_csv_has_everybody_and_runs_nothing(grades: GradesResult) -> None:
@@ -33,10 +36,18 @@ def test_csv_has_everybody_and_runs_nothing(grades: GradesResult) -> None:
         ("s018", "not_handed_in"),
     ]
     assert {one["name"] for one in students} == {f"'{HOSTILE}"}
+    assert all(one["email"].endswith("@uni") for table in ("students", "sections", "quantities")
+               for one in tables[f"{table}.csv"])  # fmt: skip
+    first = {name: students[0][name] for name in ("percent", "mark", "ects", "days_late", "counts")}
+    assert first == {"percent": "100", "mark": "5", "ects": "A", "days_late": "0", "counts": "1"}
+    printed = re.compile(r"-?\d+(\.\d{1,4})?")
+    for table in ("students", "sections", "quantities"):
+        assert all(printed.fullmatch(one[name]) for one in tables[f"{table}.csv"]
+                   for name in one if name.endswith("points") and one[name])  # fmt: skip
     (report,) = grades.reports
     for name in ("sections.csv", "quantities.csv"):
         points = [float(one["points"]) for one in tables[name]]
-        assert sum(points) == pytest.approx(report.score, abs=1e-6)
+        assert sum(points) == pytest.approx(report.score, abs=0.01)
 
 
 def test_a_workbook_holds_texts_and_no_formulas(grades: GradesResult) -> None:

@@ -54,6 +54,26 @@ def test_a_day_may_be_written_as_an_office_does() -> None:
     assert moment_of("31.02.2026", KYIV) is None
 
 
+def test_headings_may_be_of_any_language() -> None:
+    russian = table(TABLE.replace("group,student,deadline", "Группа,Студент,Срок сдачи"))
+    ukrainian = table(TABLE.replace("group,student,deadline", "Група,Студент,Кінцевий строк"))
+    assert russian == ukrainian == table(TABLE)
+
+
+def test_a_row_for_nobody_is_named_where_it_is_known_who_there_is() -> None:
+    people = [issued(id_, "РТК-41").student for id_ in ("s01", "s02")]
+    text = "Группа;Студент;Срок\nРТК-14;;1.12.2026\n;s20;1.12.2026\nРТК-42;s02;1.12.2026\n"
+    source = NamedBytes("deadlines.csv", text.encode())
+    assert len(read_deadlines(source, KYIV)) == 3
+    with pytest.raises(TableError) as caught:
+        read_deadlines(source, KYIV, people)
+    assert [(str(one.key), str(one.what)) for one in caught.value.problems] == [
+        ("row 2, column Группа", "Nobody is in group 'РТК-14'."),
+        ("row 3, column Студент", "The register has no student 's20'."),
+        ("row 4, column Группа", "s02 is not in group 'РТК-42'."),
+    ]
+
+
 def test_summer_time_is_kept() -> None:
     summer, winter = (moment_of(day, KYIV) for day in ("2026-07-01 12:00", "2026-12-01 12:00"))
     assert summer is not None

@@ -9,8 +9,10 @@ from gripcourse.errors import TableError
 from gripcourse.gradebook.table import read_marks
 from gripcourse.machine.content import NamedBytes
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
+from gripcourse.text.words import Texts
 
-LINES = ("sizes", "assembly", "standards", "symbols")
+TEXT = Texts({"en": "Sizes fit", "ru": "Размеры, верные", "uk": "Розміри збігаються"})
+LINES = {"sizes": [TEXT], "assembly": [], "standards": [], "symbols": []}
 TABLE = """\
 student;quantity;sizes;assembly;standards;symbols;comment
 s01;drawing;1;0,5;0.25;;Масштаб?
@@ -44,6 +46,19 @@ class TestReading:
         assert drawing.comment == "Масштаб?"
         assert diagram.lines == {"symbols": 1.0}
         assert second.lines == {"sizes": 0.0, "assembly": 0.0, "standards": 0.0}
+
+    def test_headings_may_be_of_any_language_below_a_title(self, tmp_path: Path) -> None:
+        text = (
+            "Оценки РГР;;;;;\n"
+            "Студент;ФИО;Пункт;Размеры, верные;Комментарий;Баллы\n"
+            "s01;Анна;drawing;0,5;Масштаб?;\n"
+            "s02;Борис;drawing;много;;\n"
+        )
+        assert problems(tmp_path, text) == [
+            ("row 4, column Размеры, верные", "'много' is no number.")
+        ]
+        (row,) = read_marks(written(tmp_path, text.replace("много", "")), LINES).rows
+        assert (row.row, row.draft.lines, row.draft.comment) == (3, {"sizes": 0.5}, "Масштаб?")
 
     def test_bytes_are_read_as_their_file_is(self, tmp_path: Path) -> None:
         path = written(tmp_path, TABLE)

@@ -71,7 +71,7 @@ class TestVersions:
 
     def test_what_changed_is_said(self, before: Register) -> None:
         (note,) = reissue(before, correction(), CORRECTED, LATER).notes
-        assert "mass 10.0 → 11.0" in str(note)
+        assert "mass: 10 → 11" in str(note)
         (note,) = reissue(before, correction(variant="3"), VARIANTS, LATER).notes
         assert {"003", "001"} <= set(str(note).replace(",", "").split())
 

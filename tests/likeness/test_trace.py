@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from gripcourse.likeness.cells import SparseTable
 from gripcourse.likeness.issued import IssuedValues
@@ -13,14 +14,20 @@ ROWS = 200
 QUANTITIES = ("force", "bore", "angle", "torque", "speed")
 RNG = np.random.default_rng(3)
 TABLE = RNG.lognormal([7, 4, 2, 3, 1], 0.6, (ROWS, 5))
-ISSUED = IssuedValues(
-    owners=tuple(f"{row:03d}" for row in range(ROWS)),
-    quantities=QUANTITIES,
-    values=SparseTable.of_table(TABLE),
-    kind=np.zeros(ROWS, np.intp),
-    families=np.arange(5)[None, :],
-    discrete=np.zeros(5, bool),
-)
+
+
+def issued_of(table: NDArray[np.float64]) -> IssuedValues:
+    return IssuedValues(
+        owners=tuple(f"{row:03d}" for row in range(len(table))),
+        quantities=QUANTITIES,
+        values=SparseTable.of_table(table),
+        kind=np.zeros(len(table), np.intp),
+        families=np.arange(5)[None, :],
+        discrete=np.zeros(5, bool),
+    )
+
+
+ISSUED = issued_of(TABLE)
 
 
 def clue(value: float, *names: str) -> Clue:
@@ -81,3 +88,13 @@ def test_a_coarse_number_still_counts_with_three_figures() -> None:
 def test_zeros_and_empty_clues_lead_nowhere() -> None:
     assert rank([], ISSUED) == ()
     assert rank([Clue("0", dict.fromkeys(QUANTITIES, (0.0, 0.5))), Clue("x", {})], ISSUED) == ()
+
+
+def test_another_version_of_the_same_person_speaks_against_nobody() -> None:
+    twin = issued_of(np.vstack((TABLE, TABLE[7])))
+    clues = [clue(TABLE[7, column]) for column in range(3)]
+    alone = rank(clues, ISSUED)[0]
+    strangers = rank(clues, twin)[:2]
+    same = rank(clues, twin, {one.owner: "anna" for one in strangers})[:2]
+    assert max(one.odds for one in strangers) <= 1
+    assert all(one.odds == pytest.approx(alone.odds, rel=0.1) for one in same)

@@ -69,7 +69,9 @@ def term(place: str, graded: Sequence[Graded], classroom: "Classroom", out: Path
     told = [repr(one) for student in ("s01", "s02") for one in history(place, student)]
     files = [(out / name).read_bytes() for name in (GRADES_CSV, GRADES_JSON, FILES_CSV)]
     assert files[1].decode() == json_text(
-        [one.report for one in kept], Words(context.course.language)
+        [one.report for one in kept],
+        Words(context.course.language),
+        scales=context.policy.scales,
     )
     return [*files, "\n".join(told).encode()]
 

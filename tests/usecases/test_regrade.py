@@ -219,6 +219,9 @@ def test_a_history_tells_what_happened_when_by_whom_and_why(faculty: Faculty) ->
     assert [one.at for one in events] == sorted(one.at for one in events)
     told = [(one.person, str(one.what).split()[0], one.why) for one in events]
     assert told[0] == ("", "Attempt", "")
+    works = [str(one.what).partition(",")[0] for one in events if "Attempt" in str(one.what)]
+    assert works == ["Attempt 1", "Attempt 1 in regrade 1"]
+    assert any("(attempt 1)" in str(one.what) for one in events)
     assert ("Петров", f"{DRAWING}:", "") in told
     assert ("Петров", "Told", "") in told
     assert told[-2:] == [("Петров", "Regrade", "опечатка"), ("Петров", "Regrade", "нет опечатки")]

@@ -22,7 +22,7 @@ from gripcourse.machine.database.home import gradebook_path
 from gripcourse.policy.model import Policy
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
-from gripcourse.text.words import Words
+from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.gradebook import keep, with_kept_versions
 from gripcourse.usecases.handout import workbook_path
 from gripcourse.usecases.issue import Issuing
@@ -48,10 +48,10 @@ def corrected(classroom: Classroom, wanted: CorrectedOrder) -> Issuing:
 
 
 def correct_the_row(classroom: Classroom) -> None:
-    """Variant 001 has a mass of 60 kg in the table; 58 were meant."""
+    """Variant 001 has a mass of 60 kg in the table; 58.5 were meant."""
     first, *rest = table(classroom.course)
     assert (first.id, first.given["mass"]) == ("001", 60)
-    meant = replace(first, given={**first.given, "mass": 58.0})
+    meant = replace(first, given={**first.given, "mass": 58.5})
     write_table(Path(str(classroom.order.table)), [meant, *rest], classroom.course)
 
 
@@ -101,7 +101,11 @@ class TestDocuments:
 
     def test_the_instructor_reads_what_changed(self, term: Term) -> None:
         (note,) = term.issuing.notes
-        assert "mass 60.0 → 58.0" in str(note)
+        assert [Words(one).say(note).split(". ")[1] for one in LANGUAGES] == [
+            "mass of the object: 60 → 58.5.",
+            "масса объекта: 60 → 58,5.",
+            "маса обʼєкта: 60 → 58,5.",
+        ]
 
     def test_a_workbook_is_signed_for_its_version(self, term: Term) -> None:
         entries = read_register(term.classroom.course.root, term.classroom.course.id).versions()

@@ -131,6 +131,10 @@ def test_the_incident_is_named_wherever_somebody_may_look(
     summary = grading_text(replace(outcome, missing=absent), out, Words("en"))
     assert "Nothing handed in (12): Name 0, Name 1," in summary
     assert "Name 9, …" in summary
+    places = [f"{name}/РГР 1/Version 1/a.xlsx" for name in ("Anna", "Boris")]
+    alike = [replace(outcome.reports[0], file=place, flags=()) for place in places]
+    summary = grading_text(replace(outcome, reports=alike), out, Words("en"))
+    assert all(name in summary for name in ("Anna/", "Boris/"))
     table = (out / "grades.csv").read_text(encoding="utf-8-sig")
     flags = {row["student"]: row["flags"] for row in csv.DictReader(io.StringIO(table))}
     assert {flags[student] for student in FATES} == {"report_incident"}

@@ -1,6 +1,7 @@
 """Tracing numbers through a table or the register."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -112,6 +113,20 @@ def test_the_register_names_the_students(issued: "Classroom") -> None:
     text = trace_text(traced, Words("uk"))
     assert traced.students[traced.origins[0].owner] == ("Шевченко Оксана (s02)",)
     assert "Шевченко" in text.splitlines()[3]
+
+
+def test_a_replaced_version_is_computed_by_its_own_declarations_and_that_is_said(
+    course: Course, sought: Sought
+) -> None:
+    (old, variant), (other, changed) = list(sought.variants.items())[:2]
+    numbers = [format_number(one, "en", 4) for one in answers(course, variant)[1].values()][:8]
+    today = replace(course, schemes={changed.scheme: course.schemes[changed.scheme]})
+    both = Sought({old: variant, other: changed}, {}, {old: course}, (other,))
+    traced = trace(numbers, (), today, both)
+    assert traced.origins[0].owner == old
+    assert traced.origins[0].matches[0].quantity in traced.declared[old]
+    said = trace_text(traced, Words("en"))
+    assert f"were replaced since: {old}." in said
 
 
 def test_where_nothing_was_issued_nothing_can_be_traced(course: Course, tmp_path: Path) -> None:

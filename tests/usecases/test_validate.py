@@ -19,7 +19,8 @@ from gripcourse.issuing.signature import key_path, make_key
 from gripcourse.issuing.store import extend_register
 from gripcourse.machine.database.home import gradebook_path
 from gripcourse.machine.database.opening import open_engine
-from gripcourse.usecases.validate import all_problems, register_problems, scheme_problems
+from gripcourse.usecases.check_lists import list_problems
+from gripcourse.usecases.validate import all_problems, scheme_problems
 from gripcourse.variants.model import Student, Variant
 
 COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
@@ -62,10 +63,10 @@ def test_a_changed_register_is_named_with_its_student(course: Course, tmp_path: 
     terms = Terms(key, date(2026, 9, 1), None)
     person, variant = Student("s01", "", "", "", "", ""), Variant("001", "", {}, {"mass": 55.0})
     extend_register(tmp_path, mine.id, lambda one: extend(one, [person], [variant], terms))
-    assert register_problems(mine) == ()
+    assert list_problems(mine, None) == []
     with open_engine(str(gradebook_path(tmp_path))).begin() as connection:
         connection.execute(text("UPDATE register_issued SET given = '{\"mass\": 5}'"))
-    (problem,) = register_problems(mine)
+    (problem,) = list_problems(mine, None)
     assert str(problem.key) == "student s01"
 
 

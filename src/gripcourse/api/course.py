@@ -339,7 +339,7 @@ class Course:
             )
             reports = written.reports
         incidents = [one.incident for one in graded if one.incident]
-        return batch_result(reports, self.words, others, incidents)
+        return batch_result(reports, self.words, others, incidents, self.policy.scales)
 
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""

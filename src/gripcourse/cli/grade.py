@@ -212,7 +212,9 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
             pool=pool,
         )
     if manner.json:
-        result = command.batch_result(outcome.reports, words, asked.found.passed_over)
+        scales = context.policy.scales
+        passed_over = asked.found.passed_over
+        result = command.batch_result(outcome.reports, words, passed_over, scales=scales)
         typer.echo(cli_text.json_text(result.to_dict()))
         return outcome.needs_person
     # Once: to lay out the table of a large batch takes seconds.

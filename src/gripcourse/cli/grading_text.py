@@ -49,7 +49,6 @@ FLAGS = {
 }
 """Each flag in two words, for a table; below it every flag has its sentence."""
 
-_ALIKE = 2  # files of one name
 _NAMED = 10  # files of one kind, or students, that a line names
 
 
@@ -155,16 +154,20 @@ def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
 
 
 def _called(reports: Sequence["Report"]) -> Callable[[str], str]:
-    """Return what names a file of a batch: its name, with its folder where others have the same."""
-    count = Counter(Path(one.file).name for one in reports)
+    """Return what names a file of a batch: its name, with as many folders as tell it apart."""
+    count = Counter(tail for one in reports for tail in _tails(one.file))
 
     def called(file: str) -> str:
-        path = Path(file)
-        return one_line(
-            path.name if count[path.name] < _ALIKE else f"{path.parent.name}/{path.name}"
-        )
+        tails = _tails(file)
+        return one_line("/".join(next((one for one in tails if count[one] == 1), tails[-1])))
 
     return called
+
+
+def _tails(file: str) -> list[tuple[str, ...]]:
+    """Return the ends of a path, the shortest first."""
+    parts = Path(file).parts
+    return [parts[-length:] for length in range(1, len(parts) + 1)] or [("",)]
 
 
 def _cohort_fault(outcome: "GradingOutcome", words: Words) -> Iterator[str]:

@@ -69,6 +69,12 @@ def mark(  # noqa: PLR0913 (one parameter per option)
     table: Annotated[
         Path | None, typer.Option("--table", help="Table of marks, csv or xlsx, instead of one.")
     ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", help="With --list: a table to fill in, .xlsx or .csv, for --table later."
+        ),
+    ] = None,
     gradebook: GradebookOption = None,
     course: CourseOption = None,
     language: LanguageOption = None,
@@ -86,9 +92,13 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         raise cli_text.misuse(
             message("Name a student and an item, or a file with --table, or ask with --list.")
         )
+    if out is not None and not show:
+        raise cli_text.misuse(message("--out goes with --list."))
     if show:
         waits = command.what_waits(place)
-        typer.echo(grading_text.waiting_text(waits, words))
+        if out is not None:
+            command.write_waiting(waits, open_grading(root), place, out)
+        typer.echo(grading_text.waiting_text(waits, words) if out is None else str(out))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
     context, marker, now = open_grading(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:

@@ -97,6 +97,7 @@ def trace_text(traced: "Traced", words: Words) -> str:
     lines = [cli_text.table_text([words.say(head) for head in heads], rows, right={0})]
     if traced.origins[0].odds < 1:
         lines.append(words.say(message("No variant explains the numbers better than chance.")))
+    lines += map(words.say, traced.notes)
     return "\n".join(lines)
 
 

@@ -13,6 +13,8 @@ _RUN = re.compile(
     r"(?:\A|(?<=[;\t\r\n]))(?=[ \t\r\n]*[=+\-@\uff1d\uff0b\uff0d\uff20])|\A(?=[\t\r\n])"
 )
 
+_NUMBER = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?")  # a negative number runs nothing
+
 
 def table_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Return a table with commas between cells in every language."""
@@ -23,11 +25,16 @@ def table_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return stream.getvalue()
 
 
+def rounded_points(value: float) -> float:
+    """Return points, or a percentage, as precisely as every table has them."""
+    return round(value, 4)
+
+
 def number_cell(value: float) -> str:
     """Write a number with a decimal point."""
-    return f"{round(value, 4):.10g}"
+    return f"{rounded_points(value):.10g}"
 
 
 def text_cell(text: str) -> str:
     """Keep a spreadsheet program from running a text, or a part of it, as a formula."""
-    return _RUN.sub("'", shown(text))
+    return text if _NUMBER.fullmatch(text) else _RUN.sub("'", shown(text))

@@ -3,12 +3,17 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Final
 
+from gripcourse.documents.report.standing import standing_of
 from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
 from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
+from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import LANGUAGES, Message, Words
+
+# What adding up in another order changes is not said.
+_POINTS_DECIMALS: Final = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +104,8 @@ class ReportResult:
         variant, scheme: ids.
         options: what the variant chooses.
         judged: false where the file could not be judged at all; the flags say why.
-        score, max_score: in points, without what waits for a person; null where not judged.
+        score, max_score: in points, without what waits for a person; null where not judged. All
+            points are to six decimals.
         open_points: points of what waits for a person.
         flags: for the instructor.
         remarks: about the workbook as a whole, for the student.
@@ -111,6 +117,9 @@ class ReportResult:
         earned: what is left of the score after lateness; null where not judged or not known.
         days_late: days begun after the deadline that cost something.
         counts: whether it is the work of the student that counts.
+        percent: score as a percentage of the points that wait for nobody; null where not judged.
+        scales: by the id of each scale of the policy, what the earned points are called, in the
+            language of the sentences; empty where points that wait for a person decide.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/report/1"
@@ -134,6 +143,8 @@ class ReportResult:
     earned: float | None = None
     days_late: int = 0
     counts: bool = True
+    percent: float | None = None
+    scales: Mapping[str, str] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
@@ -198,6 +209,7 @@ def grades_result(
     words: Words,
     incidents: Sequence[str] = (),
     others: Sequence[FileAccount] = (),
+    scales: Sequence[Scale] = (),
 ) -> GradesResult:
     """Put the reports of a batch into words for another program.
 
@@ -206,8 +218,9 @@ def grades_result(
         words: their language.
         incidents: what failed on our side.
         others: files that were found and not looked at.
+        scales: of the policy.
     """
-    made = tuple(report_result(report, words) for report in reports)
+    made = tuple(report_result(report, words, scales) for report in reports)
     return replace(around_reports(reports, words, incidents, others), reports=made)
 
 
@@ -227,8 +240,10 @@ def around_reports(
     return GradesResult((), flagged, tuple(incidents), files)
 
 
-def report_result(report: Report, words: Words) -> ReportResult:
-    """Put a report into words for another program."""
+def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) -> ReportResult:
+    """Put a report into words for another program; scales are those of the policy."""
+    standing = standing_of(report)
+    called = {one.id: certain_grade(one, standing, words) for one in scales}
     return ReportResult(
         file=report.file,
         student=report.student,
@@ -237,9 +252,9 @@ def report_result(report: Report, words: Words) -> ReportResult:
         scheme=report.scheme,
         options=dict(report.options),
         judged=report.judged,
-        score=report.score if report.judged else None,
-        max_score=report.max_score if report.judged else None,
-        open_points=report.open_points,
+        score=_points(report.score) if report.judged else None,
+        max_score=_points(report.max_score) if report.judged else None,
+        open_points=_points(report.open_points),
         flags=tuple(_flag_result(one, words) for one in report.flags),
         remarks=_said(report.remarks, words),
         causes=tuple(
@@ -248,10 +263,20 @@ def report_result(report: Report, words: Words) -> ReportResult:
         findings=tuple(_finding_result(one, words) for one in report.findings),
         digest=report.digest,
         known_by=report.known_by,
-        earned=report.earned if report.judged else None,
+        earned=_points(report.earned) if report.judged else None,
         days_late=0 if report.timing is None else report.timing.days_late,
         counts=report.timing is None or report.timing.counts,
+        percent=_percent(report) if report.judged else None,
+        scales=called if report.judged else {},
     )
+
+
+def _percent(report: Report) -> float | None:
+    return _points(100 * report.score / report.max_score) if report.max_score else None
+
+
+def _points(value: float) -> float:
+    return round(value, _POINTS_DECIMALS)
 
 
 def finite(value: float | None) -> float | None:
@@ -277,8 +302,8 @@ def _finding_result(finding: Finding, words: Words) -> FindingResult:
         reference=finite(finding.reference),
         expected=finite(finding.expected),
         band=finite(finding.band),
-        points=finding.points,
-        max_points=finding.max_points,
+        points=_points(finding.points),
+        max_points=_points(finding.max_points),
         slip="" if finding.slip is None else str(finding.slip),
         tied=tuple(map(str, finding.tied)),
         roots=finding.roots,

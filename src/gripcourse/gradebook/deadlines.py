@@ -1,7 +1,7 @@
 """Deadlines: of everybody, of a group, of one student, in the course's time zone."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date, datetime, time
 from pathlib import Path
@@ -11,7 +11,8 @@ from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
-from gripcourse.variants.model import Issued
+from gripcourse.variants.headings import by_ids, words_vocabulary
+from gripcourse.variants.model import Issued, Student
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 
 _COLUMNS = ("group", "student", "deadline")
@@ -47,29 +48,37 @@ def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> d
     return datetime.combine(issued.deadline, _END_OF_DAY, zone)
 
 
-def read_deadlines(source: Readable, zone: ZoneInfo) -> tuple[Deadline, ...]:
+def read_deadlines(
+    source: Readable, zone: ZoneInfo, people: Collection[Student] = ()
+) -> tuple[Deadline, ...]:
     """Read a table of deadlines with the columns `group`, `student` and `deadline`.
 
     Args:
-        source: the table. A deadline is a day, whose last second counts, or a day with a time.
+        source: the table, with headings in any language. A deadline is a day, whose last second
+            counts, or a day with a time.
         zone: of the course.
+        people: everybody whom a deadline may concern; where given, a row for nobody of them is a
+            problem.
 
     Raises:
         TableError: with all problems, by row and column.
     """
-    sheet = read_sheet(source, lambda text: text in _COLUMNS)
+    vocabulary = words_vocabulary("deadlines")
+    sheet, called = by_ids(read_sheet(source, vocabulary.is_heading), vocabulary)
     problems = list(_heading_problems(sheet))
     if problems:
         raise TableError(problems)
-    rows = [_row(sheet, row, zone, problems) for row in sheet.rows]
+    rows = [_row(sheet, row, zone, called, problems) for row in sheet.rows]
     seen: set[tuple[str, str]] = set()
     for row, one in zip(sheet.rows, rows, strict=True):
         if one is not None and (one.group, one.student) in seen:
             what = message("There is a second deadline for the same people.")
             remedy = message("Leave one of them.")
-            problems.append(Problem(sheet.file, cell_place(row.number, "deadline"), what, remedy))
+            place = cell_place(row.number, called["deadline"])
+            problems.append(Problem(sheet.file, place, what, remedy))
         if one is not None:
             seen.add((one.group, one.student))
+            problems += _nobody(sheet.file, row, one, called, people)
     if problems:
         raise TableError(problems)
     return tuple(one for one in rows if one is not None)
@@ -89,13 +98,46 @@ def moment_of(written: str, zone: ZoneInfo) -> datetime | None:
     return datetime.combine(day, at, zone)
 
 
-def _row(sheet: Sheet, row: SheetRow, zone: ZoneInfo, problems: list[Problem]) -> Deadline | None:
+def _nobody(
+    file: str,
+    row: SheetRow,
+    deadline: Deadline,
+    called: Mapping[str, str],
+    people: Collection[Student],
+) -> Iterator[Problem]:
+    """Say whom of those that a deadline names nobody knows: it would be nobody's, silently."""
+    if not people:
+        return
+    groups = {one.id: one.group for one in people}
+    group, student = deadline.group, deadline.student
+    if student and student not in groups:
+        what = message("The register has no student '{student}'.", student=student)
+        place = cell_place(row.number, called["student"])
+        yield Problem(file, place, what, did_you_mean(student, groups))
+    elif student and group and groups[student] != group:
+        what = message("{student} is not in group '{group}'.", student=student, group=group)
+        place = cell_place(row.number, called["group"])
+        yield Problem(file, place, what, message("Leave the group or the student out."))
+    elif group and group not in groups.values():
+        what = message("Nobody is in group '{group}'.", group=group)
+        place = cell_place(row.number, called["group"])
+        yield Problem(file, place, what, did_you_mean(group, {*groups.values()} - {""}))
+
+
+def _row(
+    sheet: Sheet,
+    row: SheetRow,
+    zone: ZoneInfo,
+    called: Mapping[str, str],
+    problems: list[Problem],
+) -> Deadline | None:
     cells = dict(zip(sheet.header, row.cells, strict=True))
     at = moment_of(cells["deadline"], zone)
     if at is None:
         what = message("'{text}' is no day.", text=cells["deadline"])
         remedy = message("Write 2026-12-01, or 2026-12-01 18:00.")
-        problems.append(Problem(sheet.file, cell_place(row.number, "deadline"), what, remedy))
+        place = cell_place(row.number, called["deadline"])
+        problems.append(Problem(sheet.file, place, what, remedy))
         return None
     return Deadline(cells.get("group", ""), cells.get("student", ""), at)
 
@@ -104,8 +146,13 @@ def _heading_problems(sheet: Sheet) -> Iterator[Problem]:
     if "deadline" not in sheet.header:
         what = message("The column '{name}' is missing.", name="deadline")
         remedy = message("Write its name into the first row.")
-        yield Problem(sheet.file, cell_place(1, "deadline"), what, remedy)
-    for name in sheet.header:
+        yield Problem(sheet.file, cell_place(sheet.heading_row, "deadline"), what, remedy)
+    for position, name in enumerate(sheet.header):
         if name not in _COLUMNS:
             what = message("There is no column '{name}' in a table of deadlines.", name=name)
-            yield Problem(sheet.file, cell_place(1, name), what, did_you_mean(name, _COLUMNS))
+            place = cell_place(sheet.heading_row, name)
+            yield Problem(sheet.file, place, what, did_you_mean(name, _COLUMNS))
+        elif sheet.header.count(name) > 1 and sheet.header.index(name) == position:
+            what = message("Two columns are called '{name}'.", name=name)
+            place = cell_place(sheet.heading_row, name)
+            yield Problem(sheet.file, place, what, message("Leave one of them."))

@@ -8,11 +8,13 @@ from gripcourse.gradebook.enter import Draft
 from gripcourse.machine.content import Readable
 from gripcourse.policy.rubric_load import TABLE_COLUMNS
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import exact_number
+from gripcourse.variants.headings import by_ids, words_vocabulary
 from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, column_name, read_sheet
 
 _REQUIRED = ("student", "quantity")
+_FOR_THE_READER = "about:"
 _YES = {"yes", "да", "так", "1", "x", "+"}
 _NO = {"", "no", "нет", "ні", "0", "-"}
 
@@ -40,19 +42,20 @@ class MarksTable:
     empty: int
 
 
-def read_marks(source: Readable, lines: Collection[str]) -> MarksTable:
+def read_marks(source: Readable, lines: Mapping[str, Collection[Texts]]) -> MarksTable:
     """Read a table of marks, `.csv` or `.xlsx`.
 
     Args:
-        source: the file, or its bytes; its first row names the columns: `student`, `quantity`,
-            lines of rubrics, and `points`, `credit`, `comment`, `override` where they are needed. A
-            comma in a number is a decimal one.
-        lines: ids of all lines of all rubrics.
+        source: the file, or its bytes; its headings, in any language, name the columns: `student`,
+            `quantity`, lines of rubrics by id or text, and `points`, `credit`, `comment`,
+            `override` where they are needed. A comma in a number is a decimal one.
+        lines: ids of all lines of all rubrics, with the texts that they have there.
 
     Raises:
         TableError: with all problems at once, each with row and column.
     """
-    sheet = read_sheet(source)
+    vocabulary = words_vocabulary("marks", lines, _titles_of(lines))
+    sheet, called = by_ids(read_sheet(source, vocabulary.is_heading), vocabulary)
     problems = list(_heading_problems(sheet, lines))
     if problems:
         raise TableError(problems)
@@ -60,7 +63,7 @@ def read_marks(source: Readable, lines: Collection[str]) -> MarksTable:
     seen: dict[tuple[str, str], int] = {}
     empty = 0
     for row in sheet.rows:
-        cells = _Cells(sheet, row, problems)
+        cells = _Cells(sheet, row, called, problems)
         draft = _draft(cells)
         if _is_empty(draft):
             empty += 1
@@ -84,6 +87,7 @@ class _Cells:
 
     sheet: Sheet
     row: SheetRow
+    called: Mapping[str, str]
     problems: list[Problem]
 
     def text(self, column: str) -> str:
@@ -117,9 +121,8 @@ class _Cells:
 
     def add(self, column: str, what: Message, remedy: Message) -> None:
         """Record a fault of a cell."""
-        self.problems.append(
-            Problem(self.sheet.file, cell_place(self.row.number, column), what, remedy)
-        )
+        place = cell_place(self.row.number, self.called.get(column, column))
+        self.problems.append(Problem(self.sheet.file, place, what, remedy))
 
 
 def _draft(cells: _Cells) -> Draft:
@@ -129,7 +132,7 @@ def _draft(cells: _Cells) -> Draft:
     lines = {
         name: value
         for name in cells.sheet.header
-        if name and name not in TABLE_COLUMNS and (value := cells.number(name)) is not None
+        if _is_line(name) and (value := cells.number(name)) is not None
     }
     return Draft(
         student=cells.text("student"),
@@ -140,6 +143,10 @@ def _draft(cells: _Cells) -> Draft:
         comment=cells.text("comment"),
         override=cells.flag("override"),
     )
+
+
+def _is_line(name: str) -> bool:
+    return bool(name) and name not in TABLE_COLUMNS and not name.startswith(_FOR_THE_READER)
 
 
 def _is_empty(draft: Draft) -> bool:
@@ -160,7 +167,7 @@ def _heading_problems(sheet: Sheet, lines: Collection[str]) -> Iterator[Problem]
                 message("Write its name into the first row."),
             )
     for name, count in counts.items():
-        if name not in known:
+        if _is_line(name) and name not in known:
             what = message("No rubric has a line '{name}'.", name=name)
             yield _heading(sheet, name, what, did_you_mean(name, known))
         if count > 1:
@@ -180,4 +187,9 @@ def _heading_problems(sheet: Sheet, lines: Collection[str]) -> Iterator[Problem]
 
 
 def _heading(sheet: Sheet, column: str, what: Message, remedy: Message) -> Problem:
-    return Problem(sheet.file, cell_place(1, column), what, remedy)
+    return Problem(sheet.file, cell_place(sheet.heading_row, column), what, remedy)
+
+
+def _titles_of(lines: Mapping[str, Collection[Texts]]) -> Iterator[tuple[str, str]]:
+    for id_, texts in lines.items():
+        yield from ((text.of(language), id_) for text in texts for language in LANGUAGES)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from gripcourse.gradebook.model import GradebookEntry
-from gripcourse.gradebook.works import StudentWork, points_of
+from gripcourse.gradebook.works import StudentWork, in_order, points_of
 from gripcourse.grading.model import Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
 
@@ -58,7 +58,7 @@ def timings_of(
         waiver: the student's last; None for none.
         rules: of the policy.
     """
-    ordered = sorted(works, key=lambda one: (one.handed_in or one.first.graded_at, one.number))
+    ordered = in_order(works)
     costs = {one.digest: _cost(one.handed_in, deadline, waiver, rules.late) for one in ordered}
     most = rules.attempts.most if rules.attempts else 0
     may = [one for one in (ordered[:most] if most else ordered) if one.attempt.judged]

@@ -50,6 +50,11 @@ def works_of(standing: Iterable[Attempt]) -> dict[str, tuple[StudentWork, ...]]:
     }
 
 
+def in_order(works: Iterable[StudentWork]) -> list[StudentWork]:
+    """Return the works of one student in the order in which they were handed in."""
+    return sorted(works, key=lambda one: (one.handed_in or one.first.graded_at, one.number))
+
+
 def _handed_in(attempts: Sequence[Attempt]) -> datetime | None:
     said = [one.handed_in for one in attempts if one.handed_in_said]
     return said[-1] if said else attempts[0].handed_in

@@ -1,15 +1,20 @@
 """Issuing anew: a new version beside what was handed out, which stays as it was. Pure."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
+from typing import TypeAlias
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.issuing.allotment import Extended, Terms, find_variant, holders_of
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.signature import sign
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import Message, Texts, message
 from gripcourse.variants.model import Issued, Variant
+
+TitleOf: TypeAlias = Callable[[Variant, str], Texts | str]
+"""What a given quantity of a variant is called, by its id."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +35,11 @@ class Correction:
 
 
 def reissue(
-    register: Register, correction: Correction, variants: Sequence[Variant], terms: Terms
+    register: Register,
+    correction: Correction,
+    variants: Sequence[Variant],
+    terms: Terms,
+    title_of: TitleOf = lambda _, quantity: quantity,
 ) -> Extended:
     """Put a new version in the place of what students were issued; the old one stays beside it.
 
@@ -39,6 +48,7 @@ def reissue(
         correction: to whom, and why.
         variants: the table.
         terms: of the new versions; without a deadline everybody's own is kept.
+        title_of: what quantities are called in the notes; by their ids where nothing is said.
 
     Returns:
         The register with the new versions, and a note for each that says what changed.
@@ -73,7 +83,7 @@ def reissue(
             tuple(fresh.get(entry.student.id, entry) for entry in register.entries),
             (*register.earlier, *(known[student] for student in fresh)),
         ),
-        tuple(_said(known[student], entry) for student, entry in fresh.items()),
+        tuple(_said(known[student], entry, title_of) for student, entry in fresh.items()),
     )
 
 
@@ -155,8 +165,8 @@ def _next_version(
     )
 
 
-def _said(before: Issued, after: Issued) -> Message:
-    """Say what a new version changes; of a few numbers, which."""
+def _said(before: Issued, after: Issued, title_of: TitleOf) -> Message:
+    """Say what a new version changes; of the same variant, which numbers."""
     old, new = before.variant, after.variant
     student, version = after.student.id, after.version
     if old == new:
@@ -177,18 +187,27 @@ def _said(before: Issued, after: Issued) -> Message:
             old=old.id,
             old_scheme=old.scheme,
         )
-    changed = (
-        f"{name} {old.given.get(name, '—')} → {new.given.get(name, '—')}"
+    changes = (
+        message(
+            "{quantity}: {before} → {after}",
+            quantity=title_of(new, name),
+            before=old.given.get(name, "—"),
+            after=new.given.get(name, "—"),
+        )
         for name in dict.fromkeys((*old.given, *new.given))
         if old.given.get(name) != new.given.get(name)
     )
     return message(
-        "{student}: version {version} of variant {variant}: {changed}.",
+        "{student}: version {version} of variant {variant}. {changes}.",
         student=student,
         version=version,
         variant=new.id,
-        changed=", ".join(changed),
+        changes=reduce(_listed, changes),
     )
+
+
+def _listed(before: Message, after: Message) -> Message:
+    return message("{before}; {after}", before=before, after=after)
 
 
 def _problem(parameter: str, what: Message, remedy: Message) -> Problem:

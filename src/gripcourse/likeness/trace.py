@@ -3,6 +3,8 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +16,7 @@ from gripcourse.likeness.matches import ComparedNumbers, density, last_unit
 _TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
 _LEAST = 1e-4  # nobody knows chance better than this
 _OWN_ROUNDING = 1e-9  # relative
+_STRANGERS: Final[Mapping[str, str]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +48,7 @@ class Origin:
 
     Attributes:
         owner: of the row of issued values.
-        odds: of this variant against all others and against none of them.
+        odds: of this variant against all variants of other people and against none of them.
         matches: one for each number.
     """
 
@@ -54,30 +57,36 @@ class Origin:
     matches: tuple[Match, ...]
 
 
-def rank(clues: Sequence[Clue], issued: IssuedValues) -> tuple[Origin, ...]:
+def rank(
+    clues: Sequence[Clue], issued: IssuedValues, people: Mapping[str, str] = _STRANGERS
+) -> tuple[Origin, ...]:
     """Rank variants by how well they explain numbers.
 
     Args:
         clues: the numbers; each is compared at the precision that was typed.
         issued: the values of the variants.
+        people: whose a variant is, by owner, where one person has several: versions of one
+            assignment are alike, and do not make each other less likely.
 
     Returns:
         The variants in which any number occurs, the likeliest first.
     """
     if not clues:
         return ()
-    found = [_nearest(clue, issued) for clue in clues]
+    named = [people.get(owner, owner) for owner in issued.owners]
+    whose = np.unique(named, return_inverse=True)[1]
+    found = [_nearest(clue, issued, whose) for clue in clues]
     logs = np.zeros(len(issued.owners))
     for column, chance in found:
         logs += np.log((1 - _TRUE) + _TRUE * (column >= 0) / chance)
-    prior = logs - math.log(max(len(logs), 1))
-    everything = float(np.logaddexp.reduce(np.append(prior, 0.0)))  # 0: of no variant at all
+    prior = logs - math.log(max(len(np.unique(whose)), 1))
+    odds = _against_others(prior, whose)
     occurs = np.any([column >= 0 for column, _ in found], axis=0)
     order = [row for row in np.argsort(-logs, kind="stable") if occurs[row]]
     return tuple(
         Origin(
             owner=issued.owners[row],
-            odds=_against_the_rest(float(prior[row]) - everything),
+            odds=float(odds[row]),
             matches=tuple(
                 _match(clue, issued, int(column[row]), int(row))
                 for clue, (column, _) in zip(clues, found, strict=True)
@@ -87,9 +96,22 @@ def rank(clues: Sequence[Clue], issued: IssuedValues) -> tuple[Origin, ...]:
     )
 
 
-def _against_the_rest(log_share: float) -> float:
-    rest = -math.expm1(log_share)
-    return math.exp(log_share) / rest if rest > 0 else math.inf
+def _against_others(prior: Floats, whose: NDArray[np.intp]) -> Floats:
+    """Return the odds of each row against the rows of others, and against none at all.
+
+    Args:
+        prior: (rows,); logarithms of what speaks for each, 0 for none of them.
+        whose: (rows,); number of the person that each belongs to.
+    """
+    top = max(0.0, float(prior.max(initial=0.0)))
+    weights = np.exp(prior - top)
+    own = np.bincount(whose, weights)
+    rest = own.sum() + math.exp(-top) - own
+    # What is left beside somebody who has nearly everything is lost in a difference.
+    likeliest = np.argmax(own)
+    rest[likeliest] = np.delete(own, likeliest).sum() + math.exp(-top)
+    with np.errstate(divide="ignore"):
+        return np.asarray(weights / rest[whose])
 
 
 def _match(clue: Clue, issued: IssuedValues, column: int, row: int) -> Match:
@@ -102,7 +124,9 @@ def _match(clue: Clue, issued: IssuedValues, column: int, row: int) -> Match:
     )
 
 
-def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats]:
+def _nearest(
+    clue: Clue, issued: IssuedValues, whose: NDArray[np.intp]
+) -> tuple[NDArray[np.intp], Floats]:
     """Find for each variant the quantity that a number is; −1 where it is none.
 
     Returns:
@@ -127,6 +151,6 @@ def _nearest(clue: Clue, issued: IssuedValues) -> tuple[NDArray[np.intp], Floats
     numbers = ComparedNumbers(np.zeros(len(place), dtype=np.intp), place, value, unit)
     near = density(numbers, issued.values) * 2 * reach / np.abs(value)
     by_spread = np.isfinite(values) @ near
-    by_count = (fits.sum() - 1) / max(rows, 1)
+    by_count = (len(np.unique(whose[fits])) - 1) / max(len(np.unique(whose)), 1)
     chance = np.clip(np.maximum(by_spread, by_count), _LEAST, 1.0)
     return np.where(fits, place[best], -1), chance

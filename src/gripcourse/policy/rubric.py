@@ -1,6 +1,6 @@
 """Rubrics: by which lines a person marks an item that no formula can judge."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from gripcourse.text.words import Texts
@@ -65,3 +65,12 @@ class Rubric:
             KeyError: a line has no credit.
         """
         return sum(line.share * credits_by_line[line.id] for line in self.lines)
+
+
+def lines_of(rubrics: Iterable[Rubric]) -> dict[str, list[Texts]]:
+    """Return the ids of all lines of rubrics, each with the texts that it has in them."""
+    found: dict[str, list[Texts]] = {}
+    for rubric in rubrics:
+        for line in rubric.lines:
+            found.setdefault(line.id, []).append(line.text)
+    return found

@@ -28,6 +28,7 @@ from gripcourse.machine.files import (
     write_bytes,
     write_text,
 )
+from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.student_reports import (
@@ -250,7 +251,7 @@ def write_tables(
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    _write_json(out / GRADES_JSON, reports, words, passed_over)
+    _write_json(out / GRADES_JSON, reports, Called(context.policy.scales, words), passed_over)
 
 
 def _print_cohort(
@@ -289,25 +290,29 @@ def _discard_unfinished(out: Path) -> None:
 
 
 def _write_json(
-    path: Path, reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
+    path: Path, reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
 ) -> None:
     """Write what `json_text` returns, one report after the other: all at once are large."""
     with replacing(path) as temporary:
         make_private(temporary)
         with temporary.open("w", encoding="utf-8", newline="") as file:
-            file.writelines(_json_pieces(reports, words, passed_over))
+            file.writelines(_json_pieces(reports, called, passed_over))
 
 
 def json_text(
-    reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver] = ()
+    reports: Sequence[Report],
+    words: Words,
+    passed_over: Sequence[PassedOver] = (),
+    scales: Sequence[Scale] = (),
 ) -> str:
     """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
-    return "".join(_json_pieces(reports, words, passed_over))
+    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over))
 
 
 def _json_pieces(
-    reports: Sequence[Report], words: Words, passed_over: Sequence[PassedOver]
+    reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
 ) -> Iterator[str]:
+    words, scales = called.words, called.scales
     others = tuple(map(passed_over_account, passed_over))
     around = _json(around_reports(reports, words, (), others).to_dict(), indent=1)
     before, after = around.split(_NO_REPORTS, 1)
@@ -315,7 +320,7 @@ def _json_pieces(
     for number, report in enumerate(reports):
         yield ",\n" if number else "\n"
         # Without indents it takes a third of the time.
-        yield _json(report_result(report, words).to_dict(), indent=None)
+        yield _json(report_result(report, words, scales).to_dict(), indent=None)
     yield ("\n ]" if reports else "]") + after
 
 
@@ -328,10 +333,11 @@ def batch_result(
     words: Words,
     passed_over: Sequence[PassedOver] = (),
     incidents: Sequence[str] = (),
+    scales: Sequence[Scale] = (),
 ) -> GradesResult:
     """Put a batch into words for another program, with every file that was found."""
     others = tuple(map(passed_over_account, passed_over))
-    return grades_result(reports, words, incidents, others)
+    return grades_result(reports, words, incidents, others, scales)
 
 
 def passed_over_account(one: PassedOver) -> FileAccount:

@@ -1,6 +1,6 @@
 """What the gradebook knows of one student: every attempt, mark and regrade, in order of time."""
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -10,7 +10,7 @@ from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.gradebook.works import points_of
+from gripcourse.gradebook.works import in_order, points_of, works_of
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, message
@@ -67,7 +67,8 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
             )
             events.append(Event(one.signed.done_at, one.signed.person, what, one.signed.why))
     batches = batches_by_time(book.engine)
-    events += [_of_attempt(one, batches.get(one.graded_at)) for one in attempts]
+    numbers = _numbers(attempts)
+    events += _of_attempts(attempts, numbers, batches)
     events += [_of_mark(entry) for entry in book.entries({student})]
     for told in publications(book):
         if told.student == student:
@@ -75,7 +76,7 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
                 "Told to the student: {points} of {most} points (attempt {number}).",
                 points=round(told.points, _DECIMALS),
                 most=round(told.max_points, _DECIMALS),
-                number=told.attempt,
+                number=numbers.get(told.attempt, told.attempt),
             )
             events.append(Event(told.signed.done_at, told.signed.person, said, ""))
     events += [_of_waiver(one) for one in waived.get(student, ())]
@@ -99,21 +100,49 @@ def versions_text(attempt: Attempt) -> str:
     return "/".join(one[:7] or "—" for one in (used.engine, used.course, used.policy))
 
 
-def _of_attempt(attempt: Attempt, batch: GradedBatch | None) -> Event:
-    said = " ".join(_parts(attempt))
-    if not attempt.judged:
-        what = message("Attempt {number}, {file}: not judged.", number=attempt.number, file=said)
-    else:
-        sums = points_of(attempt.results, {})
+def _numbers(attempts: Sequence[Attempt]) -> Mapping[int, int]:
+    """Return the number that reports give to the work, by the gradebook's number of each entry."""
+    works = [one for found in works_of(attempts).values() for one in in_order(found)]
+    of_work = {one.digest: number for number, one in enumerate(works, start=1)}
+    return {one.number: of_work[one.digest] for one in attempts}
+
+
+def _of_attempts(
+    attempts: Sequence[Attempt], numbers: Mapping[int, int], batches: Mapping[datetime, GradedBatch]
+) -> Iterator[Event]:
+    """Yield what was found of each work at first, and each time when it was graded otherwise."""
+    known: set[str] = set()
+    for one in attempts:
+        batch = batches.get(one.graded_at)
+        person, why = ("", "") if batch is None else (batch.by, batch.why)
         what = message(
-            "Attempt {number}, {file}: {points} of {most} points by the program.",
-            number=attempt.number,
-            file=said,
-            points=round(sums.score, _DECIMALS),
-            most=round(sums.max_score, _DECIMALS),
+            "{work}, {file}: {result}",
+            work=_work(one, numbers[one.number], is_known=one.digest in known),
+            file=" ".join(_parts(one)),
+            result=_result(one),
         )
-    person, why = ("", "") if batch is None else (batch.by, batch.why)
-    return Event(attempt.graded_at, person, what, why)
+        known.add(one.digest)
+        yield Event(one.graded_at, person, what, why)
+
+
+def _work(attempt: Attempt, number: int, *, is_known: bool) -> Message:
+    if attempt.regrade is not None:
+        regrade = attempt.regrade
+        return message("Attempt {number} in regrade {regrade}", number=number, regrade=regrade)
+    if is_known:
+        return message("Attempt {number} graded again", number=number)
+    return message("Attempt {number}", number=number)
+
+
+def _result(attempt: Attempt) -> Message:
+    if not attempt.judged:
+        return message("not judged.")
+    sums = points_of(attempt.results, {})
+    return message(
+        "{points} of {most} points by the program.",
+        points=round(sums.score, _DECIMALS),
+        most=round(sums.max_score, _DECIMALS),
+    )
 
 
 def _parts(attempt: Attempt) -> Iterator[str]:

@@ -4,9 +4,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
+from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
+from gripcourse.exports.marks_table import ItemToMark, write_marks_table
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
 from gripcourse.gradebook.store import Gradebook, open_gradebook
@@ -15,9 +17,9 @@ from gripcourse.gradebook.waiting import Waiting, waiting
 from gripcourse.gradebook.works import latest_judged
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import exists
-from gripcourse.policy.rubric import Rubric
+from gripcourse.policy.rubric import Rubric, lines_of
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import message
+from gripcourse.text.words import Words, message
 from gripcourse.variants.sheet import cell_place
 
 
@@ -72,6 +74,45 @@ def what_waits(place: str) -> tuple[Waiting, ...]:
     return waiting(book.standing(), book.entries())
 
 
+def write_waiting(waits: Sequence[Waiting], context: GradingContext, place: str, out: Path) -> None:
+    """Write what waits as a table to fill in, in the course's language; see `enter_table`.
+
+    Args:
+        waits: see `what_waits`.
+        context: course, policy and register.
+        place: of the gradebook.
+        out: file to write, a workbook or CSV.
+
+    Raises:
+        GradebookError: the gradebook cannot be used.
+        OSError: the file cannot be written.
+    """
+    words = Words(context.course.language)
+    students = {one.student for one in waits}
+    attempts = latest_judged(existing_gradebook(place).standing(students))
+    items = [_item_to_mark(one, attempts[one.student], context, words) for one in waits]
+    write_marks_table(out, items, words)
+
+
+def _item_to_mark(
+    one: Waiting, attempt: Attempt, context: GradingContext, words: Words
+) -> ItemToMark:
+    issued = context.register.get(one.student)
+    title = one.quantity
+    if issued is not None:
+        declared = plan_of(context.course, issued.variant.composition).quantities
+        title = declared[one.quantity].title.of(words.language) if one.quantity in declared else ""
+    return ItemToMark(
+        student=one.student,
+        quantity=one.quantity,
+        name="" if issued is None else issued.student.name,
+        group="" if issued is None else issued.student.group,
+        title=title,
+        possible=attempt.by_quantity[one.quantity].max_points,
+        rubric=_rubrics(one.student, attempt, context).get(one.quantity),
+    )
+
+
 def enter_mark(
     draft: Draft, context: GradingContext, place: str, marker: str, now: datetime
 ) -> Marking:
@@ -102,8 +143,7 @@ def enter_table(
         UsageError: with all that is wrong, by row and column.
     """
     book = existing_gradebook(place)
-    lines = {line for rubric in context.policy.rubrics.values() for line in rubric.by_id}
-    table = read_marks(source, lines)
+    table = read_marks(source, lines_of(context.policy.rubrics.values()))
     marks, faults = _marks([one.draft for one in table.rows], context, book, marker, now)
     if faults:
         raise UsageError(

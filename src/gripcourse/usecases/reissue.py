@@ -18,7 +18,7 @@ from gripcourse.machine.content import Readable
 from gripcourse.machine.files import make_private_folder
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
-from gripcourse.text.words import message
+from gripcourse.text.words import Texts, message
 from gripcourse.usecases.declarations import keep_declarations
 from gripcourse.usecases.handout import IssuingContext, issue_one
 from gripcourse.usecases.issue import (
@@ -30,7 +30,7 @@ from gripcourse.usecases.issue import (
 )
 from gripcourse.usecases.links import address_of
 from gripcourse.variants.explain import why_infeasible
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
 from gripcourse.variants.table import read_table
 
 
@@ -91,7 +91,7 @@ def reissue_order(
     variants = read_table(order.table, course)
 
     def change(register: Register) -> Extended:
-        return reissue(register, order.correction, variants, terms)
+        return reissue(register, order.correction, variants, terms, partial(_title, course))
 
     _refuse_infeasible(course, _fresh(change(before).register, order))
     # Before anything is kept: a folder that cannot be written must not cost a version.
@@ -102,6 +102,11 @@ def reissue_order(
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     entries = _fresh(extended.register, order)
     return Issuing(write_handouts(context, entries, workers, on_done, issue_one), extended.notes)
+
+
+def _title(course: Course, variant: Variant, quantity: str) -> Texts | str:
+    declared = plan_of(course, variant.composition).quantities.get(quantity)
+    return quantity if declared is None else declared.title
 
 
 def _fresh(register: Register, order: CorrectedOrder) -> list[Issued]:

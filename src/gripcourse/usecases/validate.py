@@ -12,8 +12,6 @@ from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
 from gripcourse.course.read import read_course
 from gripcourse.errors import GripcourseError, Problem, UsageError
-from gripcourse.issuing.register_file import old_register_path
-from gripcourse.machine.database.home import exists, home_of
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.policy.load import load_policy, read_policy
@@ -29,6 +27,7 @@ from gripcourse.proofs.published_cases import read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Words, message
+from gripcourse.usecases.check_lists import list_problems
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
 from gripcourse.usecases.templates import filling_problems, read_templates, sample_documents
@@ -58,9 +57,11 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     course, problems = read_course(root)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course, thorough=thorough), *read_policy(course)[1]]
+    problems = [*problems, *check_course(course, thorough=thorough)]
+    policy, unfit = read_policy(course)
+    problems += unfit
     problems += [*check_equations(course), *_mix_problems(course)]
-    problems += register_problems(course)
+    problems += _list_problems(course, policy)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
@@ -133,18 +134,9 @@ def _machine_problems(root: Path) -> Iterator[Problem]:
             yield Problem("", check.name, what, check.remedy)
 
 
-def register_problems(course: Course) -> tuple[Problem, ...]:
-    """Return what is wrong with what was issued from a course."""
-    if not exists(home_of(course.root)) and not old_register_path(course.root).is_file():
-        return ()
-    # 200 ms for the database that only who has issued pays.
-    from gripcourse.issuing.store import read_register  # noqa: PLC0415
-
-    try:
-        read_register(course.root, course.id)
-    except GripcourseError as error:
-        return error.problems
-    return ()
+def _list_problems(course: Course, policy: Policy | None) -> list[Problem]:
+    """Return what is wrong with the lists of students and their deadlines."""
+    return list_problems(course, policy)
 
 
 def _mix_problems(course: Course) -> list[Problem]:

@@ -143,6 +143,34 @@ def _declarations(course: Course) -> dict[str, list[Quantity]]:
     return {id_: list(declared.values()) for id_, declared in found.items()}
 
 
+def words_vocabulary(
+    table: str, ids: Iterable[str] = (), titles: Iterable[tuple[str, str]] = ()
+) -> Vocabulary:
+    """Return what the columns of a table of `headings.toml` may be called.
+
+    Args:
+        table: its name there.
+        ids: of more columns; they go before the words that are declared there.
+        titles: other names of these columns, each with its id.
+    """
+    more = {plain(one): frozenset({one}) for one in ids}
+    found = _grouped((plain(name), id_) for name, id_ in titles)
+    return Vocabulary({**declared_names(table), **more}, found, {}, {})
+
+
+def by_ids(sheet: Sheet, vocabulary: Vocabulary) -> tuple[Sheet, Mapping[str, str]]:
+    """Return a table whose known headings are ids, and by id what a person calls the column.
+
+    A heading that is not known, or may mean several columns, stays as it was written.
+    """
+    ids = [vocabulary.find(name) for name in sheet.header]
+    header = tuple(
+        next(iter(found)) if len(found) == 1 else name
+        for name, found in zip(sheet.header, ids, strict=True)
+    )
+    return replace(sheet, header=header), dict(zip(header, sheet.header, strict=True))
+
+
 def without_strange(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:
     """Return a table without the columns that nobody here asked for, and with a note of them.
 

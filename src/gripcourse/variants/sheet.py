@@ -65,6 +65,7 @@ class Sheet:
         decimal_comma: whether a comma in a number can only be a decimal one; in a file whose cells
             are separated by commas it could group thousands.
         notes: how the file was read where it could have been read in another way.
+        heading_row: in which row the headings are, as a spreadsheet shows it.
     """
 
     file: str
@@ -72,6 +73,7 @@ class Sheet:
     rows: tuple[SheetRow, ...]
     decimal_comma: bool
     notes: tuple[Message, ...] = ()
+    heading_row: int = 1
 
 
 def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
@@ -165,7 +167,13 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
             message("Delete the cells that lie far to the right or below of what you need."),
         )
     padded = [SheetRow(row.number, (row.cells + ("",) * width)[:width]) for row in rows]
-    return Sheet(shown_name(source), padded[0].cells, tuple(padded[1:]), decimal_comma=True)
+    return Sheet(
+        file=shown_name(source),
+        header=padded[0].cells,
+        rows=tuple(padded[1:]),
+        decimal_comma=True,
+        heading_row=padded[0].number,
+    )
 
 
 def _heading_row(rows: Sequence[SheetRow], is_heading: IsHeading) -> int:

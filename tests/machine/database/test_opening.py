@@ -12,6 +12,7 @@ from gripcourse.errors import GradebookError
 from gripcourse.machine.database.home import address_path, exists, gradebook_path, home_of
 from gripcourse.machine.database.migrate import NEWEST
 from gripcourse.machine.database.opening import open_engine, without_password
+from gripcourse.machine.database.said import refusals_named
 
 
 class TestHome:
@@ -111,6 +112,14 @@ class TestRefusals:
         with pytest.raises(GradebookError, match="not a database"):
             open_engine(str(place))
         assert place.read_text(encoding="utf-8").startswith("student,points")
+
+
+def test_a_full_disk_is_called_so() -> None:
+    with create_engine("sqlite://").begin() as connection:
+        connection.execute(text("PRAGMA max_page_count = 2"))
+        connection.execute(text("CREATE TABLE kept (value TEXT)"))
+        with pytest.raises(GradebookError, match="The disk is full"), refusals_named("here"):
+            connection.execute(text("INSERT INTO kept VALUES (zeroblob(100000))"))
 
 
 def test_a_password_is_never_shown() -> None:

@@ -1,5 +1,6 @@
 """What a database says when something fails, as errors with place and remedy."""
 
+import errno
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -8,12 +9,13 @@ from typing import Final
 from sqlalchemy.engine import URL
 from sqlalchemy.exc import DBAPIError, IntegrityError, OperationalError, SQLAlchemyError
 
-from gripcourse.errors import GradebookError, NextStep, Problem
+from gripcourse.errors import GradebookError, NextStep, Problem, system_problem
 from gripcourse.text.words import Message, message
 
 # The states of SQL that PostgreSQL names, for its sentences may be in any language.
 _TAKEN: Final = "23505"
 _LOCKED: Final = "55P03"
+_FULL: Final = "53100"
 _GONE: Final = ("08", "57P", "53300")  # lost connections, a server that ends or begins, too many
 _AGAIN: Final = message(
     "Start the same again when it is back: each step is kept whole or not at all, and none is kept"
@@ -79,6 +81,9 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
             message("Another program writes to the gradebook and does not end."),
             message("Nothing was written; end that program, or try again in a minute."),
         )
+    if state == _FULL or _code(fault) == sqlite3.SQLITE_FULL:
+        full = system_problem(OSError(errno.ENOSPC, ""))
+        return failure(place, full.what, full.remedy)
     if fault.connection_invalidated or state.startswith(_GONE):
         return failure(
             place,
@@ -105,6 +110,10 @@ def _refusal(place: str, fault: SQLAlchemyError) -> GradebookError:
 def _sentence(said: str) -> str:
     """Return the first line that a database says; the others guess at what may have happened."""
     return next(iter(said.strip().splitlines()), "").rstrip(".")
+
+
+def _code(fault: DBAPIError) -> int | None:
+    return fault.orig.sqlite_errorcode if isinstance(fault.orig, sqlite3.Error) else None
 
 
 def _state(fault: DBAPIError) -> str:

@@ -1,0 +1,59 @@
+"""The instructor's own lists in a course folder, checked before anybody needs them."""
+
+from gripcourse.course.model import Course
+from gripcourse.errors import GripcourseError, Problem
+from gripcourse.gradebook.deadlines import deadlines_path, read_deadlines
+from gripcourse.issuing.register_file import old_register_path
+from gripcourse.issuing.roster import read_roster
+from gripcourse.machine.database.home import exists, home_of
+from gripcourse.policy.model import Policy
+from gripcourse.policy.time_rules import zone_of
+from gripcourse.variants.model import Student
+
+
+def list_problems(course: Course, policy: Policy | None) -> list[Problem]:
+    """Return all that is wrong with what was issued, the roster and the deadlines.
+
+    Args:
+        course: of the folder.
+        policy: of the course; None where it cannot be used.
+    """
+    problems: list[Problem] = []
+    issued = _issued(course, problems)
+    listed = _listed(course, issued, problems)
+    path = deadlines_path(course.root)
+    if path.is_file():
+        zone = zone_of(policy.late if policy else None)
+        # Before anything is issued the roster says who there is.
+        try:
+            read_deadlines(path, zone, issued or listed)
+        except GripcourseError as error:
+            problems += error.problems
+    return problems
+
+
+def _issued(course: Course, problems: list[Problem]) -> tuple[Student, ...]:
+    if not exists(home_of(course.root)) and not old_register_path(course.root).is_file():
+        return ()
+    # 200 ms for the database that only who has issued pays.
+    from gripcourse.issuing.store import read_register  # noqa: PLC0415
+
+    try:
+        register = read_register(course.root, course.id)
+    except GripcourseError as error:
+        problems += error.problems
+        return ()
+    return tuple(entry.student for entry in register.entries)
+
+
+def _listed(
+    course: Course, issued: tuple[Student, ...], problems: list[Problem]
+) -> tuple[Student, ...]:
+    path = course.root / "variants" / "roster.csv"
+    if not path.is_file():
+        return ()
+    try:
+        return read_roster(path, issued).students
+    except GripcourseError as error:
+        problems += error.problems
+        return ()
