@@ -18,6 +18,8 @@ from gripcourse.variants.model import Variant
 
 ALONG = (-0.1, 0.0, 0.1)  # mm on either side of the point of contact
 NEAR = 0.05  # mm: the chords of a circle
+TOUCHING = 0.005  # mm from the object: the chord of a face of a prism that turns is 0.8 mm at least
+HELD = {"at_min": ("object", "diameter_min"), "at_max": ("largest_object", "diameter_max")}
 
 
 def test_the_prisms_of_every_issued_variant_touch_its_objects_on_their_faces(
@@ -31,6 +33,48 @@ def test_the_prisms_of_every_issued_variant_touch_its_objects_on_their_faces(
         for place, name in missing(course, group)
     ]
     assert missed == []
+
+
+def test_the_prisms_on_turning_levers_touch_every_object_on_both_faces(
+    course: Course, issued: tuple[Variant, ...]
+) -> None:
+    turning = [one for one in issued if one.scheme == "prism_lever"]
+    missed = [
+        f"{turning[int(group.rows[place])].id}: {name}"
+        for group in solve_groups(course, turning)
+        for place, name in untouched(course, group)
+    ]
+    assert turning
+    assert missed == []
+
+
+def untouched(course: Course, group: Group) -> Iterator[tuple[int, str]]:
+    """Yield the variants whose tilted prisms do not hold an object on two faces, and of which one.
+
+    Two faces of a prism of angle α touch a circle in two directions that are π − α apart; where a
+    face ends before it touches, or stands in the object, there is no such chord near the circle.
+    """
+    count = group.family.size
+    values = {name: np.broadcast_to(one, count) for name, one in group.values.items()}
+    for position, (held, name) in HELD.items():
+        found = pieces(course, group.family.scheme, values, position)
+        jaws = [one for one in found if one.part.id == "prism" and one.side == 1]
+        [circle] = [one for one in found if one.part.id == held]
+        for place in range(count):
+            row = np.array([place])
+            jaw = shapely.union_all([one.solid(row)[0] for one in jaws])
+            centre, radius = circle.outline(row)[0].centroid, values[name][place] * 500
+            ring = centre.buffer(radius + TOUCHING, 256)
+            chords = shapely.get_parts(shapely.line_merge(jaw.boundary.intersection(ring)))
+            feet = [one.interpolate(0.5, normalized=True) for one in chords]
+            ways = [np.arctan2(one.y - centre.y, one.x - centre.x) for one in feet]
+            if (
+                len(feet) != 2
+                or min(one.length for one in chords) < 2 * ALONG[-1]
+                or max(abs(centre.distance(one) - radius) for one in feet) > TOUCHING
+                or abs(np.pi - abs(ways[0] - ways[1]) - values["prism_angle"][place]) > TOUCHING
+            ):
+                yield place, name
 
 
 def missing(course: Course, group: Group) -> Iterator[tuple[int, str]]:
@@ -62,19 +106,19 @@ def faces(
     course: Course, scheme_id: str, values: dict[str, np.ndarray]
 ) -> tuple[list[Piece], Piece]:
     """Return the pieces of the jaw above the axis and the smallest object, both held."""
+    found = pieces(course, scheme_id, values, "at_min")
+    jaws = [one for one in found if one.part.enters is not None and one.side == 1]
+    [smallest] = [one for one in found if one.part.id == "object"]
+    return jaws, smallest
+
+
+def pieces(
+    course: Course, scheme_id: str, values: dict[str, np.ndarray], position: str
+) -> list[Piece]:
+    """Return all pieces of the general view in a position."""
     scheme, columns = course.schemes[scheme_id], columns_of(course.catalogues)
     view = scheme.view
     assert view is not None
-    held = values_at(scheme, columns, view, values, "at_min")
-    scene = Scene(held, columns, len(values["jaw_angle"]), frozenset())
-    jaws = [
-        piece
-        for part in view.parts
-        if part.enters is not None
-        for piece in pieces_of(part, scene)
-        if piece.side == 1
-    ]
-    [smallest] = [
-        piece for part in view.parts if part.id == "object" for piece in pieces_of(part, scene)
-    ]
-    return jaws, smallest
+    held = values_at(scheme, columns, view, values, position)
+    scene = Scene(held, columns, len(next(iter(values.values()))), frozenset())
+    return [piece for part in view.parts for piece in pieces_of(part, scene)]

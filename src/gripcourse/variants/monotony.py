@@ -173,16 +173,15 @@ def taken_of(group: Group) -> Iterator[Taken]:
 
 def _ends(group: Group) -> Iterator[EndShare]:
     taken: dict[tuple[str, str, str], list[Array]] = {}
-    reasons: dict[str, Texts | None] = {}
+    reasons: dict[tuple[str, str, str], Texts | None] = {}
     for one in taken_of(group):
         declared = one.member.quantity
-        taken.setdefault((declared.id, one.first, one.second), []).append(one.share)
-        reasons[declared.id] = declared.one_end
-    for (quantity, first, second), found in taken.items():
+        ends = (declared.id, one.first, one.second)
+        taken.setdefault(ends, []).append(one.share)
+        reasons[ends] = declared.one_end
+    for ends, found in taken.items():
         shares = np.concatenate(found)
         shares = shares[np.isfinite(shares)]
         if len(shares):
             share = float(shares.mean())
-            yield EndShare(
-                group.family.scheme, quantity, first, second, len(shares), share, reasons[quantity]
-            )
+            yield EndShare(group.family.scheme, *ends, len(shares), share, reasons[ends])
