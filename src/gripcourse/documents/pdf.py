@@ -23,7 +23,6 @@ whole process: compiled templates, fonts, and parsed style sheets. A value that 
 get is an error, never an empty place.
 """
 
-import re
 import traceback
 from base64 import b64encode
 from collections.abc import Callable, Mapping
@@ -37,6 +36,7 @@ from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
+from gripcourse.formula.prose import SYMBOL
 from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections
@@ -60,8 +60,6 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
-# In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript; a power ends it.
-_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_²³]{1,8}(?![^\W²³])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +173,7 @@ def _prose(title: object) -> "Markup":
     from markupsafe import Markup, escape
 
     written = str(escape(_seen(title)))
-    return Markup(_SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
+    return Markup(SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
 
 
 def _mathml(box: Box, *, large: bool = False) -> "Markup":
