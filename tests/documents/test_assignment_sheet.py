@@ -25,9 +25,8 @@ from support.printed import pages_of
 LONG_NAME = "Константинопольский-Верхнеднепровский Александр Всеволодович"
 UNBROKEN_NAME = "Константинопольсковерхнеднепровскоалександровсковсеволодович"
 ENGLISH = Words("en")
-# What they take, with the appendix, in a print that can still be read; a hundred and fifty
-# quantities and more go on overleaf with formulas of other sources.
-LONGEST_PAGES, MANY = 3, 150
+# What they take, with the appendix, in a print that can still be read.
+LONGEST_PAGES = 3
 
 
 @pytest.fixture(scope="module")
@@ -223,8 +222,26 @@ def test_a_scheme_fits_its_pages(policy: Policy, course: Course) -> None:
         student = Student("s017", LONG_NAME, "РТ-41", "", "ru", "")
         entry = Issued(student, variant, date(2025, 2, 10), date(2025, 5, 19), "0" * 64)
         sheet = assignment_sheet(entry, plan, policy, course, Words("ru"))
-        asked = map(len, (plan.givens, plan.constants, plan.answered, plan.manual))
-        assert len(pages_of(sheet)) <= LONGEST_PAGES + (sum(asked) > MANY), scheme
+        assert len(pages_of(sheet)) <= LONGEST_PAGES, scheme
+        values = sheet_values(entry, plan, policy, course, Words("ru"))
+        assert not out_of_order(sheet, values["sections"]), scheme
+
+
+def out_of_order(sheet: bytes, sections: object) -> list[str]:
+    """Find the questions that a reader meets before one that the sheet declares earlier."""
+    assert isinstance(sections, tuple | list)
+    read_as = letters("".join(pages_of(sheet)))
+    place = read_as.index(letters(sections[0].task))
+    found: list[str] = []
+    for item in (item for section in sections for item in section.items):
+        next_place = read_as.find(letters(item.text)[:22], place)
+        found += [item.text] if next_place < 0 else []
+        place = max(place, next_place)
+    return found
+
+
+def letters(text: str) -> str:
+    return re.sub(r"[\s_\u2060-]", "", text)
 
 
 def test_tasks_tell_only_of_what_the_scheme_has(course: Course) -> None:

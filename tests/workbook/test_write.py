@@ -11,10 +11,10 @@ from openpyxl import Workbook, load_workbook
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
 from gripcourse.solver.needed_tables import needed_tables
-from gripcourse.solver.plan import Plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
-from gripcourse.variants.model import Issued
+from gripcourse.variants.model import Issued, Variant
 from gripcourse.workbook.layout import SheetColumn, layout
 from gripcourse.workbook.names import HIDDEN_SHEET
 from gripcourse.workbook.write import answer_workbook, write_answer_workbook
@@ -224,3 +224,20 @@ def test_the_series_stand_in_the_workbook_exactly_as_they_are_declared(
     tables = needed_tables(plan)
     assert tables
     assert shown - {None} == {size for table in tables for row in table.rows for size in row}
+
+
+def test_no_raw_symbol_is_shown_in_a_cell_or_beside_it(course: Course, issued: Issued) -> None:
+    """`prism_lever` has titles and conditions with symbols in them."""
+    example = course.schemes["prism_lever"].example
+    assert example is not None
+    long = make_plan(course, "prism_lever", example.options)
+    given = {one.id: sum(one.bounds) / 2 for one in long.givens}
+    entry = replace(issued, variant=Variant("7", "prism_lever", dict(long.options), given))
+    shown = load_workbook(io.BytesIO(answer_workbook(long, entry, course, RUSSIAN)))
+    for sheet in shown:
+        if sheet.title == HIDDEN_SHEET:
+            continue
+        texts = [cell.value for row in sheet for cell in row if cell.data_type == "s"]
+        for rule in sheet.data_validations.dataValidation:
+            texts += [rule.promptTitle, rule.prompt]
+        assert not [text for text in texts if "_" in text]

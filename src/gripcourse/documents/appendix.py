@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.documents.report.worked import entering_units, worked_line
 from gripcourse.formula.boxes import Applied, Box, boxes
+from gripcourse.solver.asked import cited_works
 from gripcourse.solver.needed_tables import NeededTable, needed_tables, tables_by_taker
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
@@ -57,8 +58,15 @@ class AppendixFormula:
 
 @dataclass(frozen=True, slots=True)
 class QuotedWork:
-    """A work that students do not have, with the formulas that are cited from it."""
+    """A work that students do not have, with the formulas that are cited from it.
 
+    Attributes:
+        number: as the questions cite it; None of a work whose equations have no numbers.
+        title: of the work.
+        formulas: in the order of the questions.
+    """
+
+    number: int | None
     title: str
     formulas: tuple[AppendixFormula, ...]
 
@@ -133,13 +141,14 @@ def _table(one: NeededTable, words: Words) -> AppendixTable:
 
 
 def _works(plan: Plan, words: Words) -> Iterator[QuotedWork]:
+    numbers = {work.id: number for number, work in enumerate(cited_works(plan), start=1)}
     for work in plan.course.works.values():
         if work.at_hand:
             continue
         cited = (q for q in plan.answered if q.source.work == work.id and q.kind is Kind.FORMULA)
         formulas = tuple(one for q in cited if (one := _formula(q, plan, words)) is not None)
         if formulas:
-            yield QuotedWork(work.title.of(words.language), formulas)
+            yield QuotedWork(numbers.get(work.id), work.title.of(words.language), formulas)
 
 
 def _formula(quantity: Quantity, plan: Plan, words: Words) -> AppendixFormula | None:

@@ -85,6 +85,11 @@ class SheetItem:
     text: str
     wide: bool
 
+    @property
+    def line(self) -> str:
+        """What takes the width of a column: a symbol that is no condition stands in its margin."""
+        return f"{self.symbol}: {self.text}" if self.wide and self.symbol else self.text
+
 
 @dataclass(frozen=True, slots=True)
 class SheetTask:

@@ -13,6 +13,7 @@ sheets. It offers to every template
     value | day              a date written out
     text | symbol            a declared symbol as a formula writes it
     text | prose             a title or a sentence; a symbol in it looks as in a formula
+    text | below             the same for a browser, in the letters round it: `d_1` with a low 1
     box | formula            a formula
     box | mathml             a formula for a browser; mathml(large=True) on a line of its own
     box | plain              a formula as one line of text
@@ -23,7 +24,6 @@ whole process: compiled templates, fonts, and parsed style sheets. A value that 
 get is an error, never an empty place.
 """
 
-import re
 import traceback
 from base64 import b64encode
 from collections.abc import Callable, Mapping
@@ -37,6 +37,7 @@ from gripcourse.errors import CourseError, NextStep, Problem, UsageError
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.markup import html, text
 from gripcourse.formula.mathml import mathml, reads_aloud
+from gripcourse.formula.prose import SYMBOL, subscript_runs
 from gripcourse.formula.typeset import declared_symbol, symbol_box
 from gripcourse.machine.fonts import FONT_PACKAGES, fonts_used
 from gripcourse.machine.process_wide import few_collections, libraries_by_full_name
@@ -60,8 +61,6 @@ if TYPE_CHECKING:
 
 
 _VARIANT = "pdf/ua-1"
-# In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript; a power ends it.
-_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_²³]{1,8}(?![^\W²³])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,7 +175,17 @@ def _prose(title: object) -> "Markup":
     from markupsafe import Markup, escape
 
     written = str(escape(_seen(title)))
-    return Markup(_SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
+    return Markup(SYMBOL.sub(lambda found: html(symbol_box(found[0])), written))  # noqa: S704 - escaped
+
+
+def _below(title: object) -> "Markup":
+    """Return a title as HTML with the subscripts of its symbols; their letters stay as they are."""
+    from markupsafe import Markup, escape
+
+    return Markup("").join(
+        Markup("<sub>{}</sub>").format(run) if below else escape(run)
+        for run, below in subscript_runs(str(_seen(title)))
+    )
 
 
 def _mathml(box: Box, *, large: bool = False) -> "Markup":
@@ -270,6 +279,7 @@ def template_environment(
         "percent": lambda share: percent_text(share, words),
         "day": lambda day: day_text(day, words),
         "prose": _prose,
+        "below": _below,
         "symbol": lambda symbol: _markup(declared_symbol(symbol)) if symbol else "",
         "formula": _markup,
         "mathml": _mathml,

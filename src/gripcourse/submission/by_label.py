@@ -55,4 +55,5 @@ def by_label(raw: RawWorkbook, quantities: Iterable[Quantity]) -> Relabelled:
 
 @lru_cache(maxsize=_KEPT)
 def _plain(text: str) -> str:
-    return " ".join(text.split()).casefold()
+    """Bare a title of its looks; where a subscript stands below the line there is no `_`."""
+    return " ".join(text.replace("_", "").split()).casefold()

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from gripcourse.course.model import Catalogue
+from gripcourse.formula.prose import without_looks
 from gripcourse.formula.tree import Call, walk
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.layout import CellPlace
-from gripcourse.workbook.style import Styles, plain_symbols, set_page
+from gripcourse.workbook.style import Styles, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -114,7 +115,7 @@ def _write_table(
     for column, (name, values) in enumerate(catalogue.columns.items(), start=table.first):
         sheet.set_column(column, column, 13)
         called = catalogue.headings.get(name)
-        shown = "" if called is None else plain_symbols(called.of(words.language))
+        shown = "" if called is None else without_looks(called.of(words.language))
         heading = f"{shown}\n{_base(catalogue.units[name], words)}".strip()
         sheet.write_string(header, column, heading, styles.head)
         for row, value in enumerate(values, start=header + 1):

@@ -18,7 +18,14 @@ from gripcourse.workbook.layout import (
     WorkbookLayout,
     quoted,
 )
-from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page, write_symbol
+from gripcourse.workbook.style import (
+    Styles,
+    pages_tall,
+    row_height,
+    set_page,
+    write_symbol,
+    write_text,
+)
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -85,10 +92,7 @@ def variant_text(issued: Issued, words: Words) -> str:
 
 def _heights(cover: Cover) -> list[float]:
     """Return the heights of all rows, as they are where nothing is wrapped."""
-    lines = (*cover.givens, *cover.constants)
-    return [_ROW] * cover.given_header + [
-        row_height([(line.title, WIDTHS[SheetColumn.TITLE])]) for line in lines
-    ]
+    return [_ROW] * cover.given_header + list(map(line_height, (*cover.givens, *cover.constants)))
 
 
 def _write_particulars(
@@ -113,8 +117,11 @@ def _write_particulars(
             day_text(issued.deadline, words) if issued.deadline else "—",
         ),
     ]
+    width = WIDTHS[SheetColumn.NUMBER] + WIDTHS[SheetColumn.SYMBOL]
     for row, (label, value) in enumerate(pairs, start=IDENTITY):
-        sheet.write_string(row, 0, label[:1].upper() + label[1:], styles.label)
+        said = label[:1].upper() + label[1:]
+        sheet.merge_range(row, 0, row, SheetColumn.SYMBOL, said, styles.label_wrapped)
+        sheet.set_row(row, row_height([(said, width)]))
         sheet.write_string(row, _TEXT_COLUMN, shown(value) or "—", styles.particular)
 
 
@@ -196,8 +203,16 @@ def headings(words: Words) -> tuple[str, ...]:
 def write_line(sheet: "Worksheet", line: SheetLine, styles: Styles) -> None:
     """Write what names a quantity: number, symbol, title, unit."""
     row = line.place.row
-    sheet.set_row(row, row_height([(line.title, WIDTHS[SheetColumn.TITLE])]))
+    sheet.set_row(row, line_height(line))
     sheet.write_string(row, SheetColumn.NUMBER, line.number, styles.number)
     write_symbol(sheet, row, SheetColumn.SYMBOL, line.symbol, styles)
-    sheet.write_string(row, SheetColumn.TITLE, line.title, styles.text)
+    write_text(sheet, row, SheetColumn.TITLE, line.title, styles.text, styles)
     sheet.write_string(row, SheetColumn.UNIT, line.unit, styles.unit)
+
+
+def line_height(line: SheetLine) -> float:
+    """Return the height of a quantity's row, in points; its symbol may be a whole condition."""
+    symbol = line.symbol.replace("_", "")
+    return row_height(
+        [(line.title, WIDTHS[SheetColumn.TITLE]), (symbol, WIDTHS[SheetColumn.SYMBOL])]
+    )

@@ -38,6 +38,7 @@ from gripcourse.workbook.style import (
     row_height,
     set_page,
     write_symbol,
+    write_text,
 )
 
 if TYPE_CHECKING:
@@ -216,7 +217,7 @@ def _write_texts(sheet: "Worksheet", line: KeyLine, key: _Key) -> None:
     }
     sheet.set_row(row, row_height((said, _WIDTHS[column]) for column, said in texts.items()))
     for column, said in texts.items():
-        sheet.write_string(row, column, said, styles.text)
+        write_text(sheet, row, column, said, styles.text, styles)
     unit = unit_text(quantity.unit, words.language)
     sheet.write_string(row, KeyColumn.UNIT, unit, styles.unit)
 
@@ -273,7 +274,8 @@ def _write_fixed(sheet: "Worksheet", line: KeyLine, value: float, key: _Key) -> 
         "{formula} (no spreadsheet form: this value does not follow changes)",
         formula=formula_text(line.quantity, key.plan, key.words),
     )
-    sheet.write_string(line.row, KeyColumn.FORMULA, key.words.say(note), key.styles.text)
+    said = key.words.say(note)
+    write_text(sheet, line.row, KeyColumn.FORMULA, said, key.styles.text, key.styles)
 
 
 def _write_formula(

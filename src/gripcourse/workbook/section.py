@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Final
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
+from gripcourse.formula.prose import without_looks
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Issued
 from gripcourse.workbook import names
-from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, write_line
+from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, line_height, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN
 from gripcourse.workbook.layout import SECTION_HEADER, SectionSheet, SheetColumn, SheetLine
-from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page
+from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page, write_text
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -74,8 +75,7 @@ def _heights(section: SectionSheet, words: Words) -> Iterator[float]:
     top = (section.task, words.say(DECIMAL_SIGN))
     yield from (row_height([(text, sum(WIDTHS.values()))]) for text in top)
     yield _TITLE_HEIGHT + 2 * _HEAD_HEIGHT
-    for line in (*section.answered, *section.manual):
-        yield row_height([(line.title, WIDTHS[SheetColumn.TITLE])])
+    yield from map(line_height, (*section.answered, *section.manual))
 
 
 def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: Styles) -> None:
@@ -88,7 +88,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
         (_HINT_ROW, words.say(DECIMAL_SIGN), styles.hint),
     ):
         sheet.merge_range(row, 0, row, SheetColumn.CHECK, "", style)
-        sheet.write_string(row, 0, text, style)
+        write_text(sheet, row, 0, text, style, styles)
         sheet.set_row(row, row_height([(text, sum(WIDTHS.values()))]))
     sheet.set_row(SECTION_HEADER, _HEAD_HEIGHT)
     for column, heading in enumerate(headings(words)):
@@ -143,17 +143,19 @@ def _yes_or_no(line: SheetLine, words: Words) -> dict[str, object]:
 def _prompt(line: SheetLine, text: str) -> dict[str, object]:
     """Return the note that a spreadsheet program shows beside the chosen cell."""
     return {
-        "input_title": _cut(f"{line.number}  {line.symbol}".strip(), _LONGEST_PROMPT_TITLE),
+        "input_title": _cut(
+            without_looks(f"{line.number}  {line.symbol}").strip(), _LONGEST_PROMPT_TITLE
+        ),
         "input_message": _cut(_said(line, text), _LONGEST_PROMPT),
     }
 
 
 def _said(line: SheetLine, text: str) -> str:
     """Join what there is to say; the title, which stands in the row too, goes first if it must."""
-    whole = ". ".join(filter(None, (line.title, line.decides, text)))
+    whole = without_looks(". ".join(filter(None, (line.title, line.decides, text))))
     if len(whole) <= _LONGEST_PROMPT:
         return whole
-    return ". ".join(filter(None, (line.decides, text)))
+    return without_looks(". ".join(filter(None, (line.decides, text))))
 
 
 def _answers(words: Words) -> tuple[str, str]:

@@ -3,13 +3,14 @@
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
+from gripcourse.formula.prose import without_looks
 from gripcourse.solver.needed_tables import NeededTable, needed_tables
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.cover import LOCKED
 from gripcourse.workbook.layout import WorkbookLayout
-from gripcourse.workbook.style import Styles, pages_tall, plain_symbols, row_height, set_page
+from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -60,7 +61,7 @@ def _title(table: NeededTable, words: Words) -> str:
     catalogue = table.catalogue
     title = catalogue.source if catalogue.title is None else catalogue.title
     unit = unit_text(catalogue.units[table.columns[0]], words.language) if table.is_series else ""
-    return f"{table.number}. {plain_symbols(title.of(words.language))}{f', {unit}' if unit else ''}"
+    return f"{table.number}. {without_looks(title.of(words.language))}{f', {unit}' if unit else ''}"
 
 
 def _takers(table: NeededTable, placed: WorkbookLayout) -> Iterator[str]:
@@ -98,7 +99,7 @@ def _heading(table: NeededTable, name: str, words: Words) -> str:
     heading = catalogue.headings[name].of(words.language) if name in catalogue.headings else ""
     return ", ".join(
         part
-        for part in (plain_symbols(heading), unit_text(catalogue.units[name], words.language))
+        for part in (without_looks(heading), unit_text(catalogue.units[name], words.language))
         if part
     )
 

@@ -7,6 +7,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 from gripcourse.formula.boxes import Box, Script, Text, inner
+from gripcourse.formula.prose import subscript_runs
 from gripcourse.formula.typeset import declared_symbol
 from gripcourse.text.shown import shown
 
@@ -57,6 +58,7 @@ class Styles:
     hint: "Format"
     hint_line: "Format"
     label: "Format"
+    label_wrapped: "Format"
     particular: "Format"
     head: "Format"
     number: "Format"
@@ -75,6 +77,8 @@ class Styles:
     italic: "Format"
     upright: "Format"
     sub: "Format"
+    run: "Format"
+    run_sub: "Format"
 
 
 def make_styles(book: "Workbook") -> Styles:
@@ -96,6 +100,7 @@ def make_styles(book: "Workbook") -> Styles:
         hint=style(text_wrap=True, italic=True, font_color=_FAINT, valign="top"),
         hint_line=style(italic=True, font_color=_FAINT),
         label=style(font_color=_FAINT),
+        label_wrapped=style(font_color=_FAINT, text_wrap=True),
         particular=style(bold=True),
         head=style(**wrapped, bold=True, bg_color=_HEAD, align="center"),
         number=style(**middle, font_color=_FAINT),
@@ -114,10 +119,12 @@ def make_styles(book: "Workbook") -> Styles:
         manual=style(**wrapped, italic=True, font_color=_FAINT, align="center"),
         check=style(text_wrap=True, font_color=_WARNING, font_size=9, indent=1),
         symbol=style(**middle | symbol, italic=True),
-        symbol_upright=style(**middle | symbol),
+        symbol_upright=style(**middle | symbol, text_wrap=True),
         italic=style(**symbol, italic=True),
         upright=style(**symbol),
         sub=style(**symbol, font_script=2),
+        run=style(),
+        run_sub=style(font_script=2),
     )
 
 
@@ -135,6 +142,29 @@ def write_symbol(sheet: "Worksheet", row: int, column: int, symbol: str, styles:
     for kind, text in runs:
         parts += [formats[kind], text]
     sheet.write_rich_string(row, column, *parts, styles.symbol_upright)
+
+
+def write_text(
+    sheet: "Worksheet", row: int, column: int, text: str, look: "Format", styles: Styles
+) -> None:
+    """Write a title or a sentence; a symbol in it has its subscript below the line.
+
+    Args:
+        sheet: to write on.
+        row: of the cell.
+        column: likewise.
+        text: with symbols as they are declared, `D_1`.
+        look: of the cell, upright.
+        styles: of the workbook.
+    """
+    runs = list(subscript_runs(text))
+    if len(runs) < 2:  # noqa: PLR2004 - a rich text has two runs at least
+        sheet.write_string(row, column, text, look)
+        return
+    parts = [
+        part for run, below in runs for part in ((styles.run_sub if below else styles.run), run)
+    ]
+    sheet.write_rich_string(row, column, *parts, look)
 
 
 def symbol_runs(symbol: str) -> list[tuple[RunKind, str]]:
@@ -188,11 +218,6 @@ def pages_tall(heights: Iterable[float]) -> int:
     a page of their own.
     """
     return max(1, math.ceil(sum(heights) / _PAGE_HEIGHT - _DRAWN_TOGETHER))
-
-
-def plain_symbols(text: str) -> str:
-    """Write the symbols of a text, `D_1`, as a cell without formats can show them: `D1`."""
-    return text.replace("_", "")
 
 
 def set_page(

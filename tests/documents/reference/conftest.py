@@ -43,6 +43,8 @@ class Page(HTMLParser):
             self.rows.append([])
         if tag in {"td", "th"}:
             self.rows[-1].append("")
+        if tag == "sub":
+            self.handle_data("_")  # as declarations write it
 
     def handle_endtag(self, tag: str) -> None:
         if tag not in _WITHOUT_END:

@@ -1,0 +1,37 @@
+"""Symbols in titles and sentences."""
+
+import pytest
+
+from gripcourse.formula.prose import subscript_runs, without_looks
+
+
+def test_a_symbol_in_a_sentence_ends_with_its_subscript() -> None:
+    assert list(subscript_runs("не менее h_Г1·√(σ_и/[σ]_и) и D_max/3")) == [
+        ("не менее h", False),
+        ("Г1", True),
+        ("·√(σ", False),
+        ("и", True),
+        ("/[σ]", False),
+        ("и", True),
+        (") и D", False),
+        ("max", True),
+        ("/3", False),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("h_1", "h₁"),
+        ("D_max, Δl_12", "Dₘₐₓ, Δl₁₂"),
+        ("d_ш", "dш"),
+        ("d_c1", "dc1"),
+        ("σ_и ≤ [σ]_и", "σи ≤ [σ]и"),
+        ("bare words", "bare words"),
+        ("", ""),
+    ],
+)
+def test_where_there_is_one_look_a_subscript_is_small_signs_or_stands_beside(
+    text: str, plain: str
+) -> None:
+    assert without_looks(text) == plain
