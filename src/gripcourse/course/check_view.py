@@ -75,7 +75,9 @@ def _unknown_parts(view: View, parts: Collection[str]) -> Iterator[Problem]:
     own = {part.id for part in view.parts}
     for part in view.parts:
         named = [("meets", name) for name in part.meets]
-        for key, name in (*named, *(("touches", name) for name in part.touches)):
+        named += [("touches", name) for name in part.touches]
+        named += [("piece_of", part.piece_of)] if part.piece_of else []
+        for key, name in named:
             if name not in (own if part.file == view.file else parts):
                 what = message("The view has no part '{name}'.", name=name)
                 yield Problem(part.file, f"{part.key}.{key}", what, did_you_mean(name, own))
@@ -145,6 +147,9 @@ def _places(view: View) -> Iterator[Place]:
         yield from _lengths(one.file, f"{one.key}.to", one.end)
     for label in view.labels:
         yield from _lengths(label.file, f"{label.key}.at", label.at)
+    for detail in view.details:
+        yield from _lengths(detail.file, f"{detail.key}.at", detail.at)
+        yield from _lengths(detail.file, f"{detail.key}.reach", (detail.reach,))
 
 
 def _part_places(part: ViewPart) -> Iterator[Place]:

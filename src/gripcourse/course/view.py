@@ -134,6 +134,7 @@ class ViewPart:
         depth: of those of its shapes that declare none; empty for all of the view.
         density: kg/m³ of what its outline holds; 0 for that of the view.
         density_per: quantity, for each SI unit of which it has that density; empty for none.
+        piece_of: the part that it is one piece with; empty for a piece of its own.
         placed_at: the position whose coordinates place it in all of them; empty for each its own.
         shapes: in the order in which they cover each other. Of parts, the later covers the
             earlier; from the end, which is looked at from behind, the earlier the later.
@@ -156,6 +157,7 @@ class ViewPart:
     depth: tuple[Expression, ...]
     density: float
     density_per: str
+    piece_of: str
     shapes: tuple[ViewShape, ...]
     file: str
     key: str
@@ -189,6 +191,24 @@ class ViewLabel:
 
 
 @dataclass(frozen=True, slots=True)
+class ViewDetail:
+    """A place of the main view that is shown again at a larger scale, where the sheet has room.
+
+    Attributes:
+        at: its middle.
+        reach: half of what is shown.
+        is_section: whether it is cut across the axis there; else it is what the main view shows.
+        file, key: where it is declared.
+    """
+
+    at: tuple[Expression, ...]
+    reach: Formula | None
+    is_section: bool
+    file: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
 class Measure:
     """A length or an angle of the drawing: the first of its formulas whose names are known."""
 
@@ -209,7 +229,7 @@ class View:
             picture only.
         other: position that moving parts are shown in by thin lines too; empty for none.
         measures: by name.
-        parts, dimensions, labels: in order.
+        parts, dimensions, labels, details: in order.
         characteristics: quantities that stand beside the drawing.
         requirements: sentences that stand there.
         density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
@@ -226,6 +246,7 @@ class View:
     parts: tuple[ViewPart, ...]
     dimensions: tuple[ViewDimension, ...]
     labels: tuple[ViewLabel, ...]
+    details: tuple[ViewDetail, ...]
     characteristics: tuple[str, ...]
     requirements: tuple[Texts, ...]
     density: float

@@ -83,6 +83,7 @@ _PART: Final = Shape(
         "density_per": text(
             "Quantity, for each SI unit of which it has that density; absent: none."
         ),
+        "piece_of": text("The part that it is one piece with; absent: a piece of its own."),
         "positions": strings("Positions of the kinematics in which it is there; absent: all."),
         "placed_at": text("The position whose coordinates place it in all of them."),
         "shape": tables("Its figures, the later over the earlier.", SHAPE),
@@ -107,6 +108,13 @@ _LABEL: Final = Shape(
         "face": _FACE,
     }
 )
+_DETAIL: Final = Shape(
+    {
+        "at": _POINT,
+        "reach": _NEEDS[Need.LENGTH],
+        "section": flag("Whether it is cut across the axis there; absent: shown as it is seen."),
+    }
+)
 _REQUIREMENT: Final = Shape({"text": texts("A sentence.", required=True)})
 SHARED_VIEW: Final = Shape(
     {
@@ -116,6 +124,7 @@ SHARED_VIEW: Final = Shape(
         "part": tables("Parts, the later over the earlier.", _PART),
         "dimension": tables("Dimensions.", _DIMENSION),
         "label": tables("Words on leader lines.", _LABEL),
+        "detail": tables("Places shown again at a larger scale, where there is room.", _DETAIL),
         "requirement": tables("Technical requirements, beside the drawing.", _REQUIREMENT),
     }
 )

@@ -17,6 +17,7 @@ from gripcourse.course.view import (
     Ring,
     Side,
     View,
+    ViewDetail,
     ViewDimension,
     ViewLabel,
     ViewPart,
@@ -45,6 +46,7 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         parts=tuple(one for view in views for one in view.parts),
         dimensions=tuple(one for view in views for one in view.dimensions),
         labels=tuple(one for view in views for one in view.labels),
+        details=tuple(one for view in views for one in view.details),
         characteristics=table.strings("characteristics"),
         requirements=tuple(one for view in views for one in view.requirements),
         density=table.number("density", 0.0),
@@ -81,6 +83,7 @@ def _read(table: Table) -> View:
         parts=tuple(_part(one) for one in table.tables("part")),
         dimensions=tuple(_dimension(one) for one in table.tables("dimension")),
         labels=tuple(_label(one) for one in table.tables("label")),
+        details=tuple(_detail(one) for one in table.tables("detail")),
         characteristics=(),
         requirements=tuple(_requirement(one) for one in table.tables("requirement")),
         density=0.0,
@@ -130,6 +133,7 @@ def _part(table: Table) -> ViewPart:
         depth=_depth(table),
         density=table.number("density", 0.0),
         density_per=table.text("density_per", ""),
+        piece_of=table.text("piece_of", ""),
         shapes=shapes,
         file=table.file,
         key=table.key,
@@ -213,6 +217,17 @@ def _label(table: Table) -> ViewLabel:
         values={name: values.text(name) for name in values.values} if values else {},
         at=_expressions(table, "at", Need.POINT),
         face=Face(_one_of(table, "face", tuple(Face), Face.END)),
+        file=table.file,
+        key=table.key,
+    )
+
+
+def _detail(table: Table) -> ViewDetail:
+    table.known_keys()
+    return ViewDetail(
+        at=_expressions(table, "at", Need.POINT),
+        reach=_expressions(table, "reach", Need.LENGTH)[0],
+        is_section=table.flag("section"),
         file=table.file,
         key=table.key,
     )

@@ -3,8 +3,8 @@ import pytest
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.sheet import A2_UPRIGHT
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
-from gripcourse.drawing.view.face import length_text
-from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+from gripcourse.drawing.view.layout import Arranged, Content, Pictured, arrange
+from gripcourse.drawing.view.lengths import length_text
 from gripcourse.text.words import Words
 
 HALF = 0.5  # of the free field
@@ -18,7 +18,9 @@ def around(half: float, scale: float) -> Box:
 def square(half: float, detail: float = 10.0) -> Arranged:
     """Arrange one square face."""
     pictured = Pictured(length=2 * half, detail=detail)
-    found = arrange(lambda scale: {Face.MAIN: around(half, scale)}, pictured, rows=7, lines=4)
+    found = arrange(
+        Content(lambda scale: {Face.MAIN: [around(half, scale)]}), pictured, rows=7, lines=4
+    )
     assert found is not None
     return found
 
@@ -36,10 +38,10 @@ def test_what_would_leave_most_of_a_small_sheet_empty_gets_a_larger_one() -> Non
 
 
 def test_what_is_high_stands_on_an_upright_sheet() -> None:
-    def high(scale: float) -> dict[Face, Box]:
-        return {Face.MAIN: Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)}
+    def high(scale: float) -> dict[Face, list[Box]]:
+        return {Face.MAIN: [Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)]}
 
-    found = arrange(high, Pictured(length=480, detail=10), rows=7, lines=4)
+    found = arrange(Content(high), Pictured(length=480, detail=10), rows=7, lines=4)
     assert found is not None
     assert found.sheet == A2_UPRIGHT
 
@@ -54,10 +56,10 @@ def test_details_that_no_sheet_shows_do_not_make_it_larger() -> None:
 
 
 def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> None:
-    def boxes(scale: float) -> dict[Face, Box]:
-        return {face: around(40, scale) for face in Face}
+    def boxes(scale: float) -> dict[Face, list[Box]]:
+        return {face: [around(40, scale)] for face in Face}
 
-    found = arrange(boxes, Pictured(length=80, detail=5), rows=0, lines=0)
+    found = arrange(Content(boxes), Pictured(length=80, detail=5), rows=0, lines=0)
     assert found is not None
     origins = found.origins
     assert origins[Face.END][1] == origins[Face.MAIN][1]
@@ -68,7 +70,8 @@ def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> 
 
 def test_what_is_larger_than_any_sheet_is_not_drawn() -> None:
     pictured = Pictured(length=2e6, detail=5)
-    assert arrange(lambda scale: {Face.MAIN: around(1e6, scale)}, pictured, rows=0, lines=0) is None
+    huge = Content(lambda scale: {Face.MAIN: [around(1e6, scale)]})
+    assert arrange(huge, pictured, rows=0, lines=0) is None
 
 
 def test_a_covered_piece_of_a_line_is_not_seen() -> None:

@@ -108,7 +108,8 @@ def box_of(points: Iterable[Point]) -> Box:
 def reach_of(stroke: Stroke) -> Box:
     """Return a box that a stroke does not leave; of an arc, that of its whole circle."""
     if isinstance(stroke, Line):
-        return box_of((stroke.start, stroke.end))
+        (x0, y0), (x1, y1) = stroke.start, stroke.end
+        return Box(min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1))
     (x, y), radius = stroke.centre, stroke.radius
     return Box(x - radius, y - radius, x + radius, y + radius)
 

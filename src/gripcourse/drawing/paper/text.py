@@ -156,6 +156,7 @@ def wrapped(text: str, height: float, widest: float, most: int) -> list[str]:
     return lines
 
 
+@lru_cache(maxsize=4096)
 def text_width(text: str, height: float) -> float:
     """Return how wide a line is whose capital letters are `height` high, mm."""
     first, second = _font(FONT_FILE), _font(_SECOND_FILE)

@@ -92,6 +92,7 @@ class Figure:
     Attributes:
         upright: whether the axis stands upright in the main face.
         seen: strokes that nothing covers, by face.
+        extents: the box round all strokes of each face that shows anything.
         cuts: faces to be hatched, by face.
         positions: parts with numbers, as they are numbered.
         measured, labelled: dimensions and labels of all faces.
@@ -101,6 +102,7 @@ class Figure:
 
     upright: bool
     seen: Mapping[Face, Sequence[Seen]]
+    extents: Mapping[Face, Box]
     cuts: Mapping[Face, Sequence[Cut]]
     positions: Sequence[Position]
     measured: Sequence[Measured]
@@ -111,11 +113,7 @@ class Figure:
     @property
     def faces(self) -> tuple[Face, ...]:
         """The faces that show anything."""
-        return tuple(face for face in Face if self.seen[face])
-
-    def extent(self, face: Face) -> Box:
-        """Return the box round all strokes of a face."""
-        return box_of(point for one in self.seen[face] for point in points_of(one.stroke))
+        return tuple(self.extents)
 
     @property
     def detail(self) -> float:
@@ -141,6 +139,11 @@ def figure(plan: Plan, view: View, solved: Mapping[str, float]) -> Figure:
     return Figure(
         upright=view.upright,
         seen=seen,
+        extents={
+            face: box_of(point for one in strokes for point in points_of(one.stroke))
+            for face, strokes in seen.items()
+            if strokes
+        },
         cuts={face: list(cut_faces(shapes, face)) for face in Face},
         positions=sorted(_positions(drawn, main), key=lambda one: one.mark),
         measured=measured,

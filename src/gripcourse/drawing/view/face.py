@@ -1,17 +1,20 @@
 """One face of a general view on paper: its layout at a scale, and drawing it."""
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
-from gripcourse.drawing.paper.strokes import Box, Line, Stroke, at_place, placed
+from gripcourse.drawing.paper.strokes import Box, Line, at_place, placed
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.contents import Figure, Measured, Overall
-from gripcourse.drawing.view.dimensions import Placed, Wanted, draw_dimensions, place
+from gripcourse.drawing.view.details import Detail
+from gripcourse.drawing.view.dimensions import FIRST_ROW, Placed, Wanted, draw_dimensions, place
+from gripcourse.drawing.view.drawn_strokes import draw_cut, draw_stroke
+from gripcourse.drawing.view.enlarged import Mark, draw_mark, marks_of
 from gripcourse.drawing.view.leaders import Leader, Note, draw_leaders, place_leaders
+from gripcourse.drawing.view.lengths import FOR_REFERENCE, length_text
 from gripcourse.text.words import Words
 
 if TYPE_CHECKING:
@@ -19,15 +22,7 @@ if TYPE_CHECKING:
 
 POSITION_HEIGHT = 5.0  # mm, one or two sizes above dimensions (GOST 2.316)
 _AXIS_BEYOND = 4.0  # mm of paper that an axis reaches beyond the outline
-_HATCH_SPACING = 2.0  # mm of paper
-_PITCH = 3.175  # of the standard pattern, mm
-_ANSI31 = [45.0, (0.0, 0.0), (-_PITCH / 2**0.5, _PITCH / 2**0.5), []]
-_LEANING = {"right": 0.0, "left": 90.0}
 _ORIGIN = (0.0, 0.0)
-_FIGURES = 7  # tenths of a millimetre of any machine, thousandths of a small size
-_SERIES_DECIMALS = 3  # no series is finer
-_SAME = 1e-9
-FOR_REFERENCE = "*"
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,38 +33,45 @@ class FaceLayout:
         outline: the box round its strokes and axes.
         axes: of symmetry.
         dimensions, leaders: in their places.
+        marks: of details.
     """
 
     outline: Box
     axes: tuple[Line, ...]
     dimensions: tuple[Placed, ...]
     leaders: tuple[Leader, ...]
+    marks: tuple[Mark, ...] = ()
+
+    @property
+    def boxes(self) -> tuple[Box, ...]:
+        """Boxes round all that is drawn: the outline, each dimension, the shelves of leaders."""
+        outline = self.outline
+        found = [outline]
+        for one in self.dimensions:
+            low, high = one.wanted.span
+            near = (
+                Box(outline.left, low, outline.right, high)
+                if one.wanted.upright
+                else Box(low, outline.bottom, high, outline.top)
+            )
+            found.append(one.box.joined(near))
+        found += [one.box.joined(Box(*one.note.at, *one.note.at)) for one in self.leaders]
+        return (*found, *(box for mark in self.marks for box in mark.boxes))
 
     @property
     def box(self) -> Box:
         """The box round all of it."""
-        box = self.outline
-        for dimension in self.dimensions:
-            box = box.joined(dimension.box)
-        for leader in self.leaders:
-            box = box.joined(leader.box)
-        return box
+        whole = self.outline
+        for one in self.boxes:
+            whole = whole.joined(one)
+        return whole
 
 
-def length_text(value: float, words: Words) -> str:
-    """Write a length to tenths of a millimetre, as dimensions do.
-
-    A size as a series or a table of variants has it, such as a module of 1.25 mm or a wire of
-    0.355 mm, is written as it is: rounded, it would be another size.
-    """
-    tidy = round(value, _SERIES_DECIMALS)
-    is_tidy = math.isclose(value, tidy, rel_tol=_SAME)
-    return words.number(tidy if is_tidy else round(value, 1), _FIGURES)
-
-
-def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLayout:
-    """Lay out a face at a scale: dimensions in rows round it, leaders above."""
-    extent = shown.extent(face)
+def face_layout(
+    shown: Figure, face: Face, scale: float, words: Words, details: Sequence[Detail] = ()
+) -> FaceLayout:
+    """Lay out a face at a scale: dimensions in rows round it, leaders above, marks of details."""
+    extent = shown.extents[face]
     bare = Box(extent.left * scale, extent.bottom * scale, extent.right * scale, extent.top * scale)
     axes = tuple(_axes(face, bare, upright=shown.upright))
     outline = bare
@@ -77,13 +79,24 @@ def face_layout(shown: Figure, face: Face, scale: float, words: Words) -> FaceLa
         outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
     wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
-    dimensions = place(wanted, bare)
-    numbers = [one.text_box for one in dimensions]
+    marks = tuple(marks_of(details if face is Face.MAIN else (), scale, bare, words))
+    dimensions = place(wanted, _with_marks(bare, marks))
+    taken = [box for mark in marks for box in mark.boxes]
+    numbers = [*(one.text_box for one in dimensions), *taken]
     below = outline
-    for one in dimensions:
-        below = below.joined(one.box)
-    notes = [*_notes(shown, face, scale, words)]
-    return FaceLayout(outline, axes, tuple(dimensions), tuple(place_leaders(notes, below, numbers)))
+    for box in (*(one.box for one in dimensions), *taken):
+        below = below.joined(box)
+    notes = [*_notes(shown, face, scale, words), *(one.note for one in marks if one.note)]
+    leaders = place_leaders(notes, below, numbers)
+    return FaceLayout(outline, axes, tuple(dimensions), tuple(leaders), marks)
+
+
+def _with_marks(bare: Box, marks: Sequence[Mark]) -> Box:
+    """Return the box that dimensions stand round: under it there is room for marks of sections."""
+    low = [box.bottom for mark in marks for box in mark.boxes]
+    clear = FIRST_ROW - 2 * TEXT_HEIGHT  # what a first row leaves free over its numbers
+    bottom = min([bare.bottom, *(one + clear for one in low)])
+    return Box(bare.left, bottom, bare.right, bare.top)
 
 
 def draw_face(
@@ -95,21 +108,11 @@ def draw_face(
     for axis in laid.axes:
         draw_stroke(layout, placed(axis, 1.0, at), LineKind.CENTRE)
     for cut in shown.cuts[face]:
-        rings = [[at_place(point, scale, at) for point in ring] for ring in cut.rings]
-        _draw_hatch(layout, rings, cut.hatch)
+        draw_cut(layout, cut, scale, at)
+    for mark in laid.marks:
+        draw_mark(layout, mark, at)
     draw_dimensions(layout, laid.dimensions, scale, at)
     draw_leaders(layout, laid.leaders, at)
-
-
-def draw_stroke(layout: "Modelspace", stroke: Stroke, kind: LineKind) -> None:
-    """Draw a line, an arc or a circle."""
-    look = {"layer": kind}
-    if isinstance(stroke, Line):
-        layout.add_line(stroke.start, stroke.end, dxfattribs=look)
-    elif stroke.is_circle:
-        layout.add_circle(stroke.centre, stroke.radius, dxfattribs=look)
-    else:
-        layout.add_arc(stroke.centre, stroke.radius, stroke.low, stroke.high, dxfattribs=look)
 
 
 def _wanted(one: Measured, scale: float, words: Words) -> Wanted:
@@ -144,13 +147,3 @@ def _axes(face: Face, outline: Box, *, upright: bool) -> Iterator[Line]:
         yield Line((outline.left - _AXIS_BEYOND, 0.0), (outline.right + _AXIS_BEYOND, 0.0))
     if face is not Face.MAIN or upright:
         yield Line((0.0, outline.bottom - _AXIS_BEYOND), (0.0, outline.top + _AXIS_BEYOND))
-
-
-def _draw_hatch(layout: "Modelspace", rings: Sequence[Sequence[Point]], hatch: str) -> None:
-    hatch_entity = layout.add_hatch(dxfattribs={"layer": LineKind.HATCH})
-    # The standard pattern, so that programs with patterns of their own find it.
-    size, angle = _HATCH_SPACING / _PITCH, _LEANING[hatch]
-    pattern = [_ANSI31]
-    hatch_entity.set_pattern_fill("ANSI31", 256, angle, size, definition=pattern)
-    for ring in rings:
-        hatch_entity.paths.add_polyline_path(ring, is_closed=True)

@@ -3,7 +3,7 @@
 Pure: from the plan, the solved values, the language and what the title block says.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -23,8 +23,11 @@ from gripcourse.drawing.paper.svg import svg_text
 from gripcourse.drawing.paper.text import capital
 from gripcourse.drawing.paper.title_block import TitleBlock
 from gripcourse.drawing.view.contents import Figure, figure
-from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout, length_text
-from gripcourse.drawing.view.layout import Arranged, Pictured, arrange
+from gripcourse.drawing.view.details import Detail, details_of
+from gripcourse.drawing.view.enlarged import DetailLayout, detail_layout, draw_detail
+from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout
+from gripcourse.drawing.view.layout import Arranged, Content, Pictured, Scale, arrange
+from gripcourse.drawing.view.lengths import length_text
 from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
 
 _FIGURES = 4  # of a characteristic
 _MOST_LINES = 6
+_ENLARGED = 1.5  # times that what is shown again is larger; a section shows what nothing else does
 _MASS_FIGURES = 2  # outlines leave out ribs, rounds and holes
 
 
@@ -44,6 +48,7 @@ class GeneralView:
 
     figure: Figure
     faces: Mapping[Face, FaceLayout]
+    details: tuple[DetailLayout, ...]
     arranged: Arranged
     rows: tuple[PartsRow, ...]
     notes: tuple[Notes, ...]
@@ -69,17 +74,21 @@ def general_view(
     notes = tuple(_notes(view, plan, values, words))
     lines = sum(1 + len(one.lines) for one in notes)
 
-    def boxes(scale: float) -> Mapping[Face, Box]:
-        return {face: face_layout(plain, face, scale, words).box for face in plain.faces}
-
-    main = plain.extent(Face.MAIN)
+    details = details_of(plain, plan, view, values)
+    main = plain.extents[Face.MAIN]
     pictured = Pictured(max(main.width, main.height), plain.detail)
-    arranged = arrange(boxes, pictured, len(plain.positions), lines)
+    content = _content(plain, details, words)
+    arranged = arrange(content, pictured, len(plain.positions), lines)
     if arranged is None:
         raise CourseError([_too_large(plain)])
     over, under = arranged.scale
-    shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words))
-    faces = {face: face_layout(shown, face, arranged.factor, words) for face in shown.faces}
+    there = [details[number] for number in sorted(arranged.details)]
+    shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words, there))
+    faces = {face: face_layout(shown, face, arranged.factor, words, there) for face in shown.faces}
+    enlarged = [
+        (detail_layout(details[number], letter, *arranged.details[number][:1], words), number)
+        for letter, number in enumerate(sorted(arranged.details))
+    ]
     rows = tuple(_rows(shown, view, plan, values, words))
     block = replace(block, mass=_mass(plan, view, values, words))
     document = new_document(words.language)
@@ -90,11 +99,34 @@ def general_view(
     draw_notes(layout, arranged.lines, notes, words)
     for face, origin in arranged.origins.items():
         draw_face(layout, shown, face, faces[face], arranged.factor, origin)
-    return GeneralView(shown, faces, arranged, rows, notes, document)
+    for laid, number in enlarged:
+        draw_detail(layout, laid, arranged.details[number][1])
+    return GeneralView(
+        shown, faces, tuple(one for one, _ in enlarged), arranged, rows, notes, document
+    )
+
+
+def _content(plain: Figure, details: Sequence[Detail], words: Words) -> Content:
+    """Return what is to be arranged: the faces with all marks, and the details."""
+
+    def faces(factor: float) -> Mapping[Face, Sequence[Box]]:
+        return {
+            face: face_layout(plain, face, factor, words, details).boxes for face in plain.faces
+        }
+
+    def detail_box(number: int) -> Callable[[Scale], Box]:
+        return lambda scale: detail_layout(details[number], number, scale, words).box
+
+    return Content(
+        faces,
+        [*plain.extents.values()],
+        [detail_box(number) for number in range(len(details))],
+        [1.0 if one.is_section else _ENLARGED for one in details],
+    )
 
 
 def _too_large(plain: Figure) -> Problem:
-    extent = plain.extent(Face.MAIN)
+    extent = plain.extents[Face.MAIN]
     what = message(
         "The views do not fit a sheet of {sheet} at any scale: the main one is {width} by"
         " {height} mm.",

@@ -26,11 +26,12 @@ _SHIFTS = (0.0, *(side * step for step in range(3, 40, 3) for side in (1.0, -1.0
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """Words about a point."""
+    """Words about a point, which is marked by a dot unless it lies on a line."""
 
     text: str
     height: float
     at: Point
+    has_dot: bool = True
 
     @property
     def width(self) -> float:
@@ -121,9 +122,10 @@ def draw_leaders(layout: "Modelspace", leaders: Sequence[Leader], by: Point) -> 
         left, right = _moved((one.left, one.level), by), one.left + one.note.width + by[0]
         layout.add_line(at, knee, dxfattribs=thin)
         layout.add_line(left, (right, left[1]), dxfattribs=thin)
-        dot = layout.add_hatch(dxfattribs=thin)
-        ring = [(at[0] - _DOT, at[1], 1.0), (at[0] + _DOT, at[1], 1.0)]
-        dot.paths.add_polyline_path(ring, is_closed=True)
+        if one.note.has_dot:
+            dot = layout.add_hatch(dxfattribs=thin)
+            ring = [(at[0] - _DOT, at[1], 1.0), (at[0] + _DOT, at[1], 1.0)]
+            dot.paths.add_polyline_path(ring, is_closed=True)
         middle = ((left[0] + right) / 2, left[1] + _OVER)
         add_text(layout, one.note.text, middle, one.note.height, align="CENTER")
 
