@@ -131,7 +131,7 @@ def read_declared_proofs(course: Course) -> tuple[DeclaredProofs, list[Problem]]
     path = course.root / "variants" / FILE
     if not path.exists():
         return DeclaredProofs(), []
-    table = read_toml(path, course.root, problems, PROOFS)
+    table = read_toml(path, course.root, problems, PROOFS, course.languages)
     if table is None:
         return DeclaredProofs(), problems
     table.known_keys()
