@@ -233,7 +233,7 @@ def _unit(table: Table) -> str:
     table.add(
         "unit",
         message("The unit '{unit}' is not known.", unit=unit),
-        message("Write it as in units.csv of the package, for example 'N*m'."),
+        message("Write it as on the page that 'gripcourse schema' makes, for example 'N*m'."),
     )
     return ""
 
