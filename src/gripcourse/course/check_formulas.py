@@ -89,9 +89,9 @@ def _units_remedy(key: str) -> Message:
     if not key.startswith("slip."):
         return message("Compare the units of both sides.")
     return message(
-        "Compare the units of both sides. A missing root, power or factor needs no slip of its own: "
-        "grader/slips.toml tries them on every formula. Where numbers without units are meant, "
-        "write evaluated_in beside the formula."
+        "Compare the units of both sides. A missing root, power or factor needs no slip of its "
+        "own: grader/slips.toml tries them on every formula. Where numbers without units are "
+        "meant, write evaluated_in beside the formula."
     )
 
 

@@ -95,7 +95,7 @@ _ALTERNATIVE: Final = Shape(
 _COMMON: Final = {
     "section": text("Id of the section of the assignment.", required=True),
     "kind": text("What the quantity is to the student.", required=True),
-    "symbol": texts("As in formulas; `_` begins an index.", required=True),
+    "symbol": texts("As in formulas; `_` begins an index: `F_1`, `τ_-1`.", required=True),
     "unit": text("Declared unit (see Units below); empty for a plain number.", required=True),
     "title": texts("Its name in words.", required=True),
     "explain": texts("A sentence on how to think about it."),

@@ -61,7 +61,7 @@ if TYPE_CHECKING:
 
 _VARIANT = "pdf/ua-1"
 # In a sentence: a letter, perhaps in brackets or after a Δ, and its subscript; a power ends it.
-_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_²³]{1,8}(?![^\W²³])")
+_SYMBOL = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[-−]?[^\W_²³]{1,8}(?![^\W²³])")
 
 
 @dataclass(frozen=True, slots=True)
