@@ -10,6 +10,7 @@ from gripcourse.course.shape import Key, KeySort, Shape, number, table, text
 from gripcourse.course.toml_table import Table
 from gripcourse.exports.json_schema import json_schema
 from gripcourse.exports.key_page import FileKind, key_page
+from gripcourse.formula.functions import FUNCTIONS
 from gripcourse.usecases.schema import FILE_KINDS, write_schemas
 
 ROOT = Path(__file__).parents[2]
@@ -58,6 +59,12 @@ def test_the_page_names_every_key_with_its_meaning() -> None:
     assert "| `default` | number |  | What it is where an example" in page
     assert '### `quantity.* with kind = "given"`' in page
     assert "| `relative` | number from 0 to 0.5 |" in page
+
+
+def test_the_page_names_every_function_of_formulas_and_every_unit() -> None:
+    page = key_page(()).split("## Formulas")[1]
+    assert [name for name in FUNCTIONS if f"| `{name}(" not in page] == []
+    assert "`mm`, `cm`" in page
 
 
 def test_a_folder_gets_a_schema_of_each_kind_and_the_page(tmp_path: Path) -> None:

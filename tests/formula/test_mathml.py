@@ -118,3 +118,8 @@ boxes = st.recursive(
 @given(boxes)
 def test_whatever_is_written_is_valid(box: Box) -> None:
     assert read(box).tag == "math"
+
+
+def test_an_index_may_be_negative() -> None:
+    assert ">−1<" in mathml(symbol_box("τ_-1"))
+    assert "max-b" in mathml(symbol_box("a_max-b"))

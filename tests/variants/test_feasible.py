@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gripcourse.course.model import Course
+from gripcourse.course.quantity import Rounding
 from gripcourse.formula.parse import parse
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.plan import Plan, default_options, make_plan, usual_values
@@ -65,6 +66,17 @@ def test_a_verdict_that_may_come_out_either_way_refuses_nothing(plan: Plan) -> N
     open_plan = replace(plan, quantities={**plan.quantities, asked.id: asked})
     assert why_infeasible(open_plan, over) == ()
     assert why_infeasible(plan, over) != ()
+
+
+def test_a_size_far_past_the_last_of_its_series_is_not_its_nearest(plan: Plan) -> None:
+    bore = plan.quantities["bore"]
+    assert bore.choice is not None
+    nearest = replace(bore, choice=replace(bore.choice, rounding=Rounding.NEAREST))
+    near = replace(plan, quantities={**plan.quantities, bore.id: nearest})
+    heavy = SOUND | {"mass": 5000.0, "pressure": 1.0, "friction": 0.01}
+    assert why_infeasible(near, SOUND | {"pressure": 1.0}) == ()
+    (reason,) = reasons_infeasible(near, {k: np.array([v]) for k, v in heavy.items()}).refused
+    assert (reason.cause, reason.quantity) == (RefusalCause.NO_VALUE, "bore")
 
 
 def test_what_follows_from_a_missing_value_is_not_named_again(plan: Plan) -> None:

@@ -22,7 +22,7 @@ from gripcourse.text.words import Message, Texts, Words, message
 if TYPE_CHECKING:
     from rich.console import JustifyMethod
 
-    from gripcourse.course.quantity import Convention
+    from gripcourse.course.quantity import Convention, Quantity
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.audit import WrittenAudit
     from gripcourse.usecases.check import CheckedWorkbook
@@ -107,16 +107,29 @@ def solution_table(solved: "SolvedVariant", words: Words) -> str:
             quantity.id,
             quantity.symbol.of(words.language),
             _title(quantity.title, words),
-            words.number(solved.values[quantity.id])
-            if math.isfinite(solved.values[quantity.id])
-            else "—",
+            _value(quantity, solved.values[quantity.id], words),
             _unit(quantity.unit, words),
         )
         for quantity in (*plan.constants, *plan.givens, *plan.answered)
     ]
     heads = ("id", "", plan.scheme.title.of(words.language), "", "")
     # A condition is a symbol too: long ones must leave the titles their room.
-    return table_text(heads, rows, right={3}, widest={1: 16})
+    table = table_text(heads, rows, right={3}, widest={1: 16})
+    refused = (
+        words.say(message("Not to be handed out as a variant: {reason}", reason=one))
+        for one in solved.refused
+    )
+    return "\n".join((table, *refused))
+
+
+def _value(quantity: "Quantity", value: float, words: Words) -> str:
+    if not math.isfinite(value):
+        return "—"
+    from gripcourse.course.quantity import Kind
+
+    if quantity.kind is not Kind.VERDICT:
+        return words.number(value)
+    return words.say(message("yes") if value else message("no"))
 
 
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:

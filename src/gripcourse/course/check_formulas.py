@@ -60,7 +60,7 @@ def check_formulas(
                     one.file,
                     f"quantity.{one.id}.{key}",
                     fault.what,
-                    message("Compare the units of both sides."),
+                    _units_remedy(key),
                     caret(formula.text, fault.span),
                 )
         yield from slip_faults(one, columns)
@@ -83,6 +83,16 @@ def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:
             yield f"as_printed.{printed.erratum}", printed.formula, False
     for other in one.alternatives:
         yield f"alternative.{other.id}", other.formula, False
+
+
+def _units_remedy(key: str) -> Message:
+    if not key.startswith("slip."):
+        return message("Compare the units of both sides.")
+    return message(
+        "Compare the units of both sides. A missing root, power or factor needs no slip of its "
+        "own: grader/slips.toml tries them on every formula. Where numbers without units are "
+        "meant, write evaluated_in beside the formula."
+    )
 
 
 def _is_condition(formula: Formula) -> bool:

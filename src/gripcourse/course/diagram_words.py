@@ -132,7 +132,7 @@ VOCABULARY: Final[Mapping[str, Word]] = {
     "object": Word({"at": _POINT, "diameter": _LENGTH} | _ROW, paired=False, moves=True),
     "cup": _fixed(at=_POINT, diameter=_LENGTH, height=_LENGTH),
     "coil": _fixed(through=_POINTS),
-    "spring": _fixed(through=_POINTS),
+    "spring": _fixed(through=_POINTS, diameter=_if_any(Sort.LENGTH), coils=_number(4)),
     # Drives.
     "cylinder": _single(at=_POINT, turn=_turn("0"), base=Role(Sort.WORD, words=("fixed", "free")),
                         rod=_PRESSED, quantity=Role(Sort.QUANTITY, "")),

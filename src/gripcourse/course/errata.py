@@ -1,6 +1,6 @@
 """The errata of the sources: what is printed, and what is right."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -49,11 +49,13 @@ class Erratum:
     no_version: Texts | None
 
 
-def read_errata(path: Path, root: Path, problems: list[Problem]) -> Mapping[str, Erratum] | None:
+def read_errata(
+    path: Path, root: Path, problems: list[Problem], languages: Sequence[str]
+) -> Mapping[str, Erratum] | None:
     """Read the list of errata; a course may have none. None where the list cannot be read."""
     if not path.exists():
         return {}
-    table = read_toml(path, root, problems, ERRATA)
+    table = read_toml(path, root, problems, ERRATA, languages)
     if table is None:
         return None
     table.known_keys()

@@ -52,6 +52,10 @@ COURSE: Final = Shape(
         "id": text("Short name; it goes into signatures.", required=True),
         "language": text("Of students' documents, where the roster says no other.", *LANGUAGES,
                          required=True),
+        "languages": strings(
+            "That the course is written in; all three where not written. What is missing in the "
+            "others is shown in the course's own."
+        ),
         "address": text("Of its page in the web: where the code on an assignment leads to."),
         "convention": text("Whose version of a formula is the reference.", *Convention),
         "title": texts("Of the course or the assignment.", required=True),

@@ -208,6 +208,7 @@ class Course:
         id: short name that goes into signatures.
         title: of the course or the assignment.
         language: default language of students' documents.
+        languages: that it is written in.
         sections: in order.
         works, errata: cited works, and what is wrong in them.
         constants: quantities every scheme knows, for example gravity.
@@ -222,6 +223,7 @@ class Course:
     id: str
     title: Texts
     language: str
+    languages: tuple[str, ...]
     sections: tuple[Section, ...]
     works: Mapping[str, Work]
     errata: Mapping[str, Erratum]

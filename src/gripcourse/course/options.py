@@ -1,6 +1,6 @@
 """Options: what a variant chooses. Shared ones stand in a file each, for many schemes."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from gripcourse.course.keys import OPTION
@@ -14,10 +14,12 @@ from gripcourse.text.words import message
 _ONE_AND_ANOTHER = 2
 
 
-def read_options(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Option]:
+def read_options(
+    folder: Path, root: Path, problems: list[Problem], languages: Sequence[str]
+) -> dict[str, Option]:
     """Read the shared options of a course, by the names of their files."""
     found = (
-        (path.stem, read_toml(path, root, problems, OPTION))
+        (path.stem, read_toml(path, root, problems, OPTION, languages))
         for path in sorted(folder.glob("*.toml"))
     )
     return {name: read_option(table) for name, table in found if table is not None}

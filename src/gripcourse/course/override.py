@@ -189,7 +189,7 @@ def _laid_over(shared: Table, changes: Table) -> Table:
     # What is not given any more has no default and is not drawn.
     gone = _OF_GIVENS if changes.values.get("kind", Kind.GIVEN) != Kind.GIVEN else frozenset()
     kept = {name: value for name, value in shared.values.items() if name not in gone}
-    return Table({**kept, **changed}, changes.file, changes.key, [], shared.shape)
+    return replace(changes, values={**kept, **changed}, problems=[], shape=shared.shape)
 
 
 def _declare(name: str, shared: Table, merged: Table, changes: Table) -> Quantity:

@@ -95,8 +95,8 @@ _ALTERNATIVE: Final = Shape(
 _COMMON: Final = {
     "section": text("Id of the section of the assignment.", required=True),
     "kind": text("What the quantity is to the student.", required=True),
-    "symbol": texts("As in formulas; `_` begins an index.", required=True),
-    "unit": text("Declared unit as in units.csv; empty for a plain number.", required=True),
+    "symbol": texts("As in formulas; `_` begins an index: `F_1`, `τ_-1`.", required=True),
+    "unit": text("Declared unit (see Units below); empty for a plain number.", required=True),
     "title": texts("Its name in words.", required=True),
     "explain": texts("A sentence on how to think about it."),
     "decides": texts(
@@ -144,7 +144,10 @@ _CHOICE: Final = {
     "series": text("`catalogue.column` of the preferred series.", required=True),
     "also": strings("Further series that are accepted."),
     "at_least": text("Formula of the value that the entry must not be below.", required=True),
-    "condition": text("What the chosen value must also satisfy."),
+    "condition": text(
+        "What the chosen value must also satisfy: a check. The reference stays the first size of "
+        "`at_least`; variants in which that one fails are refused."
+    ),
     "at_most_steps": number("How many entries above the smallest admissible are not wasteful."),
     "rounding": _ROUNDING,
 }

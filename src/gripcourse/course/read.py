@@ -1,6 +1,7 @@
 """Reading the files of a course: what cannot be read is a problem, and everything is looked at."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from gripcourse.course.catalogue import read_catalogue
@@ -42,20 +43,23 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
     table = read_toml(folder / "course.toml", root, problems, COURSE)
     if table is None:
         return None, problems
+    languages = _languages(table)
+    table = replace(table, languages=languages)
     table.known_keys()
-    parts, raw = _parts(folder / "sections", root, problems)
-    errata = read_errata(folder / "errata.toml", root, problems)
+    parts, raw = _parts(folder / "sections", root, languages, problems)
+    errata = read_errata(folder / "errata.toml", root, problems, languages)
     course = inherited(
         Course(
             id=table.text("id"),
             title=table.texts("title"),
             language=_language(table),
+            languages=languages,
             sections=_sections(table),
             works=_works(table),
             errata=errata or {},
             constants=_quantities(table.named_tables("constant"), constant=True),
             parts=parts,
-            schemes=_schemes(folder, root, raw, problems),
+            schemes=_schemes(folder, root, raw, languages, problems),
             catalogues=_catalogues(folder / "catalogues", root, problems),
             convention=_convention(table, errata),
             positions=read_positions(table),
@@ -79,13 +83,13 @@ def _is_whole(course: Course, folder: Path) -> bool:
 
 
 def _parts(
-    folder: Path, root: Path, problems: list[Problem]
+    folder: Path, root: Path, languages: Sequence[str], problems: list[Problem]
 ) -> tuple[dict[str, Part], dict[str, RawPart]]:
     """Read the shared parts; the raw tables too, because a scheme may override single keys."""
     parts: dict[str, Part] = {}
     raw: dict[str, RawPart] = {}
     for path in sorted(folder.glob("*.toml")):
-        table = read_toml(path, root, problems, PART)
+        table = read_toml(path, root, problems, PART, languages)
         if table is None:
             continue
         table.known_keys()
@@ -109,13 +113,18 @@ def _scheme_folders(folder: Path) -> list[Path]:
 
 
 def _schemes(
-    folder: Path, root: Path, raw: Mapping[str, RawPart], problems: list[Problem]
+    folder: Path,
+    root: Path,
+    raw: Mapping[str, RawPart],
+    languages: Sequence[str],
+    problems: list[Problem],
 ) -> dict[str, Scheme]:
     shared = Shared(
         parts=raw,
-        options=read_options(folder / "options", root, problems),
-        drawings=_drawings(folder / "drawing", root, problems),
+        options=read_options(folder / "options", root, problems, languages),
+        drawings=_drawings(folder / "drawing", root, languages, problems),
         symbols=_symbols(folder / "diagram", root, problems),
+        languages=languages,
     )
     paths = _scheme_folders(folder / "schemes")
     found = (read_scheme(path, root, shared, problems) for path in paths)
@@ -132,10 +141,12 @@ def _schemes(
     return schemes
 
 
-def _drawings(folder: Path, root: Path, problems: list[Problem]) -> dict[str, View | None]:
+def _drawings(
+    folder: Path, root: Path, languages: Sequence[str], problems: list[Problem]
+) -> dict[str, View | None]:
     """Read what several general views share, by the names of the files; None: cannot be read."""
     found = (
-        (path.stem, read_toml(path, root, problems, SHARED_VIEW))
+        (path.stem, read_toml(path, root, problems, SHARED_VIEW, languages))
         for path in sorted(folder.glob("*.toml"))
     )
     return {name: None if table is None else read_shared(table) for name, table in found}
@@ -203,16 +214,31 @@ def _works(table: Table) -> dict[str, Work]:
     }
 
 
+def _languages(table: Table) -> tuple[str, ...]:
+    """Read the languages that a course is written in, the one that stands in for others first."""
+    written = table.strings("languages")
+    for language in written:
+        if language not in LANGUAGES:
+            table.add(
+                "languages",
+                message("There is no language '{language}'.", language=language),
+                did_you_mean(language, LANGUAGES),
+            )
+    own = table.values.get("language")
+    known = dict.fromkeys(one for one in written if one in LANGUAGES)
+    return tuple(sorted(known, key=lambda one: one != own)) or LANGUAGES
+
+
 def _language(table: Table) -> str:
     language = table.text("language")
-    if language in LANGUAGES:
+    if language in table.languages:
         return language
     table.add(
         "language",
         message("This is no language of the course."),
-        did_you_mean(language, LANGUAGES),
+        did_you_mean(language, table.languages),
     )
-    return LANGUAGES[0]
+    return table.languages[0]
 
 
 def _convention(table: Table, errata: Mapping[str, Erratum] | None) -> Convention:

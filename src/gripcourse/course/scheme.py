@@ -1,7 +1,7 @@
 """Reading the folder of a scheme: `scheme.toml`, `worked_example.toml` and `diagram.toml`."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.declare import declare, source
@@ -28,17 +28,19 @@ class Shared:
         parts: declarations of quantities, as they are written.
         options: with their choices.
         drawings, symbols: parts of general views and of diagrams; None for what cannot be read.
+        languages: that texts are written in.
     """
 
     parts: Mapping[str, RawPart]
     options: Mapping[str, Option]
     drawings: Mapping[str, View | None]
     symbols: Mapping[str, tuple[Element, ...] | None]
+    languages: Sequence[str]
 
 
 def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem]) -> Scheme | None:
     """Read a scheme; None where its file cannot be read at all, or names an unknown option."""
-    table = read_toml(folder / "scheme.toml", root, problems, SCHEME)
+    table = read_toml(folder / "scheme.toml", root, problems, SCHEME, shared.languages)
     if table is None:
         return None
     table.known_keys()
@@ -67,21 +69,19 @@ def read_scheme(folder: Path, root: Path, shared: Shared, problems: list[Problem
         optional_overrides=read_optional_overrides(table, optional, shared.parts),
         kinematics=_motion(table, optional, shared.parts),
         diagram=read_diagram(folder, root, shared.symbols, problems),
-        view=_view(folder / "drawing.toml", root, shared.drawings, problems),
-        example=_example(folder / "worked_example.toml", root, problems),
+        view=_view(folder / "drawing.toml", root, shared, problems),
+        example=_example(folder / "worked_example.toml", root, shared.languages, problems),
         file=table.file,
     )
     return None if all_options is None else scheme
 
 
-def _view(
-    path: Path, root: Path, drawings: Mapping[str, View | None], problems: list[Problem]
-) -> View | None:
+def _view(path: Path, root: Path, shared: Shared, problems: list[Problem]) -> View | None:
     """Read the general view of a scheme; a scheme may do without."""
     if not path.exists():
         return None
-    table = read_toml(path, root, problems, VIEW)
-    return None if table is None else read_view(table, drawings)
+    table = read_toml(path, root, problems, VIEW, shared.languages)
+    return None if table is None else read_view(table, shared.drawings)
 
 
 def _motion(
@@ -111,11 +111,13 @@ def _motion(
     return found[0] if found else None
 
 
-def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample | None:
+def _example(
+    path: Path, root: Path, languages: Sequence[str], problems: list[Problem]
+) -> WorkedExample | None:
     """Read the worked example of a scheme; a scheme may do without."""
     if not path.exists():
         return None
-    table = read_toml(path, root, problems, EXAMPLE)
+    table = read_toml(path, root, problems, EXAMPLE, languages)
     if table is None:
         return None
     table.known_keys()
@@ -132,7 +134,7 @@ def _example(path: Path, root: Path, problems: list[Problem]) -> WorkedExample |
 def _convention_table(table: Table, convention: Convention) -> Table:
     """Return the table of a convention; an example may leave one out."""
     found = table.table(convention)
-    return found or Table({}, table.file, convention, table.problems)
+    return found or replace(table, values={}, key=convention, shape=None)
 
 
 def _expected(table: Table) -> dict[str, tuple[float, float]]:

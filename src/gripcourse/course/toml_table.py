@@ -5,8 +5,8 @@ so that an author sees all faults of a course at once.
 """
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gripcourse.course.shape import Key, KeySort, Shape
@@ -18,13 +18,17 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """One TOML table, its place, the list that its faults go to, and what may stand in it."""
+    """One TOML table, its place, the list that its faults go to, and what may stand in it.
+
+    `languages` are those that its texts must be written in.
+    """
 
     values: Mapping[str, object]
     file: str
     key: str
     problems: list[Problem]
     shape: Shape | None = None
+    languages: Sequence[str] = LANGUAGES
 
     def add(self, name: str, what: Message, remedy: Message, excerpt: str = "") -> None:
         """Record a fault at a key of this table (the table itself where `name` is empty)."""
@@ -132,7 +136,10 @@ class Table:
         return value is True
 
     def texts(self, name: str, *, may_be_empty: bool = False) -> Texts:
-        """Read a text in every language; one plain text serves all (a symbol, for example)."""
+        """Read a text in every language; one plain text serves all (a symbol, for example).
+
+        Where the course is not written in a language, its first one that is stands in.
+        """
         self._declared(name, KeySort.TEXTS)
         value = self._required(name, None, message("a text, or a table with en, ru and uk"))
         if isinstance(value, str):
@@ -143,12 +150,16 @@ class Table:
             if value is not None:
                 self._wrong_type(name, message("a text, or a table with en, ru and uk"))
             return Texts(dict.fromkeys(LANGUAGES, ""))
-        for language in LANGUAGES:
+        for language in self.languages:
             if not isinstance(value.get(language), str) or not str(value[language]).strip():
                 self.add(
                     f"{name}.{language}",
                     message("The text in this language is missing."),
-                    message("Write it: students read all of {all}.", all=", ".join(LANGUAGES)),
+                    message(
+                        "Write it: students read all of {all}. A course that is written in fewer "
+                        "says so with 'languages' in course.toml.",
+                        all=", ".join(self.languages),
+                    ),
                 )
         for language in value:
             if language not in LANGUAGES:
@@ -157,7 +168,8 @@ class Table:
                     message("This is no language of the course."),
                     did_you_mean(language, LANGUAGES),
                 )
-        fallback = next((str(text) for text in value.values()), "")
+        first = (value[one] for one in (*self.languages, *value) if value.get(one))
+        fallback = str(next(first, ""))
         return Texts({one: str(value.get(one) or fallback) for one in LANGUAGES})
 
     def numbers(self, name: str, default: Mapping[str, float] | None = None) -> dict[str, float]:
@@ -218,7 +230,7 @@ class Table:
         value = self.values.get(name)
         if isinstance(value, dict):
             inside = None if key is None else key.inside
-            return Table(value, self.file, self._below(name), self.problems, inside)
+            return replace(self, values=value, key=self._below(name), shape=inside)
         if value is not None:
             self._wrong_type(name, message("a table"))
         return None
@@ -235,7 +247,7 @@ class Table:
         if name not in self.values:
             self._missing(name, message("a table"))
         inside = None if key is None else key.inside
-        return Table({}, self.file, self._below(name), [], inside)
+        return replace(self, values={}, key=self._below(name), problems=[], shape=inside)
 
     def tables(self, name: str) -> tuple["Table", ...]:
         """Read an array of tables; absent is empty."""
@@ -244,7 +256,7 @@ class Table:
         if isinstance(value, list) and all(isinstance(item, dict) for item in value):
             inside = None if key is None else key.inside
             return tuple(
-                Table(item, self.file, f"{self._below(name)}[{number}]", self.problems, inside)
+                replace(self, values=item, key=f"{self._below(name)}[{number}]", shape=inside)
                 for number, item in enumerate(value, 1)
             )
         self._wrong_type(name, message("an array of tables"))
@@ -294,7 +306,11 @@ class Table:
 
 
 def read_toml(
-    path: Path, root: Path, problems: list[Problem], shape: Shape | None = None
+    path: Path,
+    root: Path,
+    problems: list[Problem],
+    shape: Shape | None = None,
+    languages: Sequence[str] = LANGUAGES,
 ) -> Table | None:
     """Read a TOML file; None (and a problem) where it is missing or not TOML.
 
@@ -303,7 +319,8 @@ def read_toml(
         root: of the course: the file is named from there.
         problems: takes what is wrong.
         shape: what may stand in it; None where the reader checks the keys itself.
+        languages: that its texts must be written in.
     """
     file = str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
     values = toml_values(path, file, problems)
-    return None if values is None else Table(values, file, "", problems, shape)
+    return None if values is None else Table(values, file, "", problems, shape, languages)

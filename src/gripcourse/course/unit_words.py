@@ -9,4 +9,4 @@ def unit_remedy(unit: str) -> Message:
     meant = read_unit(unit)
     if meant:
         return message("Write '{unit}': declarations spell units so.", unit=meant)
-    return message("Write it as in units.csv of the package, for example 'N*m'.")
+    return message("Write it as on the page that 'gripcourse schema' makes, for example 'N*m'.")

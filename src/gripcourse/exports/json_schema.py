@@ -11,14 +11,14 @@ Schema: TypeAlias = dict[str, object]
 
 DRAFT: Final = "https://json-schema.org/draft/2020-12/schema"
 _NUMBERS: Final[Schema] = {"type": "array", "items": {"type": "number"}}
-_IN_EVERY_LANGUAGE: Final[Schema] = {
+_IN_LANGUAGES: Final[Schema] = {
     "type": "object",
     "properties": {one: {"type": "string"} for one in LANGUAGES},
-    "required": list(LANGUAGES),
+    "minProperties": 1,
     "additionalProperties": False,
 }
 _PLAIN: Final[Mapping[KeySort, Schema]] = {
-    KeySort.TEXTS: {"anyOf": [{"type": "string"}, _IN_EVERY_LANGUAGE]},
+    KeySort.TEXTS: {"anyOf": [{"type": "string"}, _IN_LANGUAGES]},
     KeySort.FLAG: {"type": "boolean"},
     KeySort.NUMBERS: _NUMBERS,
     KeySort.PAIR: _NUMBERS | {"minItems": 2, "maxItems": 2},

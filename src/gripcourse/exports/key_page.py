@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.course.shape import Key, KeySort, Shape
+from gripcourse.exports.formula_page import formula_lines
 
 _HEAD: Final = (
     "| key | holds | must be written | meaning |",
@@ -31,7 +32,7 @@ class FileKind:
 
 
 def key_page(kinds: Iterable[FileKind]) -> str:
-    """Return the page: for each kind of file its tables, for each table its keys."""
+    """Return the page: the tables of each kind of file with their keys; then the formulas."""
     lines = [
         "# Keys of the files of a course",
         "",
@@ -44,7 +45,7 @@ def key_page(kinds: Iterable[FileKind]) -> str:
         for heading, keys in _tables("", kind.shape, seen):
             lines += ["", *([f"### `{heading}`", ""] if heading else []), *_HEAD]
             lines += [_row(name, key) for name, key in keys.items()]
-    return "\n".join((*lines, ""))
+    return "\n".join((*lines, *formula_lines(), ""))
 
 
 def _tables(

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 from typing import Final
 
 # A letter, perhaps in brackets or after a Δ, and its subscript; a power ends it.
-SYMBOL: Final = re.compile(r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[^\W_²³]{1,8}(?![^\W²³])")
+SYMBOL: Final = re.compile(
+    r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[-−]?[^\W_²³]{1,8}(?![^\W²³])"
+)
 
 _SMALL: Final = str.maketrans(
     "0123456789aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ"

@@ -81,7 +81,7 @@ def typeset(node: Node, names: Mapping[str, Box], language: str = "en") -> Box:
 
 
 def symbol_box(symbol: str) -> Box:
-    """Lay out a symbol as declarations write it: what follows `_` is a subscript.
+    """Lay out a symbol as declarations write it: what follows `_` is a subscript, `τ_-1` too.
 
     Single Latin letters and small Greek ones stand for quantities and are italic; everything else
     (several letters, Cyrillic, digits, brackets, subscripts) is upright.
@@ -89,7 +89,8 @@ def symbol_box(symbol: str) -> Box:
     base, _, sub = symbol.partition("_")
     runs = [_run(found[0]) for found in _RUN.finditer(base)]
     body: Box = runs[0] if len(runs) == 1 else Row(tuple(runs))
-    return Script(body, Text("upright", sub), None) if sub else body
+    below = f"−{sub[1:]}" if sub.startswith("-") else sub
+    return Script(body, Text("upright", below), None) if sub else body
 
 
 def declared_symbol(symbol: str) -> Box:

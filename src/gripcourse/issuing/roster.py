@@ -6,7 +6,7 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from gripcourse.errors import Problem, TableError
@@ -49,13 +49,16 @@ class Roster:
     notes: tuple[Message, ...]
 
 
-def read_roster(source: Readable, known: Iterable[Student] = ()) -> Roster:
+def read_roster(
+    source: Readable, known: Iterable[Student] = (), languages: Sequence[str] = LANGUAGES
+) -> Roster:
     """Read a roster from a `.csv` or `.xlsx` file.
 
     Args:
         source: the file, or its bytes; its headings may be English, Russian or Ukrainian, with
             titles above and other columns beside them.
         known: students of earlier lists: who has no id here and is one of them keeps that id.
+        languages: that the course is written in.
 
     Returns:
         The students in the order of the rows.
@@ -76,7 +79,7 @@ def read_roster(source: Readable, known: Iterable[Student] = ()) -> Roster:
     made: tuple[Message, ...] = ()
     sheet, empty = _with_somebody(sheet, columns)
     if not problems:
-        reader = _Reader(sheet, columns, problems)
+        reader = _Reader(sheet, columns, languages, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
         reader.refuse_doubles(students)
     if not sheet.rows:
@@ -110,6 +113,7 @@ def _with_somebody(
 class _Reader:
     sheet: Sheet
     columns: Mapping[str, TableColumn]
+    languages: Sequence[str]
     problems: list[Problem]
 
     def student(self, row: SheetRow) -> Student:
@@ -188,10 +192,14 @@ class _Reader:
         if not written:
             return ""
         found = declared_names("language").get(plain(written), frozenset())
-        if len(found) == 1:
+        if len(found) == 1 and found <= set(self.languages):
             return next(iter(found))
-        what = message("There is no language '{language}'.", language=written)
-        self._add(row, "language", what, did_you_mean(written, LANGUAGES))
+        what = (
+            message("The course is not written in the language '{language}'.", language=written)
+            if found
+            else message("There is no language '{language}'.", language=written)
+        )
+        self._add(row, "language", what, did_you_mean(written, self.languages))
         return ""
 
     def _cell(self, row: SheetRow, id_: str) -> str:

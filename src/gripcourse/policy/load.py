@@ -43,9 +43,9 @@ def load_policy(course: Course) -> Policy:
 def read_policy(course: Course) -> tuple[Policy | None, list[Problem]]:
     """Read the policy with all its problems."""
     problems: list[Problem] = []
-    rubrics = read_rubrics(course.root, problems)
-    table = read_toml(policy_path(course.root), course.root, problems, POLICY)
-    slips = read_slip_policy(course.root, problems)
+    rubrics = read_rubrics(course, problems)
+    table = read_toml(policy_path(course.root), course.root, problems, POLICY, course.languages)
+    slips = read_slip_policy(course, problems)
     if table is None or slips is None:
         return None, problems
     table.known_keys()

@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from pathlib import Path
 
+from gripcourse.course.model import Course
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
 from gripcourse.policy.keys import RUBRIC
@@ -23,19 +24,19 @@ def rubric_folder(root: Path) -> Path:
     return root / "grader" / "rubric"
 
 
-def read_rubrics(root: Path, problems: list[Problem]) -> dict[str, Rubric]:
+def read_rubrics(course: Course, problems: list[Problem]) -> dict[str, Rubric]:
     """Read all rubrics of a course; what is wrong with them is added to the problems.
 
     Args:
-        root: folder of the course.
+        course: in whose languages they are written.
         problems: what was found; each with file and key.
 
     Returns:
         The rubrics by id, the ones with faults included.
     """
     rubrics: dict[str, Rubric] = {}
-    for path in sorted(rubric_folder(root).glob("*.toml")):
-        table = read_toml(path, root, problems, RUBRIC)
+    for path in sorted(rubric_folder(course.root).glob("*.toml")):
+        table = read_toml(path, course.root, problems, RUBRIC, course.languages)
         if table is not None:
             rubrics[path.stem] = _rubric(path.stem, table)
     return rubrics

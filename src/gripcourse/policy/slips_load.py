@@ -1,9 +1,9 @@
 """Loading the generic slips of a head of course from `grader/slips.toml`."""
 
 import string
-from pathlib import Path
 from typing import Final
 
+from gripcourse.course.model import Course
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.errors import Problem
@@ -16,14 +16,16 @@ from gripcourse.text.words import LANGUAGES, message
 _PLACES: Final = frozenset({"quantity", "other", "unit", "asked", "number", "function", "right"})
 
 
-def read_slip_policy(root: Path, problems: list[Problem]) -> SlipPolicy | None:
+def read_slip_policy(course: Course, problems: list[Problem]) -> SlipPolicy | None:
     """Read the generic slips; None where the file cannot be read at all.
 
     Args:
-        root: of the course.
+        course: whose file it is.
         problems: takes every fault of the file.
     """
-    table = read_toml(root / "grader" / "slips.toml", root, problems, SLIPS)
+    table = read_toml(
+        course.root / "grader" / "slips.toml", course.root, problems, SLIPS, course.languages
+    )
     if table is None:
         return None
     table.known_keys()

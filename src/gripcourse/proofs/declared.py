@@ -131,7 +131,7 @@ def read_declared_proofs(course: Course) -> tuple[DeclaredProofs, list[Problem]]
     path = course.root / "variants" / FILE
     if not path.exists():
         return DeclaredProofs(), []
-    table = read_toml(path, course.root, problems, PROOFS)
+    table = read_toml(path, course.root, problems, PROOFS, course.languages)
     if table is None:
         return DeclaredProofs(), problems
     table.known_keys()
@@ -233,7 +233,7 @@ def _unit(table: Table) -> str:
     table.add(
         "unit",
         message("The unit '{unit}' is not known.", unit=unit),
-        message("Write it as in units.csv of the package, for example 'N*m'."),
+        message("Write it as on the page that 'gripcourse schema' makes, for example 'N*m'."),
     )
     return ""
 

@@ -75,7 +75,7 @@ def read_published_cases(course: Course) -> tuple[tuple[PublishedCase, ...], lis
     path = course.root / "variants" / FILE
     if not path.exists():
         return (), []
-    table = read_toml(path, course.root, problems, PUBLISHED_CASES)
+    table = read_toml(path, course.root, problems, PUBLISHED_CASES, course.languages)
     if table is None:
         return (), problems
     table.known_keys()

@@ -40,7 +40,7 @@ def load_mix(course: Course) -> Mix:
 def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:
     """Read the mix with all its problems."""
     problems: list[Problem] = []
-    table = read_toml(mix_path(course.root), course.root, problems, MIX)
+    table = read_toml(mix_path(course.root), course.root, problems, MIX, course.languages)
     if table is None:
         return None, problems
     table.known_keys()

@@ -107,6 +107,11 @@ _LOOK_ALIKES: Final = str.maketrans("АВЕКМНОРСТХІУасеорхуі"
 
 
 @lru_cache(maxsize=1024)
+def unit_names() -> tuple[str, ...]:
+    """Return the units that have names, in our spelling; others are made of them."""
+    return tuple(_table())
+
+
 def known(unit: str) -> bool:
     """Tell whether a unit is spelled as the table and its compounds are."""
     parts = _split(unit, _OUR_FACTOR)

@@ -113,7 +113,9 @@ def issue_order(
     if order.link_days:
         address_of(course)
     before = read_register(course.root, course.id)
-    roster = read_roster(order.roster, (entry.student for entry in before.entries))
+    roster = read_roster(
+        order.roster, (entry.student for entry in before.entries), course.languages
+    )
     students = roster.students
     variants = read_table(order.table, course)
     place = key_path(course.root)

@@ -16,7 +16,7 @@ from gripcourse.text.number_reading import Unreadable, read_number
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
-from gripcourse.variants.explain import list_text, with_unit
+from gripcourse.variants.explain import list_text, why_infeasible, with_unit
 from gripcourse.variants.model import Variant
 
 
@@ -29,12 +29,14 @@ class SolvedVariant:
         variant: all its givens, and the constants that it changes, in declared units.
         values: of every quantity but the manual ones, in declared units.
         assumed: ids of computed quantities whose values were set by hand.
+        refused: why its numbers would be refused to a variant: a sentence for each reason.
     """
 
     plan: Plan
     variant: Variant
     values: Mapping[str, float]
     assumed: tuple[str, ...] = ()
+    refused: tuple[Message, ...] = ()
 
 
 def solve_from_table(
@@ -89,7 +91,9 @@ def solve_scheme(
         step = NextStep.SET_VALUES
         raise UsageError([Problem("", "", what, remedy, parameter="given", step=step)])
     solved = _solved(plan, Variant("", plan.scheme.id, plan.options, taken), known)
-    return replace(solved, assumed=tuple(name for name in known if name not in taken))
+    assumed = tuple(name for name in known if name not in taken)
+    refused = () if assumed else why_infeasible(plan, taken)
+    return replace(solved, assumed=assumed, refused=refused)
 
 
 def write_solution(solved: SolvedVariant, out: Path | None, words: Words) -> Path:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.course.option_rule import OptionRule
-from gripcourse.course.quantity import Kind
+from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.solver.family import Family, Member, Rows, evaluate_family, family_of
@@ -159,6 +159,8 @@ def _judge_member(batch: _Batch, member: Member) -> None:
     own = values[quantity.id]
     finite = np.isfinite(own)
     missing = ~finite & _all_finite(values, member.inputs, own.shape)
+    if quantity.choice is not None and quantity.choice.rounding is Rounding.NEAREST:
+        missing |= finite & _beyond_series(member.plan, quantity, quantity.choice, values)
     batch.add(Reason(RefusalCause.NO_VALUE, quantity.id, None), places, missing)
     if quantity.kind is Kind.VERDICT:
         if quantity.must_hold:
@@ -211,6 +213,20 @@ def _broken(batch: _Batch, condition: Formula, values: Mapping[str, Array]) -> M
     shape = values[used[0]].shape if used else holds.shape
     broken = np.broadcast_to(holds, shape) != 1.0
     return np.asarray(broken & _all_finite(values, used, shape), dtype=np.bool_)
+
+
+def _beyond_series(
+    plan: Plan, quantity: Quantity, choice: Choice, values: Mapping[str, Array]
+) -> Mask:
+    """Whether what is required lies so far past an end of the series that no size is near to it."""
+    formula = quantity.formula
+    columns = (choice.column, *choice.also)
+    sizes = np.unique(np.concatenate([plan.columns[one].sizes for one in columns]))
+    if formula is None or sizes.size == 1:
+        return np.zeros((), dtype=np.bool_)
+    low, high = sizes[0] - (sizes[1] - sizes[0]) / 2, sizes[-1] + (sizes[-1] - sizes[-2]) / 2
+    required = evaluate_formula(formula, quantity.unit, values, plan.columns)
+    return _outside(required, (low, high))
 
 
 def _all_finite(values: Mapping[str, Array], ids: Sequence[str], shape: tuple[int, ...]) -> Mask:

@@ -75,7 +75,7 @@ def _spaces_of(course: Course, paths: Sequence[Path]) -> tuple[Space, ...]:
     problems: list[Problem] = []
     spaces: list[Space] = []
     for path in paths:
-        table = read_toml(path, course.root, problems, SPACE)
+        table = read_toml(path, course.root, problems, SPACE, course.languages)
         space = None if table is None else _space(course, table)
         if table is not None and space is not None:
             _refuse_second(table, spaces, space)

@@ -27,7 +27,6 @@ _NEAR: Final = 1e-6
 _BACK: Final = 2.0  # modules of a rack behind its pitch line, at least
 _THREAD: Final = 2.2  # pitch of the drawn thread
 _THREAD_LINE: Final = 0.8  # of its width
-_COILS: Final = 8
 _COIL: Final = 1.3  # radius of a spring
 
 
@@ -126,11 +125,13 @@ def nut(shape: PlacedElement) -> Iterator[Mark]:
 
 
 def spring(shape: PlacedElement) -> Iterator[Mark]:
-    """Draw a helical spring between two points."""
+    """Draw a helical spring between two points, to scale across them where it has a diameter."""
     start, end = shape.through[0], shape.through[-1]
     turn = angle_of(start, end)
+    radius = shape.lengths.get("diameter", 2 * _COIL) / 2
+    bends = 2 * max(1, round(shape.numbers["coils"]))
     coils = (
-        polar(between(start, end, (k + 1) / (_COILS + 1)), _COIL, turn + math.pi / 2 * (-1) ** k)
-        for k in range(_COILS)
+        polar(between(start, end, (k + 1) / (bends + 1)), radius, turn + math.pi / 2 * (-1) ** k)
+        for k in range(bends)
     )
     yield Path((start, *coils, end), LineKind.THIN)

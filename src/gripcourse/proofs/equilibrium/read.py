@@ -1,6 +1,7 @@
 """Reading `variants/equilibrium/*.toml`: every fault with its file, key and remedy."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import cast, get_args
 
@@ -41,7 +42,7 @@ def read_mechanisms(course: Course) -> tuple[tuple[Mechanism, ...], list[Problem
 
 def _mechanism(course: Course, path: Path, problems: list[Problem]) -> Mechanism | None:
     before = len(problems)
-    table = read_toml(path, course.root, problems, EQUILIBRIUM)
+    table = read_toml(path, course.root, problems, EQUILIBRIUM, course.languages)
     if table is None:
         return None
     table.known_keys()
@@ -116,7 +117,7 @@ def _point(table: Table) -> Point | None:
 
 def _with_kind(table: Table) -> Table:
     values = {"kind": "place", **table.values}
-    return Table(values, table.file, table.key, table.problems, table.shape)
+    return replace(table, values=values)
 
 
 def _joint(
