@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from gripcourse.exports.marks_table import ItemToMark, write_marks_table
+from gripcourse.exports.marks_table import RowToMark, write_marks_table
 from gripcourse.gradebook.table import read_marks
 from gripcourse.policy.model import Policy
 from gripcourse.policy.rubric import lines_of
@@ -14,11 +14,11 @@ from gripcourse.text.words import LANGUAGES, Words
 HOSTILE = "=1+1|cmd"
 
 
-def items(policy: Policy) -> list[ItemToMark]:
+def items(policy: Policy) -> list[RowToMark]:
     drawings = list(policy.rubrics.values())
     asked = [*drawings, None]
     return [
-        ItemToMark(f"s{place:02}", f"item_{place}", HOSTILE, "РТК-41", "чертёж", 4.0, rubric)
+        RowToMark(f"s{place:02}", f"item_{place}", HOSTILE, "РТК-41", "чертёж", 4.0, rubric)
         for place, rubric in enumerate(asked)
     ]
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from gripcourse.documents.report.mistakes import mistakes_of
-from gripcourse.documents.report.standing import standing_of
+from gripcourse.documents.report.standing import percent_of, standing_of
 from gripcourse.documents.report.totals import section_totals
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.grading.folded import unfolded
@@ -133,11 +133,11 @@ def _parts(report: Report, student: Student | None, called: Called, *, timed: bo
 def _points(report: Report) -> tuple[str, str, str, str]:
     if not report.judged:
         return ("", "", "", "")
-    percent = number_cell(100 * report.score / report.max_score) if report.max_score else ""
+    percent = percent_of(report)
     return (
         number_cell(report.score),
         number_cell(report.max_score),
-        percent,
+        "" if percent is None else number_cell(percent),
         number_cell(report.open_points),
     )
 

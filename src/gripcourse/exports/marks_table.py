@@ -23,7 +23,7 @@ _GREY: Final = "#D9D9D9"
 
 
 @dataclass(frozen=True, slots=True)
-class ItemToMark:
+class RowToMark:
     """A row of the table.
 
     Attributes:
@@ -44,7 +44,7 @@ class ItemToMark:
 
 
 @dataclass(frozen=True, slots=True)
-class _Column:
+class _MarksColumn:
     """A column: its heading, its cells, and which of them wait for a number."""
 
     heading: str
@@ -52,7 +52,7 @@ class _Column:
     lines: tuple[RubricLine | None, ...] | None = None
 
 
-def write_marks_table(path: Path, items: Sequence[ItemToMark], words: Words) -> None:
+def write_marks_table(path: Path, items: Sequence[RowToMark], words: Words) -> None:
     """Write the table, a workbook where the path ends in `.xlsx`, else CSV.
 
     Args:
@@ -69,9 +69,9 @@ def write_marks_table(path: Path, items: Sequence[ItemToMark], words: Words) -> 
     write_bytes(path, data, private=True)
 
 
-def _columns(items: Sequence[ItemToMark], words: Words) -> Iterator[_Column]:
-    def texts(heading: str, name: str) -> _Column:
-        return _Column(heading, tuple(getattr(one, name) for one in items))
+def _columns(items: Sequence[RowToMark], words: Words) -> Iterator[_MarksColumn]:
+    def texts(heading: str, name: str) -> _MarksColumn:
+        return _MarksColumn(heading, tuple(getattr(one, name) for one in items))
 
     yield texts(words.say(message("Student")), "student")
     yield texts(words.say(message("Full name")), "name")
@@ -83,9 +83,9 @@ def _columns(items: Sequence[ItemToMark], words: Words) -> Iterator[_Column]:
     used = {one.rubric.id: one.rubric for one in items if one.rubric}
     for id_, heading in _headings(tuple(used.values()), words).items():
         lines = tuple(one.rubric.by_id.get(id_) if one.rubric else None for one in items)
-        yield _Column(heading, blank, lines)
-    yield _Column(words.say(message("Points")), blank)
-    yield _Column(words.say(message("Comment")), blank)
+        yield _MarksColumn(heading, blank, lines)
+    yield _MarksColumn(words.say(message("Points")), blank)
+    yield _MarksColumn(words.say(message("Comment")), blank)
 
 
 def _headings(rubrics: Sequence[Rubric], words: Words) -> dict[str, str]:
@@ -100,7 +100,7 @@ def _headings(rubrics: Sequence[Rubric], words: Words) -> dict[str, str]:
     }
 
 
-def _csv(columns: Sequence[_Column], words: Words) -> bytes:
+def _csv(columns: Sequence[_MarksColumn], words: Words) -> bytes:
     stream = io.StringIO(newline="")
     # A spreadsheet program splits at semicolons where the comma is the decimal one.
     table = csv.writer(
@@ -112,7 +112,7 @@ def _csv(columns: Sequence[_Column], words: Words) -> bytes:
     return stream.getvalue().encode("utf-8-sig")
 
 
-def _workbook(columns: Sequence[_Column], count: int) -> bytes:
+def _workbook(columns: Sequence[_MarksColumn], count: int) -> bytes:
     import xlsxwriter  # noqa: PLC0415 (not for CSV)
 
     stream = io.BytesIO()

@@ -3,17 +3,14 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, Final
+from typing import Any, ClassVar
 
-from gripcourse.documents.report.standing import standing_of
+from gripcourse.documents.report.standing import percent_of, standing_of
 from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
 from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import LANGUAGES, Message, Words
-
-# What adding up in another order changes is not said.
-_POINTS_DECIMALS: Final = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,17 +263,13 @@ def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) ->
         earned=_points(report.earned) if report.judged else None,
         days_late=0 if report.timing is None else report.timing.days_late,
         counts=report.timing is None or report.timing.counts,
-        percent=_percent(report) if report.judged else None,
+        percent=percent_of(report) if report.judged else None,
         scales=called if report.judged else {},
     )
 
 
-def _percent(report: Report) -> float | None:
-    return _points(100 * report.score / report.max_score) if report.max_score else None
-
-
 def _points(value: float) -> float:
-    return round(value, _POINTS_DECIMALS)
+    return round(value, 6)  # what adding up in another order changes is not said
 
 
 def finite(value: float | None) -> float | None:

@@ -68,20 +68,20 @@ def read_deadlines(
     problems = list(_heading_problems(sheet))
     if problems:
         raise TableError(problems)
-    rows = [_row(sheet, row, zone, called, problems) for row in sheet.rows]
-    seen: set[tuple[str, str]] = set()
-    for row, one in zip(sheet.rows, rows, strict=True):
-        if one is not None and (one.group, one.student) in seen:
+    found: dict[tuple[str, str], Deadline] = {}
+    for row in sheet.rows:
+        one = _row(sheet, row, zone, called, problems)
+        if one is None:
+            continue
+        if (one.group, one.student) in found:
             what = message("There is a second deadline for the same people.")
-            remedy = message("Leave one of them.")
             place = cell_place(row.number, called["deadline"])
-            problems.append(Problem(sheet.file, place, what, remedy))
-        if one is not None:
-            seen.add((one.group, one.student))
-            problems += _nobody(sheet.file, row, one, called, people)
+            problems.append(Problem(sheet.file, place, what, message("Leave one of them.")))
+        found[one.group, one.student] = one
+        problems += _nobody(sheet.file, row, one, called, people)
     if problems:
         raise TableError(problems)
-    return tuple(one for one in rows if one is not None)
+    return tuple(found.values())
 
 
 def moment_of(written: str, zone: ZoneInfo) -> datetime | None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.errors import GradebookError, NextStep, Problem, UsageError
-from gripcourse.exports.marks_table import ItemToMark, write_marks_table
+from gripcourse.exports.marks_table import RowToMark, write_marks_table
 from gripcourse.gradebook.enter import Draft, EntryFault, Standing, mark_of
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, latest_marks
 from gripcourse.gradebook.store import Gradebook, open_gradebook
@@ -90,19 +90,19 @@ def write_waiting(waits: Sequence[Waiting], context: GradingContext, place: str,
     words = Words(context.course.language)
     students = {one.student for one in waits}
     attempts = latest_judged(existing_gradebook(place).standing(students))
-    items = [_item_to_mark(one, attempts[one.student], context, words) for one in waits]
+    items = [_row_to_mark(one, attempts[one.student], context, words) for one in waits]
     write_marks_table(out, items, words)
 
 
-def _item_to_mark(
+def _row_to_mark(
     one: Waiting, attempt: Attempt, context: GradingContext, words: Words
-) -> ItemToMark:
+) -> RowToMark:
     issued = context.register.get(one.student)
     title = one.quantity
     if issued is not None:
         declared = plan_of(context.course, issued.variant.composition).quantities
         title = declared[one.quantity].title.of(words.language) if one.quantity in declared else ""
-    return ItemToMark(
+    return RowToMark(
         student=one.student,
         quantity=one.quantity,
         name="" if issued is None else issued.student.name,

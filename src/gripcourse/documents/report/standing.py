@@ -19,6 +19,11 @@ def standing_of(report: Report) -> CountedPoints:
     )
 
 
+def percent_of(report: Report) -> float | None:
+    """Return the score as a percentage of the points that wait for nobody; None without any."""
+    return round(100 * report.score / report.max_score, 4) if report.max_score else None
+
+
 def grades_of(report: Report, scales: tuple[Scale, ...], words: Words) -> list[tuple[str, str]]:
     """Return title and grade of each scale; none for a file that was not judged."""
     if not report.judged:
