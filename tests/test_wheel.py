@@ -51,7 +51,7 @@ def program(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     run(sys.executable, "-m", "venv", "--without-pip", environment, folder=wheel.parent)
     python = environment / "bin" / "python"
     pip = (sys.executable, "-m", "pip", "--python", python)
-    run(*pip, "install", "--no-deps", "--no-index", wheel, folder=wheel.parent)
+    run(*pip, "install", "--no-compile", "--no-deps", "--no-index", wheel, folder=wheel.parent)
     [site] = environment.glob("lib/python*/site-packages")
     # Later on the path than the wheel, and a path file inside of it is not followed.
     (site / "borrowed.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")

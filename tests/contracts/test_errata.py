@@ -3,13 +3,12 @@
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-import pytest
-
 from gripcourse.course.compose import reference_formula
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import AsPrinted, Convention, Quantity
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import reference_rounding
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Composition
@@ -73,19 +72,16 @@ def test_the_corrected_convention_takes_none(course: Course) -> None:
     assert faults == []
 
 
-def test_what_is_printed_differs_from_what_is_right(
-    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests
-) -> None:
+@each("compositions", "composition")
+def test_what_is_printed_differs_from_what_is_right(composition: "Composition") -> None:
     """In the plan of the guide's convention; that the numbers differ is tested with the slips."""
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            plan = composition.plan
-            guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
-            changed = {
-                name
-                for name, one in plan.quantities.items()
-                if guide.reference_formula(name) != plan.reference_formula(name)
-                or reference_rounding(one, Convention.AS_PRINTED)
-                is not reference_rounding(one, Convention.CORRECTED)
-            }
-            assert changed == {name for name, one in plan.quantities.items() if one.as_printed}
+    plan = composition.plan
+    guide = make_plan(plan.course, plan.scheme.id, plan.options, Convention.AS_PRINTED)
+    changed = {
+        name
+        for name, one in plan.quantities.items()
+        if guide.reference_formula(name) != plan.reference_formula(name)
+        or reference_rounding(one, Convention.AS_PRINTED)
+        is not reference_rounding(one, Convention.CORRECTED)
+    }
+    assert changed == {name for name, one in plan.quantities.items() if one.as_printed}

@@ -21,6 +21,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.text.units import factor
 from gripcourse.variants.model import Issued, Student, Variant
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Composition
@@ -110,14 +111,11 @@ def steps_from(plan: Plan, one: Quantity) -> set[object]:
     return {own, *((*own, name, written(name)) for name in users)}
 
 
-def test_reference_answers_earn_everything(
-    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests, policy: Policy
-) -> None:
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            report = judged(composition, reference_answers(composition), policy)
-            assert report.score == pytest.approx(report.max_score)
-            assert report.score + report.open_points == pytest.approx(policy.total)
+@each("compositions", "composition")
+def test_reference_answers_earn_everything(composition: "Composition", policy: Policy) -> None:
+    report = judged(composition, reference_answers(composition), policy)
+    assert report.score == pytest.approx(report.max_score)
+    assert report.score + report.open_points == pytest.approx(policy.total)
 
 
 def test_one_answer_outside_its_band_loses_that_item_only(

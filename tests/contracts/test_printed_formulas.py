@@ -10,6 +10,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.proofs.printed_lines import printable, printed_line, prove_printed_lines
 from gripcourse.proofs.read_back import read_back
 from gripcourse.proofs.samples import Trial
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Composition
@@ -21,21 +22,17 @@ def test_a_printed_line_reads_back_to_its_value(trials: dict[str, tuple[Trial, .
     assert sum(one.compared for one in results) > 400
 
 
+@each("compositions", "composition")
 def test_every_formula_that_reads_no_table_is_printed_without_one(
-    compositions: "tuple[Composition, ...]",
-    subtests: pytest.Subtests,
+    composition: "Composition",
 ) -> None:
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            read = {one.id for one, _ in printable(composition.plan)}
-            left = {
-                one.id
-                for one in composition.plan.answered
-                if one.kind is Kind.FORMULA
-                and one.formula is not None
-                and '"' not in one.formula.text
-            } - read  # but what reads a table inside its formula
-            assert left == set()
+    read = {one.id for one, _ in printable(composition.plan)}
+    left = {
+        one.id
+        for one in composition.plan.answered
+        if one.kind is Kind.FORMULA and one.formula is not None and '"' not in one.formula.text
+    } - read  # but what reads a table inside its formula
+    assert left == set()
 
 
 @pytest.mark.parametrize(
@@ -60,27 +57,20 @@ def test_the_reader_understands_what_is_printed(line: str, language: str, value:
     assert read_back(line, language) == pytest.approx(value, rel=1e-5)
 
 
-def test_an_angle_that_counts_as_a_number_is_put_in_in_radians(
-    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests
-) -> None:
+@each("compositions", "composition")
+def test_an_angle_that_counts_as_a_number_is_put_in_in_radians(composition: "Composition") -> None:
     """Else a pocket calculator gives another number for the printed line than stands behind it."""
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            plan, faults = composition.plan, []
-            for one, formula in printable(plan):
-                line = printed_line(one, formula, plan, composition.example.values, "en")
-                degrees = re.sub(
-                    r"(sin|cos|tan)[²³]? ?\((?:[^()]|\([^()]*\))*\)|(sin|cos|tan)[²³]? [\d.]+°",
-                    "",
-                    line,
-                )
-                if (
-                    "°" in degrees
-                    and one.unit not in {"deg", "rad"}
-                    and one.kind is not Kind.VERDICT
-                ):
-                    faults.append(f"{one.id}: {line}")
-            assert faults == []
+    plan, faults = composition.plan, []
+    for one, formula in printable(plan):
+        line = printed_line(one, formula, plan, composition.example.values, "en")
+        degrees = re.sub(
+            r"(sin|cos|tan)[²³]? ?\((?:[^()]|\([^()]*\))*\)|(sin|cos|tan)[²³]? [\d.]+°",
+            "",
+            line,
+        )
+        if "°" in degrees and one.unit not in {"deg", "rad"} and one.kind is not Kind.VERDICT:
+            faults.append(f"{one.id}: {line}")
+    assert faults == []
 
 
 def test_a_printed_line_that_lost_its_brackets_would_be_noticed() -> None:

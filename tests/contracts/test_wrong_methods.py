@@ -4,8 +4,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import pytest
-
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.policy.bands import band, within
@@ -15,6 +13,7 @@ from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.wrong_methods import prove_wrong_methods
 from gripcourse.solver.solve import choose
 from gripcourse.text.units import factor
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Composition, Reference
@@ -94,47 +93,39 @@ def test_a_wrong_method_shows_in_the_guides_example(
     assert hidden == SAME_IN_THE_EXAMPLE.get(of_the_guide.plan.scheme.id, {}).keys()
 
 
-def test_a_wrong_method_shows_in_most_variants(
-    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests, policy: Policy
-) -> None:
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            variants = [one for one in composition.references if one.name != "worked example"]
-            seen: dict[str, int] = {}
-            for reference in variants:
-                for wrong in wrong_values(composition.plan, reference):
-                    rounded = (
-                        wrong.quantity.kind is Kind.CHOICE
-                    )  # often the same entry of the series
-                    shows = is_seen(wrong, policy) or rounded
-                    seen[wrong.name] = seen.get(wrong.name, 0) + shows
-            declared = {
-                f"{one.id}: {slip.id}"
-                for one in composition.plan.answered
-                for slip in one.slips
-                if slip.seldom
-            }
-            seldom = {name for name, count in seen.items() if count < USUAL * len(variants)}
-            assert seldom - SELDOM_DIFFERENT.keys() - declared == set()
+@each("compositions", "composition")
+def test_a_wrong_method_shows_in_most_variants(composition: "Composition", policy: Policy) -> None:
+    variants = [one for one in composition.references if one.name != "worked example"]
+    seen: dict[str, int] = {}
+    for reference in variants:
+        for wrong in wrong_values(composition.plan, reference):
+            rounded = wrong.quantity.kind is Kind.CHOICE  # often the same entry of the series
+            shows = is_seen(wrong, policy) or rounded
+            seen[wrong.name] = seen.get(wrong.name, 0) + shows
+    declared = {
+        f"{one.id}: {slip.id}"
+        for one in composition.plan.answered
+        for slip in one.slips
+        if slip.seldom
+    }
+    seldom = {name for name, count in seen.items() if count < USUAL * len(variants)}
+    assert seldom - SELDOM_DIFFERENT.keys() - declared == set()
 
 
+@each("compositions", "composition")
 def test_two_wrong_methods_of_a_quantity_give_two_values(
-    compositions: "tuple[Composition, ...]", subtests: pytest.Subtests, policy: Policy
+    composition: "Composition", policy: Policy
 ) -> None:
     """Else the hint of the one would be given for the other."""
-    for composition in compositions:
-        with subtests.test(composition=composition.name):
-            doubled: dict[tuple[str, str], int] = {}
-            for reference in composition.references:
-                found = list(wrong_values(composition.plan, reference))
-                for index, one in enumerate(found):
-                    for other in found[index + 1 :]:
-                        if one.quantity.id == other.quantity.id:
-                            key = (one.name, other.name)
-                            same = within(
-                                one.value, other.value, band(one.quantity, other.value, policy)
-                            )
-                            doubled[key] = doubled.get(key, 0) + same
-            always = {key for key, count in doubled.items() if count == len(composition.references)}
-            # One example may hide what variants show.
-            assert always == set() or len(composition.references) == 1
+    doubled: dict[tuple[str, str], int] = {}
+    for reference in composition.references:
+        found = list(wrong_values(composition.plan, reference))
+        for index, one in enumerate(found):
+            for other in found[index + 1 :]:
+                if one.quantity.id == other.quantity.id:
+                    key = (one.name, other.name)
+                    same = within(one.value, other.value, band(one.quantity, other.value, policy))
+                    doubled[key] = doubled.get(key, 0) + same
+    always = {key for key, count in doubled.items() if count == len(composition.references)}
+    # One example may hide what variants show.
+    assert always == set() or len(composition.references) == 1

@@ -10,19 +10,17 @@ import pytest
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Arc, Line
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Draw
 
 
-def test_every_gripper_is_seen_from_two_sides(
-    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
-) -> None:
-    for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
-            faces = draw(any_variant).view.figure.faces
-            assert len(faces) == 2
-            assert Face.MAIN in faces
+@each("any_variants", "any_variant")
+def test_every_gripper_is_seen_from_two_sides(draw: "Draw", any_variant: str) -> None:
+    faces = draw(any_variant).view.figure.faces
+    assert len(faces) == 2
+    assert Face.MAIN in faces
 
 
 def test_three_fingers_are_seen_at_120_degrees(draw: "Draw", smallest: Mapping[str, str]) -> None:

@@ -81,7 +81,7 @@ def tables(draw_: st.DrawFn) -> tuple[list[AnswerItem], int]:
     return items, size
 
 
-@settings(max_examples=150)
+@settings(max_examples=75)
 @given(table=tables(), budget=st.integers(1, 500))
 def test_sorted_windows_find_what_comparing_all_pairs_finds(
     table: tuple[list[AnswerItem], int], budget: int
@@ -95,7 +95,7 @@ def test_sorted_windows_find_what_comparing_all_pairs_finds(
     assert found == pytest.approx(expected)
 
 
-@settings(max_examples=100)
+@settings(max_examples=50)
 @given(table=tables())
 def test_the_measure_tells_the_nearest_and_counts_what_is_above(
     table: tuple[list[AnswerItem], int],

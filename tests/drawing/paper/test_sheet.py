@@ -8,6 +8,7 @@ from gripcourse.drawing.paper.sheet import block_box
 from gripcourse.drawing.paper.strokes import Box, box_of
 from gripcourse.drawing.paper.text import Point, read_text, text_width
 from gripcourse.text.words import LANGUAGES
+from support.each import each
 
 if TYPE_CHECKING:
     from ezdxf.entities.text import Text
@@ -16,31 +17,28 @@ if TYPE_CHECKING:
 
 
 @pytest.mark.parametrize("turn", [0, 1])
-def test_no_text_of_a_sheet_leaves_its_cell(
-    draw: "Draw", small_variants: list[str], subtests: pytest.Subtests, turn: int
-) -> None:
+@each("small_variants", "small_variant")
+def test_no_text_of_a_sheet_leaves_its_cell(draw: "Draw", small_variant: str, turn: int) -> None:
     """The names on it are as long as names are: of sixty letters and more.
 
     Every scheme in two languages, each language in two schemes of three.
     """
-    for small_variant in small_variants:
-        with subtests.test(variant=small_variant):
-            made = draw(small_variant, LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]).view
-            sheet = made.arranged.sheet
-            table = block_box(sheet, len(made.rows))
-            space = made.document.modelspace()
-            lines = [
-                box_of([(one.dxf.start.x, one.dxf.start.y), (one.dxf.end.x, one.dxf.end.y)])
-                for one in space.query("LINE")
-            ]
-            grid = [one for one in lines if table.grown(1e-6).joined(one) == table.grown(1e-6)]
-            texts = [one for one in space.query("TEXT") if table.overlaps(box_of([point_of(one)]))]
-            assert len(texts) > 20
-            for one in texts:
-                box = box_of_text(one)
-                assert table.joined(box) == table, read_text(one)
-                assert not [line for line in grid if line.overlaps(box)], read_text(one)
-            assert not [one for one in texts if "…" in one.dxf.text]
+    made = draw(small_variant, LANGUAGES[(int(small_variant) + turn) % len(LANGUAGES)]).view
+    sheet = made.arranged.sheet
+    table = block_box(sheet, len(made.rows))
+    space = made.document.modelspace()
+    lines = [
+        box_of([(one.dxf.start.x, one.dxf.start.y), (one.dxf.end.x, one.dxf.end.y)])
+        for one in space.query("LINE")
+    ]
+    grid = [one for one in lines if table.grown(1e-6).joined(one) == table.grown(1e-6)]
+    texts = [one for one in space.query("TEXT") if table.overlaps(box_of([point_of(one)]))]
+    assert len(texts) > 20
+    for one in texts:
+        box = box_of_text(one)
+        assert table.joined(box) == table, read_text(one)
+        assert not [line for line in grid if line.overlaps(box)], read_text(one)
+    assert not [one for one in texts if "…" in one.dxf.text]
 
 
 def point_of(one: "Text") -> Point:

@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-import pytest
 import shapely
 
 from gripcourse.course.view import Face, Side, ViewPart
 from gripcourse.drawing.view.numbers import numbers_at
 from gripcourse.drawing.view.placed_shapes import Shown, shown
+from support.each import each
 
 if TYPE_CHECKING:
     from conftest import Draw, Drawn
@@ -34,69 +34,58 @@ def area(one: Shown) -> shapely.Geometry:
     return shapely.Polygon(mask).buffer(0) if len(mask) >= CLOSED else shapely.Polygon()
 
 
-def test_a_position_points_at_the_part_that_it_names(
-    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
-) -> None:
-    for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
-            drawn = draw(any_variant)
-            parts = parts_of(drawn)
-            for position in drawn.view.figure.positions:
-                mark = shapely.Point(position.mark)
-                seen = [
-                    part.id
-                    for part, shapes in parts
-                    if any(area(one).buffer(NEAR).contains(mark) for one in shapes)
-                ]
-                if seen[-1:] != [position.part.id]:
-                    own = next(shapes for part, shapes in parts if part is position.part)
-                    lines = [
-                        shapely.LineString([(x.start), (x.end)])
-                        for one in own
-                        if len(one.outline.mask) < CLOSED
-                        for x in one.outline.strokes
-                        if hasattr(x, "start")
-                    ]
-                    assert min((mark.distance(one) for one in lines), default=1) <= ON_THE_LINE, (
-                        position.part.id,
-                        seen,
-                    )
-
-
-def test_no_size_is_written_twice(
-    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
-) -> None:
-    for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
-            shown_sizes = draw(any_variant).view.figure
-            measured = [one.declared.quantity for one in shown_sizes.measured]
-            assert len(measured) == len(set(measured))
-            for overall in shown_sizes.overall:
-                for one in shown_sizes.measured:
-                    same_way = (overall.side in UPRIGHT) == (one.declared.side in UPRIGHT)
-                    same_face = overall.face is one.declared.face
-                    ends = zip((overall.start, overall.end), (one.start, one.end), strict=True)
-                    along = 1 if overall.side in UPRIGHT else 0
-                    is_same = all(abs(a[along] - b[along]) < TENTH for a, b in ends)
-                    assert not (same_way and same_face and is_same), one.declared.quantity
-
-
-def test_what_is_cut_is_not_behind_another_part(
-    draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
-) -> None:
-    for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
-            drawn = draw(any_variant)
-            parts = parts_of(drawn)
-            hatched = [
-                shapely.Polygon(one.rings[0], one.rings[1:]) for one in drawn.view.figure.cuts[MAIN]
+@each("any_variants", "any_variant")
+def test_a_position_points_at_the_part_that_it_names(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    parts = parts_of(drawn)
+    for position in drawn.view.figure.positions:
+        mark = shapely.Point(position.mark)
+        seen = [
+            part.id
+            for part, shapes in parts
+            if any(area(one).buffer(NEAR).contains(mark) for one in shapes)
+        ]
+        if seen[-1:] != [position.part.id]:
+            own = next(shapes for part, shapes in parts if part is position.part)
+            lines = [
+                shapely.LineString([(x.start), (x.end)])
+                for one in own
+                if len(one.outline.mask) < CLOSED
+                for x in one.outline.strokes
+                if hasattr(x, "start")
             ]
-            lying = [(part.id, one) for part, shapes in parts for one in shapes]
-            assert hatched or not any(one.hatch for _, one in lying)
-            for number, (_, one) in enumerate(lying):
-                if one.hatch:
-                    before = shapely.union_all([area(later) for _, later in lying[number + 1 :]])
-                    own = shapely.Polygon(one.ring).buffer(0)
-                    for cut in hatched:
-                        if own.buffer(NEAR).contains(cut) and own.intersects(cut):
-                            assert cut.intersection(before).area <= NEAR
+            assert min((mark.distance(one) for one in lines), default=1) <= ON_THE_LINE, (
+                position.part.id,
+                seen,
+            )
+
+
+@each("any_variants", "any_variant")
+def test_no_size_is_written_twice(draw: "Draw", any_variant: str) -> None:
+    shown_sizes = draw(any_variant).view.figure
+    measured = [one.declared.quantity for one in shown_sizes.measured]
+    assert len(measured) == len(set(measured))
+    for overall in shown_sizes.overall:
+        for one in shown_sizes.measured:
+            same_way = (overall.side in UPRIGHT) == (one.declared.side in UPRIGHT)
+            same_face = overall.face is one.declared.face
+            ends = zip((overall.start, overall.end), (one.start, one.end), strict=True)
+            along = 1 if overall.side in UPRIGHT else 0
+            is_same = all(abs(a[along] - b[along]) < TENTH for a, b in ends)
+            assert not (same_way and same_face and is_same), one.declared.quantity
+
+
+@each("any_variants", "any_variant")
+def test_what_is_cut_is_not_behind_another_part(draw: "Draw", any_variant: str) -> None:
+    drawn = draw(any_variant)
+    parts = parts_of(drawn)
+    hatched = [shapely.Polygon(one.rings[0], one.rings[1:]) for one in drawn.view.figure.cuts[MAIN]]
+    lying = [(part.id, one) for part, shapes in parts for one in shapes]
+    assert hatched or not any(one.hatch for _, one in lying)
+    for number, (_, one) in enumerate(lying):
+        if one.hatch:
+            before = shapely.union_all([area(later) for _, later in lying[number + 1 :]])
+            own = shapely.Polygon(one.ring).buffer(0)
+            for cut in hatched:
+                if own.buffer(NEAR).contains(cut) and own.intersects(cut):
+                    assert cut.intersection(before).area <= NEAR

@@ -2,11 +2,11 @@
 
 import hashlib
 import json
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
-import schemathesis
 
 from gripcourse.api.results import CheckResult
 from gripcourse.web.rates import HAND_INS
@@ -23,7 +23,16 @@ if TYPE_CHECKING:
     from web.rest.conftest import Api
 
 DOCUMENT = description(OPERATIONS, REST)
-SCHEMA = schemathesis.openapi.from_dict(DOCUMENT)
+# Its import takes a second: only the process that runs these tests pays for it.
+# ruff: noqa: PLC0415
+
+
+@cache
+def schema() -> Any:  # noqa: ANN401 (a library's own, without a public name)
+    """Read the description as a library reads it that is not ours."""
+    import schemathesis
+
+    return schemathesis.openapi.from_dict(DOCUMENT)
 
 
 class Program:
@@ -35,7 +44,7 @@ class Program:
 
     def ask(self, method: str, path: str, described: str = "", **sent: object) -> "Response":
         answer = self.client.request(method, f"{REST}{path}", headers=self.headers, **sent)  # type: ignore[arg-type]
-        SCHEMA[described or path][method].validate_response(answer)
+        schema()[described or path][method].validate_response(answer)
         return answer
 
 
