@@ -32,6 +32,7 @@ from pathlib import Path
 from time import perf_counter, sleep
 from xml.sax.saxutils import escape
 
+import psutil
 from cluster import cluster
 
 from gripcourse.course.load import load_course
@@ -55,7 +56,7 @@ WORKS = (1000, 10_000)
 PRINTED = 200
 WORKERS = 2
 WRONG = 3  # answers of each student
-SECONDS = 0.05  # between two looks at a command's memory
+SECONDS = 0.2  # between two looks at a command's memory
 SEED = 26063
 _SHEET = re.compile(r'<sheet name="([^"]*)"[^>]*r:id="rId(\d+)"')
 _NAME = re.compile(r'<definedName name="([^"]*)">([^<]*)</definedName>')
@@ -240,13 +241,13 @@ class Cost:
         seconds: by the clock.
         busy: of the processor, of the command and all its workers.
         peak: of the command itself, as it was seen last.
-        largest: of the largest of its processes.
+        workers: of the largest of its workers.
     """
 
     seconds: float
     busy: float
     peak: float
-    largest: float
+    workers: float
 
 
 def told(
@@ -258,7 +259,7 @@ def told(
         private.write_bytes((base / "issued.sqlite").read_bytes())
     cost = graded(base, ["works", "--out", out, "--workers", str(workers), *more])
     said = f"{cost.seconds:7.1f} s, processor {cost.busy:7.1f} s, peak {cost.peak:5.0f} MB"
-    said += f", of the largest process {cost.largest:.0f} MB"
+    said += f", of a worker {cost.workers:.0f} MB" if cost.workers else ""
     print(f"  {title:<24} {said}", flush=True)
     return cost
 
@@ -269,17 +270,20 @@ def graded(base: Path, words: Sequence[str]) -> Cost:
     start = perf_counter()
     with (base / "said").open("wb") as said:
         process = subprocess.Popen([*call, "--quiet"], cwd=base, stdout=said, stderr=said)  # noqa: S603 (ours)
-        seen, ended = 0.0, 0
+        # Not what the system says of it at its end: that begins with the peak of who started it.
+        own, of_workers, ended = 0.0, 0.0, 0
         while not ended:
-            with suppress(IndexError):  # it ends just now
-                seen = peak(process.pid)
+            with suppress(IndexError, OSError, psutil.Error):  # one of them ends just now
+                own = peak(process.pid)
+                workers = psutil.Process(process.pid).children()
+                of_workers = max([of_workers, *(peak(one.pid) for one in workers)])
             sleep(SECONDS)
             ended, status, used = os.wait4(process.pid, os.WNOHANG)
     seconds = perf_counter() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode not in {0, 1}:
         raise RuntimeError((base / "said").read_text(encoding="utf-8"))
-    return Cost(seconds, used.ru_utime + used.ru_stime, seen, used.ru_maxrss / 1000)
+    return Cost(seconds, used.ru_utime + used.ru_stime, own, of_workers)
 
 
 PARTS = {"local": grades_only, "cluster": on_a_cluster, "postgresql": in_postgresql}

@@ -81,7 +81,7 @@ def issued_values(
     kind = np.full(len(variants), len(plans), dtype=np.intp)
     # The last one is of what cannot be solved.
     families = np.tile(np.arange(len(columns)), (len(plans) + 1, 1))
-    cells = []
+    cells: list[tuple[Ints, Ints, Floats]] = []
     for number, (plan, members) in enumerate(plans):
         names = [name for name in plan.quantities if name in columns]
         solved = _solved(plan, [variants[row][1] for row in members], names)
@@ -90,9 +90,8 @@ def issued_values(
         kind[rows] = number
         families[number, places] = places[_families(solved)]
         cells.append((np.repeat(rows, len(places)), np.tile(places, len(rows)), solved.ravel()))
-    nothing = np.zeros(0, dtype=np.intp)
-    found = zip((nothing, nothing, np.zeros(0)), *cells, strict=True)
-    row, column, value = (np.concatenate(each) for each in found)
+    row, column, value = _joined(cells)
+    del cells  # as much room again
     return IssuedValues(
         owners=tuple(owner for owner, _ in variants),
         quantities=tuple(columns),
@@ -101,6 +100,13 @@ def issued_values(
         families=families,
         discrete=np.array(list(exact.values()), bool),
     )
+
+
+def _joined(cells: Sequence[tuple[Ints, Ints, Floats]]) -> tuple[Ints, Ints, Floats]:
+    """Put rows, columns and values of all plans one after the other."""
+    nothing = np.zeros(0, dtype=np.intp)
+    rows, columns, values = zip((nothing, nothing, np.zeros(0)), *cells, strict=True)
+    return np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
 
 
 def _grouped(
