@@ -18,8 +18,8 @@ from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
+from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON, json_text
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, json_text
 from gripcourse.usecases.hand_in import hand_in
 from gripcourse.usecases.handout import Handout
 from gripcourse.usecases.issue import issue_order

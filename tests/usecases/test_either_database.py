@@ -20,7 +20,8 @@ from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.text.words import Words
-from gripcourse.usecases.grade import FILES_CSV, GRADES_CSV, GRADES_JSON, json_text, write_results
+from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, json_text
+from gripcourse.usecases.grade import write_results
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.history import history
 from gripcourse.usecases.mark import enter_mark

@@ -17,8 +17,9 @@ from gripcourse.course.quantity import Kind
 from gripcourse.demo.students import blank, correct
 from gripcourse.exports.report_result import GradesResult
 from gripcourse.text.words import LANGUAGES, Words
+from gripcourse.usecases.batch_tables import json_text
 from gripcourse.usecases.collect import collect
-from gripcourse.usecases.grade import GradingOutcome, grade, json_text, write_results
+from gripcourse.usecases.grade import GradingOutcome, grade, write_results
 from support.classroom import forget_one_jaw
 from support.pages import no_pages, not_laid_out
 

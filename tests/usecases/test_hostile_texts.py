@@ -34,7 +34,8 @@ from gripcourse.policy.model import Policy, Reveal
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import one_line, shown
 from gripcourse.text.words import Words, message
-from gripcourse.usecases.grade import GradingOutcome, json_text
+from gripcourse.usecases.batch_tables import json_text
+from gripcourse.usecases.grade import GradingOutcome
 from gripcourse.usecases.handout import Handout
 from gripcourse.usecases.issue import Issuing
 from gripcourse.usecases.samples import judged_sample, refused_sample, samples

@@ -16,7 +16,7 @@ from gripcourse.lti.model import Bond
 from gripcourse.lti.platforms import platforms_path
 from gripcourse.lti.tool_key import make_tool_key
 from gripcourse.policy.model import Policy
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON
+from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.lti import store_of
 from gripcourse.usecases.publish import publish, withdraw
 from support.clock import BEGAN

@@ -18,8 +18,9 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
+from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON, json_text
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS, json_text
+from gripcourse.usecases.grade import REPORTS
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.hand_in import collect_hand_ins
 from gripcourse.usecases.handout import Handout, IssuingContext, sheet_path, workbook_path

@@ -29,7 +29,7 @@ from selenium.webdriver.support.wait import WebDriverWait
 
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.words import LANGUAGES
-from gripcourse.usecases.grade import GRADES_JSON
+from gripcourse.usecases.batch_tables import GRADES_JSON
 from gripcourse.usecases.hand_in import hand_in
 from gripcourse.usecases.publish import publish, withdraw
 from gripcourse.usecases.sign_in import offer_sign_in

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
 from gripcourse.usecases.downloads import hand_ins_to_pack
-from gripcourse.usecases.grade import COHORT_PDF, FILES_CSV, GRADES_CSV, REPORTS
+from gripcourse.usecases.grade import COHORT_PDF, REPORTS
 from gripcourse.usecases.hand_in import hand_in, kept_path
 
 if TYPE_CHECKING:

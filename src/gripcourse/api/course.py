@@ -311,7 +311,8 @@ class Course:
                 faults of a submission are in its report.
         """
         from gripcourse.policy.time_rules import zone_of
-        from gripcourse.usecases.grade import batch_result, grade, write_results
+        from gripcourse.usecases.batch_tables import batch_result
+        from gripcourse.usecases.grade import grade, write_results
         from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
         from gripcourse.usecases.handed_in import handed_in_times
         from gripcourse.usecases.opening import grading_of, recalculating

@@ -151,6 +151,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
+    from gripcourse.usecases.batch_tables import batch_result
     from gripcourse.usecases.gradebook import (
         check_gradebook,
         course_deadlines,
@@ -214,7 +215,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     if manner.json:
         scales = context.policy.scales
         passed_over = asked.found.passed_over
-        result = command.batch_result(outcome.reports, words, passed_over, scales=scales)
+        result = batch_result(outcome.reports, words, passed_over, scales=scales)
         typer.echo(cli_text.json_text(result.to_dict()))
         return outcome.needs_person
     # Once: to lay out the table of a large batch takes seconds.

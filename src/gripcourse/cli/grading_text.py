@@ -74,7 +74,8 @@ def with_taken_over(text: str, outcome: "GradingOutcome", words: Words) -> str:
 
 def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return what `grading_text` does but for what was taken over: the same at each run."""
-    from gripcourse.usecases.grade import FILES_CSV, GRADES_CSV, INCIDENTS, REPORTS
+    from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
+    from gripcourse.usecases.grade import INCIDENTS, REPORTS
 
     called = _called(outcome.reports)
     rows = [
@@ -129,7 +130,8 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
 
 def problems_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
     """Return what must be said even where nothing else is: our faults, and how much waits."""
-    from gripcourse.usecases.grade import FILES_CSV, INCIDENTS
+    from gripcourse.usecases.batch_tables import FILES_CSV
+    from gripcourse.usecases.grade import INCIDENTS
 
     ours, called = (FlagCode.INCIDENT, FlagCode.REPORT_INCIDENT), _called(outcome.reports)
     lines = [

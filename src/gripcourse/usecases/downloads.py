@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.machine.packing import ToPack, part_of_name
+from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.grade import COHORT_PDF, FILES_CSV, GRADES_CSV, REPORTS
+from gripcourse.usecases.grade import COHORT_PDF, REPORTS
 from gripcourse.usecases.hand_in import kept_path, latest, name_in_folder
 
 HAND_INS_ZIP: Final = "hand-ins.zip"

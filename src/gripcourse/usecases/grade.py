@@ -1,7 +1,6 @@
 """Grading a batch: files in; reports, grades and what a person must look at out."""
 
-import json
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import date
 from pathlib import Path
@@ -9,28 +8,18 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import shares
-from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
-from gripcourse.exports.grades import Called, grades_csv
-from gripcourse.exports.report_result import (
-    GradesResult,
-    around_reports,
-    grades_result,
-    report_result,
-)
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
     discard_unfinished,
-    make_private,
-    replacing,
     write_bytes,
     write_text,
 )
-from gripcourse.policy.scales import Scale
-from gripcourse.text.words import Words, message
-from gripcourse.usecases.collect import REASONS, PassedOver
+from gripcourse.text.words import message
+from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, renew_tables
+from gripcourse.usecases.collect import PassedOver
 from gripcourse.usecases.student_reports import (
     AsItWas,
     LayOut,
@@ -43,13 +32,9 @@ from gripcourse.usecases.student_reports import (
 from gripcourse.usecases.unchanged import Earlier, PrintedBefore, TakenOver, told_of
 from gripcourse.variants.model import Student
 
-GRADES_JSON = "grades.json"
-GRADES_CSV = "grades.csv"
-FILES_CSV = "files.csv"
 COHORT_PDF = "cohort.pdf"
 INCIDENTS = "incidents.log"
 REPORTS = "reports"
-_NO_REPORTS = '"reports": []'
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +135,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
         for report, one in zip(reports, outcomes, strict=True)
         if isinstance(one, Lost)
     ]
-    _renew_tables(reports, context, out, passed_over, printed)
+    renew_tables(reports, context, out, passed_over, printed)
     failed = None
     if lay_out is not None:
         failed = _print_cohort(reports, printing, out / COHORT_PDF, workers, printed)
@@ -220,40 +205,6 @@ def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:
     return tuple(sorted(found - set(written)))
 
 
-def _renew_tables(
-    reports: Sequence[Report],
-    context: GradingContext,
-    out: Path,
-    passed_over: Sequence[PassedOver],
-    printed: PrintedBefore | None,
-) -> None:
-    """Write the tables of a batch, unless an earlier run wrote them from the very same."""
-    tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
-    students = [issued.student for issued in context.register.values()]
-    made_from = told_of(*reports, repr(students), repr(passed_over)) if printed else ""
-    if printed and all(printed.stands(one, made_from) for one in tables):
-        return
-    write_tables(reports, context, out, passed_over)
-    if printed:
-        for one in tables:
-            printed.note(one, made_from)
-
-
-def write_tables(
-    reports: Sequence[Report],
-    context: GradingContext,
-    out: Path,
-    passed_over: Sequence[PassedOver] = (),
-) -> None:
-    """Write what concerns the whole batch: grades and all files, as CSV and JSON."""
-    students = {name: issued.student for name, issued in context.register.items()}
-    words = Words(context.course.language)
-    grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
-    accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
-    files_csv(accounts, out / FILES_CSV, words)
-    _write_json(out / GRADES_JSON, reports, Called(context.policy.scales, words), passed_over)
-
-
 def _print_cohort(
     reports: Sequence[Report],
     printing: Printing,
@@ -287,69 +238,6 @@ def _discard_unfinished(out: Path) -> None:
     """Remove what a run that was killed left half-written."""
     for name in (GRADES_JSON, GRADES_CSV, FILES_CSV, COHORT_PDF, INCIDENTS):
         discard_unfinished(out / name)
-
-
-def _write_json(
-    path: Path, reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
-) -> None:
-    """Write what `json_text` returns, one report after the other: all at once are large."""
-    with replacing(path) as temporary:
-        make_private(temporary)
-        with temporary.open("w", encoding="utf-8", newline="") as file:
-            file.writelines(_json_pieces(reports, called, passed_over))
-
-
-def json_text(
-    reports: Sequence[Report],
-    words: Words,
-    passed_over: Sequence[PassedOver] = (),
-    scales: Sequence[Scale] = (),
-) -> str:
-    """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
-    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over))
-
-
-def _json_pieces(
-    reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
-) -> Iterator[str]:
-    words, scales = called.words, called.scales
-    others = tuple(map(passed_over_account, passed_over))
-    around = _json(around_reports(reports, words, (), others).to_dict(), indent=1)
-    before, after = around.split(_NO_REPORTS, 1)
-    yield before + _NO_REPORTS.removesuffix("]")
-    for number, report in enumerate(reports):
-        yield ",\n" if number else "\n"
-        # Without indents it takes a third of the time.
-        yield _json(report_result(report, words, scales).to_dict(), indent=None)
-    yield ("\n ]" if reports else "]") + after
-
-
-def _json(plain: Mapping[str, object], indent: int | None) -> str:
-    return json.dumps(plain, ensure_ascii=False, indent=indent, allow_nan=False)
-
-
-def batch_result(
-    reports: Sequence[Report],
-    words: Words,
-    passed_over: Sequence[PassedOver] = (),
-    incidents: Sequence[str] = (),
-    scales: Sequence[Scale] = (),
-) -> GradesResult:
-    """Put a batch into words for another program, with every file that was found."""
-    others = tuple(map(passed_over_account, passed_over))
-    return grades_result(reports, words, incidents, others, scales)
-
-
-def passed_over_account(one: PassedOver) -> FileAccount:
-    """Account for a file that was not looked at; only what may be work waits for a person."""
-    return FileAccount(
-        file=one.file,
-        fate=Fate.NOT_LOOKED_AT,
-        student="",
-        why=one.why,
-        message=REASONS[one.why],
-        needs_person=one.needs_person,
-    )
 
 
 def _told(lost: Lost, of: str) -> str:

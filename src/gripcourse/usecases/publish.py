@@ -12,8 +12,9 @@ from gripcourse.gradebook.journal import Signed
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes, write_text
 from gripcourse.text.words import message
+from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.grade import GRADES_CSV, GRADES_JSON, REPORTS
+from gripcourse.usecases.grade import REPORTS
 from gripcourse.usecases.regrade import publish as keep_told
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from gripcourse.machine.packing import ToPack
+from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV
 from gripcourse.usecases.downloads import (
     HAND_INS_ZIP,
     REPORTS_ZIP,
@@ -12,7 +13,7 @@ from gripcourse.usecases.downloads import (
     hand_ins_to_pack,
     reports_to_pack,
 )
-from gripcourse.usecases.grade import COHORT_PDF, FILES_CSV, GRADES_CSV
+from gripcourse.usecases.grade import COHORT_PDF
 from gripcourse.web.downloads import ZIP
 from gripcourse.web.refusals import NOT_FOUND, WebRefusal
 from gripcourse.web.rest.declare import ApiOperation, DeskCall, SentFile, SentZip, TokenRole

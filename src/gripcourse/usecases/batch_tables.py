@@ -1,0 +1,123 @@
+"""The tables of a whole batch: grades and all files that were found, as CSV and JSON."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from gripcourse.batch.one_file import GradingContext
+from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
+from gripcourse.exports.grades import Called, grades_csv
+from gripcourse.exports.report_result import (
+    GradesResult,
+    around_reports,
+    grades_result,
+    report_result,
+)
+from gripcourse.grading.model import Report
+from gripcourse.machine.files import make_private, replacing
+from gripcourse.policy.scales import Scale
+from gripcourse.text.words import Words
+from gripcourse.usecases.collect import REASONS, PassedOver
+from gripcourse.usecases.unchanged import PrintedBefore, told_of
+
+GRADES_JSON = "grades.json"
+GRADES_CSV = "grades.csv"
+FILES_CSV = "files.csv"
+_NO_REPORTS = '"reports": []'
+
+
+def renew_tables(
+    reports: Sequence[Report],
+    context: GradingContext,
+    out: Path,
+    passed_over: Sequence[PassedOver],
+    printed: PrintedBefore | None,
+) -> None:
+    """Write the tables of a batch, unless an earlier run wrote them from the very same."""
+    tables = [out / name for name in (GRADES_CSV, FILES_CSV, GRADES_JSON)]
+    students = [issued.student for issued in context.register.values()]
+    made_from = told_of(*reports, repr(students), repr(passed_over)) if printed else ""
+    if printed and all(printed.stands(one, made_from) for one in tables):
+        return
+    write_tables(reports, context, out, passed_over)
+    if printed:
+        for one in tables:
+            printed.note(one, made_from)
+
+
+def write_tables(
+    reports: Sequence[Report],
+    context: GradingContext,
+    out: Path,
+    passed_over: Sequence[PassedOver] = (),
+) -> None:
+    """Write what concerns the whole batch: grades and all files, as CSV and JSON."""
+    students = {name: issued.student for name, issued in context.register.items()}
+    words = Words(context.course.language)
+    grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
+    accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
+    files_csv(accounts, out / FILES_CSV, words)
+    _write_json(out / GRADES_JSON, reports, Called(context.policy.scales, words), passed_over)
+
+
+def _write_json(
+    path: Path, reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
+) -> None:
+    """Write what `json_text` returns, one report after the other: all at once are large."""
+    with replacing(path) as temporary:
+        make_private(temporary)
+        with temporary.open("w", encoding="utf-8", newline="") as file:
+            file.writelines(_json_pieces(reports, called, passed_over))
+
+
+def json_text(
+    reports: Sequence[Report],
+    words: Words,
+    passed_over: Sequence[PassedOver] = (),
+    scales: Sequence[Scale] = (),
+) -> str:
+    """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
+    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over))
+
+
+def _json_pieces(
+    reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
+) -> Iterator[str]:
+    words, scales = called.words, called.scales
+    others = tuple(map(passed_over_account, passed_over))
+    around = _json(around_reports(reports, words, (), others).to_dict(), indent=1)
+    before, after = around.split(_NO_REPORTS, 1)
+    yield before + _NO_REPORTS.removesuffix("]")
+    for number, report in enumerate(reports):
+        yield ",\n" if number else "\n"
+        # Without indents it takes a third of the time.
+        yield _json(report_result(report, words, scales).to_dict(), indent=None)
+    yield ("\n ]" if reports else "]") + after
+
+
+def _json(plain: Mapping[str, object], indent: int | None) -> str:
+    return json.dumps(plain, ensure_ascii=False, indent=indent, allow_nan=False)
+
+
+def batch_result(
+    reports: Sequence[Report],
+    words: Words,
+    passed_over: Sequence[PassedOver] = (),
+    incidents: Sequence[str] = (),
+    scales: Sequence[Scale] = (),
+) -> GradesResult:
+    """Put a batch into words for another program, with every file that was found."""
+    others = tuple(map(passed_over_account, passed_over))
+    return grades_result(reports, words, incidents, others, scales)
+
+
+def passed_over_account(one: PassedOver) -> FileAccount:
+    """Account for a file that was not looked at; only what may be work waits for a person."""
+    return FileAccount(
+        file=one.file,
+        fate=Fate.NOT_LOOKED_AT,
+        student="",
+        why=one.why,
+        message=REASONS[one.why],
+        needs_person=one.needs_person,
+    )
