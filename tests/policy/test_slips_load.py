@@ -45,7 +45,7 @@ SLIPS = "grader/slips.toml"
             '"kilogram-force", "Pa"',
             "kind.unit.units",
             "The unit 'kilogram-force' is not known.",
-            "units.csv",
+            "gripcourse schema",
         ),
         (
             "The value is in {unit}; it is asked for in {asked}.",

@@ -155,7 +155,9 @@ def solve(  # noqa: PLR0913 (one parameter per option)
 
         typer.echo(cli_text.json_text(solution_result(solved, words).to_dict()))
     if not (pdf or xlsx or json):
-        typer.echo(cli_text.solution_table(solved, words))
+        from gripcourse.cli.solution_text import solution_table
+
+        typer.echo(solution_table(solved, words))
 
 
 @app.command(cls=SpokenCommand)

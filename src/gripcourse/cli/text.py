@@ -1,7 +1,7 @@
 """What the command line prints: tables, summaries and the progress bar."""
 
 import io
-import math
+import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -22,12 +22,11 @@ from gripcourse.text.words import Message, Texts, Words, message
 if TYPE_CHECKING:
     from rich.console import JustifyMethod
 
-    from gripcourse.course.quantity import Convention, Quantity
+    from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.audit import WrittenAudit
     from gripcourse.usecases.check import CheckedWorkbook
     from gripcourse.usecases.issue import Issuing
-    from gripcourse.usecases.solve import SolvedVariant
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
 
@@ -97,39 +96,6 @@ def progress() -> Iterator[Step]:
             return tick
 
         yield step
-
-
-def solution_table(solved: "SolvedVariant", words: Words) -> str:
-    """Return the values of a solution as a table, by section."""
-    plan = solved.plan
-    rows = [
-        (
-            quantity.id,
-            quantity.symbol.of(words.language),
-            _title(quantity.title, words),
-            _value(quantity, solved.values[quantity.id], words),
-            _unit(quantity.unit, words),
-        )
-        for quantity in (*plan.constants, *plan.givens, *plan.answered)
-    ]
-    heads = ("id", "", plan.scheme.title.of(words.language), "", "")
-    # A condition is a symbol too: long ones must leave the titles their room.
-    table = table_text(heads, rows, right={3}, widest={1: 16})
-    refused = (
-        words.say(message("Not to be handed out as a variant: {reason}", reason=one))
-        for one in solved.refused
-    )
-    return "\n".join((table, *refused))
-
-
-def _value(quantity: "Quantity", value: float, words: Words) -> str:
-    if not math.isfinite(value):
-        return "—"
-    from gripcourse.course.quantity import Kind
-
-    if quantity.kind is not Kind.VERDICT:
-        return words.number(value)
-    return words.say(message("yes") if value else message("no"))
 
 
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
