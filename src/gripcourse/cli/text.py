@@ -256,8 +256,6 @@ def _sections_text(checked: "CheckedWorkbook", words: Words) -> Iterator[str]:
 
 def json_text(plain: object) -> str:
     """Return the plain form of a result as JSON."""
-    import json
-
     # A terminal that lacks letters gets them as JSON writes them, not as question marks.
     is_plain = (sys.stdout.encoding or "").lower().replace("-", "") != "utf8"
     return json.dumps(plain, ensure_ascii=is_plain, indent=1, allow_nan=False)

@@ -15,7 +15,7 @@ from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.words import message
 
-_LENGTH, _ANGLE, _COUNT = "mm", "deg", ""
+_LENGTH, _ANGLE, _COUNT, _STRESS = "mm", "deg", "", "MPa"
 
 Place = tuple[str, str, Formula, str]  # file, key, formula and the unit that it must have
 
@@ -57,6 +57,7 @@ def check_view(
         unknown = _unknown_names(scheme.id, view, (file, key, formula, unit), known)
         yield from unknown or _formula_faults((file, key, formula, unit), known, columns)
     yield from _circle(view)
+    yield from _grade_faults(view)
 
 
 def _unknown_positions(view: View, positions: Collection[str]) -> Iterator[Problem]:
@@ -140,6 +141,8 @@ def _places(view: View) -> Iterator[Place]:
     for measure in view.measures.values():
         for formula in measure.formulas:
             yield measure.file, measure.key, formula, measure.unit
+    for id_, formulas in view.strength.items():
+        yield from _lengths(view.file, f"strength.{id_}", formulas, _STRESS)
     for part in view.parts:
         yield from _part_places(part)
     for one in view.dimensions:
@@ -177,6 +180,17 @@ def _lengths(
     for formula in expressions:
         if formula is not None:
             yield file, key, formula, unit
+
+
+def _grade_faults(view: View) -> Iterator[Problem]:
+    own = {part.id for part in view.parts}
+    for name in view.strength.keys() - own:
+        what = message("The view has no part '{name}'.", name=name)
+        yield Problem(view.file, f"strength.{name}", what, did_you_mean(name, own))
+    if view.strength and not view.grades:
+        what = message("The view has no material whose strength is known.")
+        remedy = message("Declare materials as [[grade]], or take a shared file that does.")
+        yield Problem(view.file, "strength", what, remedy)
 
 
 def _circle(view: View) -> Iterator[Problem]:

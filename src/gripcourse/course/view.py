@@ -114,6 +114,21 @@ class ViewShape:
 
 
 @dataclass(frozen=True, slots=True)
+class Grade:
+    """A material that parts are made of, which their strength asks for.
+
+    Attributes:
+        yield_stress: MPa.
+        density: kg/m³.
+        material: as the parts list names it.
+    """
+
+    yield_stress: float
+    density: float
+    material: Texts
+
+
+@dataclass(frozen=True, slots=True)
 class ViewPart:
     """A part of what is drawn.
 
@@ -234,6 +249,9 @@ class View:
         requirements: sentences that stand there.
         density: of what the bodies are made of, kg/m³; 0 where the mass is not told.
         material: of parts that declare none, as the parts list names it; None for none.
+        grades: materials by their strength, the weakest first.
+        strength: yield stresses that a part needs, by its id, of which the greatest that a variant
+            has counts; the part is of the first grade that has it.
         around: how many of what is mirrored stand round the axis; None for two.
         file: of the scheme's own declarations.
     """
@@ -251,5 +269,7 @@ class View:
     requirements: tuple[Texts, ...]
     density: float
     material: Texts | None
+    grades: tuple[Grade, ...]
+    strength: Mapping[str, tuple[Formula, ...]]
     around: Formula | None
     file: str

@@ -115,6 +115,13 @@ _DETAIL: Final = Shape(
         "section": flag("Whether it is cut across the axis there; absent: shown as it is seen."),
     }
 )
+_GRADE: Final = Shape(
+    {
+        "yield": number("Yield stress, MPa.", required=True),
+        "density": number("kg/m³.", required=True),
+        "material": texts("In the parts list.", required=True),
+    }
+)
 _REQUIREMENT: Final = Shape({"text": texts("A sentence.", required=True)})
 SHARED_VIEW: Final = Shape(
     {
@@ -125,6 +132,7 @@ SHARED_VIEW: Final = Shape(
         "dimension": tables("Dimensions.", _DIMENSION),
         "label": tables("Words on leader lines.", _LABEL),
         "detail": tables("Places shown again at a larger scale, where there is room.", _DETAIL),
+        "grade": tables("Materials by their strength.", _GRADE),
         "requirement": tables("Technical requirements, beside the drawing.", _REQUIREMENT),
     }
 )
@@ -138,6 +146,11 @@ VIEW: Final = Shape(
         "other": text("Position that moving parts are shown in by thin lines too."),
         "density": number("Of what its bodies are made of, kg/m³; absent: the mass is not told."),
         "material": texts("Of parts that name none, in the parts list; absent: it has none."),
+        "strength": by_name(
+            "Yield stresses that a part needs, by its id: the greatest that a variant has chooses"
+            " its material among the grades.",
+            _MEASURE,
+        ),
         "around": text("Formula: how many of what is mirrored stand round the axis; absent: two."),
         "characteristics": strings("Quantities that stand beside the drawing."),
         **SHARED_VIEW.keys,

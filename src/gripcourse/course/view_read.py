@@ -11,6 +11,7 @@ from gripcourse.course.view import (
     SOLID_LINES,
     Expression,
     Face,
+    Grade,
     Measure,
     Need,
     Repeat,
@@ -51,6 +52,10 @@ def read_view(table: Table, shared: Mapping[str, View | None]) -> View | None:
         requirements=tuple(one for view in views for one in view.requirements),
         density=table.number("density", 0.0),
         material=_material(table),
+        grades=tuple(
+            sorted((one for view in views for one in view.grades), key=lambda one: one.yield_stress)
+        ),
+        strength=_by_name(table, "strength"),
         around=_formula(table, "around", table.text("around")) if table.has("around") else None,
         file=table.file,
     )
@@ -88,6 +93,8 @@ def _read(table: Table) -> View:
         requirements=tuple(_requirement(one) for one in table.tables("requirement")),
         density=0.0,
         material=None,
+        grades=tuple(_grade(one) for one in table.tables("grade")),
+        strength={},
         around=None,
         file=table.file,
     )
@@ -96,11 +103,14 @@ def _read(table: Table) -> View:
 def _measures(table: Table) -> dict[str, Measure]:
     found: dict[str, Measure] = {}
     for kind, unit in (("length", "mm"), ("angle", "deg"), ("count", "")):
-        inner = table.table(kind)
-        for name in inner.values if inner is not None else ():
-            formulas = _alternatives(inner, name) if inner is not None else ()
+        for name, formulas in _by_name(table, kind).items():
             found[name] = Measure(unit, formulas, table.file, f"{kind}.{name}")
     return found
+
+
+def _by_name(table: Table, key: str) -> dict[str, tuple[Formula, ...]]:
+    inner = table.table(key)
+    return {} if inner is None else {name: _alternatives(inner, name) for name in inner.values}
 
 
 def _alternatives(table: Table, name: str) -> tuple[Formula, ...]:
@@ -231,6 +241,11 @@ def _detail(table: Table) -> ViewDetail:
         file=table.file,
         key=table.key,
     )
+
+
+def _grade(table: Table) -> Grade:
+    table.known_keys()
+    return Grade(table.number("yield"), table.number("density"), table.texts("material"))
 
 
 def _requirement(table: Table) -> Texts:

@@ -28,6 +28,8 @@ from gripcourse.drawing.view.enlarged import DetailLayout, detail_layout, draw_d
 from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout
 from gripcourse.drawing.view.layout import Arranged, Content, Pictured, Scale, arrange
 from gripcourse.drawing.view.lengths import length_text
+from gripcourse.drawing.view.made_of import made_of
+from gripcourse.drawing.view.numbers import numbers_at
 from gripcourse.errors import CourseError, Problem
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import unit_text
@@ -157,11 +159,12 @@ def _rows(
     shown: Figure, view: View, plan: Plan, values: Mapping[str, float], words: Words
 ) -> Iterator[PartsRow]:
     """Yield the parts list: the sizes of a part that this variant has."""
+    numbers = numbers_at(plan, view, values, view.position)
     for number, one in enumerate(shown.positions, 1):
         sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
         written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
-        named = one.part.material or view.material
+        named = made_of(one.part, view, numbers).material
         material = named.of(words.language) if named is not None else ""
         yield PartsRow(str(number), capital(title), str(one.count), capital(material), written)
 

@@ -15,6 +15,7 @@ import shapely.affinity
 
 from gripcourse.course.view import View
 from gripcourse.drawing.view.bodies import Piece, Scene, pieces_of
+from gripcourse.drawing.view.made_of import made_of
 from gripcourse.drawing.view.numbers import numbers_at
 from gripcourse.solver.plan import Plan
 
@@ -46,7 +47,7 @@ def mass_of(plan: Plan, view: View, solved: Mapping[str, float]) -> float | None
         copies = (around or _TWO) / _TWO if part.mirrored else 1.0
         volume = _volume(pieces, upright=view.upright)
         each = float(numbers.values[part.density_per]) if part.density_per else 1.0
-        mass += copies * volume * _CUBIC * (part.density or view.density) * each
+        mass += copies * volume * _CUBIC * made_of(part, view, numbers).density * each
     return mass
 
 
