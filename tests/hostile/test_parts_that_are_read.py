@@ -63,6 +63,16 @@ def test_a_reason_does_not_depend_on_what_was_read_first() -> None:
     assert read(late) == WhyRefused.TOO_LARGE
 
 
+def test_parts_that_are_the_same_in_many_works_count_in_each() -> None:
+    sound = {**PARTS, "xl/kept.xml": b"<x>" + b'<mergeCell ref="A1"/>' * 900 + b"</x>"}
+    assert read(sound) == read(sound)
+    assert isinstance(read(sound), RawWorkbook)
+    copies = {f"xl/kept{number}.xml": sound["xl/kept.xml"] for number in range(MOST_RANGES // 900)}
+    assert read({**sound, **copies}) == WhyRefused.MERGED
+    spoiled = sound["xl/kept.xml"].replace(b"</x>", b"</y>")
+    assert read({**sound, "xl/kept.xml": spoiled}) == WhyRefused.INVALID_XML
+
+
 def test_a_part_with_two_purposes_is_refused() -> None:
     relations = "xl/_rels/workbook.xml.rels"
     name = STYLES.rpartition("/")[2].encode()

@@ -5,13 +5,19 @@ import threading
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
+from ctypes import util
 
 import pytest
 
-from gripcourse.machine.process_wide import few_collections, without_warnings
+from gripcourse.machine.process_wide import (
+    few_collections,
+    libraries_by_full_name,
+    without_warnings,
+)
 
 Change = Callable[[], AbstractContextManager[None]]
 BOTH = (few_collections, without_warnings)
+ALL = (*BOTH, libraries_by_full_name)
 
 
 @pytest.fixture(autouse=True)
@@ -24,7 +30,7 @@ def usual_collections() -> Iterator[None]:
 
 
 def settings() -> tuple[object, ...]:
-    return gc.get_threshold(), tuple(warnings.filters)
+    return gc.get_threshold(), tuple(warnings.filters), util.find_library
 
 
 def fail_inside(changed: Change) -> None:
@@ -32,7 +38,7 @@ def fail_inside(changed: Change) -> None:
         raise ArithmeticError
 
 
-@pytest.mark.parametrize("changed", BOTH)
+@pytest.mark.parametrize("changed", ALL)
 def test_it_is_put_back_after_a_failure(changed: Change) -> None:
     before = settings()
     with pytest.raises(ArithmeticError):

@@ -23,6 +23,7 @@ from gripcourse.text.words import message
 
 # Of the thousands of compositions of a course those that a batch or a table has; 50 kB each.
 _REMEMBERED = 256
+_COURSES = 4  # whose columns are remembered
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,12 +110,18 @@ def plan_of(course: Course, composition: Composition, convention: Convention | N
         convention=convention,
         quantities={name: declared[name] for name in order},
         inputs=inputs,
-        columns=columns_of(course.catalogues),
+        columns=_columns(course),
         answered=of_kind(*(kind for kind in Kind if kind.answered)),
         givens=of_kind(Kind.GIVEN),
         manual=of_kind(Kind.MANUAL),
         constants=tuple(one for one in of_kind(Kind.CONSTANT) if one.id in used),
     )
+
+
+@lru_cache(maxsize=_COURSES)
+def _columns(course: Course) -> Mapping[str, Column]:
+    """Return the columns of a course's catalogues, which all its plans share."""
+    return columns_of(course.catalogues)
 
 
 def default_options(scheme: Scheme) -> dict[str, str]:

@@ -59,9 +59,7 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
     if size <= _TOGETHER:
         return _evaluate(plan, supplied)
     # What is known of all variants needs no copy.
-    whole = {
-        name: finite(one) for name, one in supplied.items() if one.ndim and not np.isnan(one).any()
-    }
+    whole = {name: one for name, one in supplied.items() if one.ndim and np.isfinite(one).all()}
     values: dict[str, NDArray[np.float64]] = {}
     computed: dict[str, NDArray[np.float64]] = {}
     for start in range(0, size, _TOGETHER):
