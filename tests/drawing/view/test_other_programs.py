@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from conftest import Draw, Drawn
 
 Ink = NDArray[np.bool_]
-# A slide in guides, a worm, suction cups, a screw: between them every kind of line, curve and
-# hatching that a view has, sections and details, and the number that LibreCAD moved farthest.
-SCHEMES = ("wedge_slide", "worm_sector", "vacuum_cups", "screw")
+# A slide in guides, prisms, suction cups, a screw: between them every kind of line, curve and
+# hatching that a view has.
+SCHEMES = ("wedge_slide", "prism_lever", "vacuum_cups", "screw")
 FINE = 2  # pixels of a picture to a millimetre of paper
 DARK = 210
 APART = 3  # pixels that a line may lie beside itself in another picture
