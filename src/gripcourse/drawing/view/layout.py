@@ -209,30 +209,38 @@ def _with_details(bare: Arranged, content: Content, taken: Sequence[Box]) -> Arr
         for number, box in enumerate(content.details)
     }
     best = with_scales({number: scales[0] for number, scales in choices.items() if scales})
-    while True:
-        larger = [
-            with_scales({one: old for one, (old, _) in best.details.items()} | {number: new})
-            for number, (scale, _) in best.details.items()
-            if best.filled < _FILLED or _is_small(content.details[number](scale))
-            for new in choices[number][choices[number].index(scale) + 1 :][:1]
-        ]
-        larger = [one for one in larger if len(one.details) == len(best.details)]
-        if not larger:
-            break
-        best = max(larger, key=lambda one: one.filled)
+    while (larger := _grown(best, choices, content, with_scales)) is not None:
+        best = larger
     return best
 
 
-def _is_small(box: Box) -> bool:
-    return max(box.width, box.height) < _SMALL_DETAIL
+def _grown(
+    best: Arranged,
+    choices: Mapping[int, Sequence[Scale]],
+    content: Content,
+    with_scales: Callable[[Mapping[int, Scale]], Arranged],
+) -> Arranged | None:
+    """Make the smallest detail larger that can be and has to be; None where there is none."""
+    scales = {number: scale for number, (scale, _) in best.details.items()}
+    sizes = {number: _side(content.details[number](scale)) for number, scale in scales.items()}
+    for number in sorted(scales, key=lambda one: sizes[one]):
+        larger = choices[number][choices[number].index(scales[number]) + 1 :]
+        has_to_be = best.filled < _FILLED or sizes[number] < _SMALL_DETAIL
+        found = with_scales(scales | {number: larger[0]}) if larger and has_to_be else None
+        if found is not None and len(found.details) == len(scales):
+            return found
+    return None
+
+
+def _side(box: Box) -> float:
+    return max(box.width, box.height)
 
 
 def _scales(box: Callable[[Scale], Box], least: float) -> Sequence[Scale]:
     """Return the scales that a detail may have, the smallest first."""
-    found = []
-    for scale in reversed(_DETAIL_SCALES):
-        if 1.0 <= scale[0] / scale[1] / least <= _MOST_ENLARGED:
-            size = box(scale)
-            if max(size.width, size.height) <= _LARGEST_DETAIL:
-                found.append(scale)
-    return found
+    return [
+        scale
+        for scale in reversed(_DETAIL_SCALES)
+        if 1.0 <= scale[0] / scale[1] / least <= _MOST_ENLARGED
+        and _side(box(scale)) <= _LARGEST_DETAIL
+    ]
