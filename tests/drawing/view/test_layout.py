@@ -3,7 +3,7 @@ import pytest
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.sheet import A2_UPRIGHT
 from gripcourse.drawing.paper.strokes import Arc, Box, Line, covered, outside
-from gripcourse.drawing.view.layout import Arranged, Content, Pictured, arrange
+from gripcourse.drawing.view.layout import Arranged, Pictured, SheetContent, arrange
 from gripcourse.drawing.view.lengths import length_text
 from gripcourse.text.words import Words
 
@@ -19,7 +19,7 @@ def square(half: float, detail: float = 10.0) -> Arranged:
     """Arrange one square face."""
     pictured = Pictured(length=2 * half, detail=detail)
     found = arrange(
-        Content(lambda scale: {Face.MAIN: [around(half, scale)]}), pictured, rows=7, lines=4
+        SheetContent(lambda scale: {Face.MAIN: [around(half, scale)]}), pictured, rows=7, lines=4
     )
     assert found is not None
     return found
@@ -41,7 +41,7 @@ def test_what_is_high_stands_on_an_upright_sheet() -> None:
     def high(scale: float) -> dict[Face, list[Box]]:
         return {Face.MAIN: [Box(-100 * scale, -240 * scale, 100 * scale, 240 * scale)]}
 
-    found = arrange(Content(high), Pictured(length=480, detail=10), rows=7, lines=4)
+    found = arrange(SheetContent(high), Pictured(length=480, detail=10), rows=7, lines=4)
     assert found is not None
     assert found.sheet == A2_UPRIGHT
 
@@ -59,7 +59,7 @@ def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> 
     def boxes(scale: float) -> dict[Face, list[Box]]:
         return {face: [around(40, scale)] for face in Face}
 
-    found = arrange(Content(boxes), Pictured(length=80, detail=5), rows=0, lines=0)
+    found = arrange(SheetContent(boxes), Pictured(length=80, detail=5), rows=0, lines=0)
     assert found is not None
     origins = found.origins
     assert origins[Face.END][1] == origins[Face.MAIN][1]
@@ -70,7 +70,7 @@ def test_the_end_stands_on_the_right_at_the_same_height_and_the_plan_below() -> 
 
 def test_what_is_larger_than_any_sheet_is_not_drawn() -> None:
     pictured = Pictured(length=2e6, detail=5)
-    huge = Content(lambda scale: {Face.MAIN: [around(1e6, scale)]})
+    huge = SheetContent(lambda scale: {Face.MAIN: [around(1e6, scale)]})
     assert arrange(huge, pictured, rows=0, lines=0) is None
 
 

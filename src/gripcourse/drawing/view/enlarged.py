@@ -129,7 +129,7 @@ def draw_detail(layout: "Modelspace", laid: DetailLayout, at: Point) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class Mark:
+class DetailMark:
     """How the main view tells where a detail is taken.
 
     Attributes:
@@ -165,7 +165,9 @@ class Mark:
         return (Box(left, up, right, up + _STROKE), Box(left, down - _STROKE, right, down))
 
 
-def marks_of(details: Sequence[Detail], scale: float, bare: Box, words: Words) -> Iterator[Mark]:
+def marks_of(
+    details: Sequence[Detail], scale: float, bare: Box, words: Words
+) -> Iterator[DetailMark]:
     """Yield the marks of details in a main view whose strokes fill a box.
 
     A plane that lies close behind another one is looked at from the other side, so that the arrows
@@ -176,10 +178,10 @@ def marks_of(details: Sequence[Detail], scale: float, bare: Box, words: Words) -
         x, y = at_place(one.at, scale, _ORIGIN)
         rim = None if one.is_section else Arc((x, y), one.reach * scale)
         towards = -1 if any(0 <= x - other < _CLOSE for other in planes if other != x) else 1
-        yield Mark(letter_of(number, words), towards, rim, x, bare.bottom, bare.top)
+        yield DetailMark(letter_of(number, words), towards, rim, x, bare.bottom, bare.top)
 
 
-def draw_mark(layout: "Modelspace", mark: Mark, at: Point) -> None:
+def draw_mark(layout: "Modelspace", mark: DetailMark, at: Point) -> None:
     """Draw a mark in a main view whose origin lies at a point; its leader is a leader's."""
     if mark.rim is not None:
         draw_stroke(layout, placed(mark.rim, 1.0, at), LineKind.THIN)
@@ -201,7 +203,7 @@ def draw_mark(layout: "Modelspace", mark: Mark, at: Point) -> None:
         add_text(layout, mark.letter, beside, LETTER, align=align)
 
 
-def _ends(mark: Mark) -> Iterator[tuple[Point, Point, float]]:
+def _ends(mark: DetailMark) -> Iterator[tuple[Point, Point, float]]:
     """Yield both strokes of a plane, and how high the arrow of each stands."""
     up, down = mark.high + _AWAY, mark.low - _AWAY
     yield (mark.x, up), (mark.x, up + _STROKE), up + _ARROW_AT

@@ -12,7 +12,7 @@ from gripcourse.drawing.view.contents import Figure, Measured, Overall
 from gripcourse.drawing.view.details import Detail
 from gripcourse.drawing.view.dimensions import FIRST_ROW, Placed, Wanted, draw_dimensions, place
 from gripcourse.drawing.view.drawn_strokes import draw_cut, draw_stroke
-from gripcourse.drawing.view.enlarged import Mark, draw_mark, marks_of
+from gripcourse.drawing.view.enlarged import DetailMark, draw_mark, marks_of
 from gripcourse.drawing.view.leaders import Leader, Note, draw_leaders, place_leaders
 from gripcourse.drawing.view.lengths import FOR_REFERENCE, length_text
 from gripcourse.text.words import Words
@@ -40,7 +40,7 @@ class FaceLayout:
     axes: tuple[Line, ...]
     dimensions: tuple[Placed, ...]
     leaders: tuple[Leader, ...]
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[DetailMark, ...] = ()
 
     @property
     def boxes(self) -> tuple[Box, ...]:
@@ -91,7 +91,7 @@ def face_layout(
     return FaceLayout(outline, axes, tuple(dimensions), tuple(leaders), marks)
 
 
-def _with_marks(bare: Box, marks: Sequence[Mark]) -> Box:
+def _with_marks(bare: Box, marks: Sequence[DetailMark]) -> Box:
     """Return the box that dimensions stand round: under it there is room for marks of sections."""
     low = [box.bottom for mark in marks for box in mark.boxes]
     clear = FIRST_ROW - 2 * TEXT_HEIGHT  # what a first row leaves free over its numbers

@@ -26,7 +26,7 @@ from gripcourse.drawing.view.contents import Figure, figure
 from gripcourse.drawing.view.details import Detail, details_of
 from gripcourse.drawing.view.enlarged import DetailLayout, detail_layout, draw_detail
 from gripcourse.drawing.view.face import FaceLayout, draw_face, face_layout
-from gripcourse.drawing.view.layout import Arranged, Content, Pictured, Scale, arrange
+from gripcourse.drawing.view.layout import Arranged, Pictured, Scale, SheetContent, arrange
 from gripcourse.drawing.view.lengths import length_text
 from gripcourse.drawing.view.made_of import made_of
 from gripcourse.drawing.view.numbers import numbers_at
@@ -108,7 +108,7 @@ def general_view(
     )
 
 
-def _content(plain: Figure, details: Sequence[Detail], words: Words) -> Content:
+def _content(plain: Figure, details: Sequence[Detail], words: Words) -> SheetContent:
     """Return what is to be arranged: the faces with all marks, and the details."""
 
     def faces(factor: float) -> Mapping[Face, Sequence[Box]]:
@@ -119,7 +119,7 @@ def _content(plain: Figure, details: Sequence[Detail], words: Words) -> Content:
     def detail_box(number: int) -> Callable[[Scale], Box]:
         return lambda scale: detail_layout(details[number], number, scale, words).box
 
-    return Content(
+    return SheetContent(
         faces,
         [*plain.extents.values()],
         [detail_box(number) for number in range(len(details))],

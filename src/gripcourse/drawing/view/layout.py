@@ -86,7 +86,7 @@ class Arranged:
 
 
 @dataclass(frozen=True, slots=True)
-class Content:
+class SheetContent:
     """What is to be arranged.
 
     Attributes:
@@ -103,7 +103,7 @@ class Content:
     enlarged: Sequence[float] = ()
 
 
-def arrange(content: Content, pictured: Pictured, rows: int, lines: int) -> Arranged | None:
+def arrange(content: SheetContent, pictured: Pictured, rows: int, lines: int) -> Arranged | None:
     """Find the smallest sheet that a thing fills and is well shown on, at the largest scale there.
 
     Where it fills none, the one that it fills most. Where no sheet shows its details, its size
@@ -155,7 +155,7 @@ def _is_large(one: Arranged, pictured: Pictured) -> bool:
     return length >= _LEAST_REDUCED and one.sheet not in FORMATS[0]
 
 
-def _largest(content: Content, sheet: Format, rows: int, lines: int) -> Iterator[Arranged]:
+def _largest(content: SheetContent, sheet: Format, rows: int, lines: int) -> Iterator[Arranged]:
     """Yield the fullest arrangement at the largest scale that a sheet has room for, if any."""
     room = sheet.frame.grown(-MARGIN)
     for scale in SCALES:
@@ -183,7 +183,7 @@ def _largest(content: Content, sheet: Format, rows: int, lines: int) -> Iterator
             return
 
 
-def _with_details(bare: Arranged, content: Content, taken: Sequence[Box]) -> Arranged:
+def _with_details(bare: Arranged, content: SheetContent, taken: Sequence[Box]) -> Arranged:
     """Add the details that there is room for, as large as it takes to fill the sheet."""
     faces = content.faces(bare.factor)
     placed = [box.moved(at) for face, at in bare.origins.items() for box in faces[face]]
@@ -217,7 +217,7 @@ def _with_details(bare: Arranged, content: Content, taken: Sequence[Box]) -> Arr
 def _grown(
     best: Arranged,
     choices: Mapping[int, Sequence[Scale]],
-    content: Content,
+    content: SheetContent,
     with_scales: Callable[[Mapping[int, Scale]], Arranged],
 ) -> Arranged | None:
     """Make the smallest detail larger that can be and has to be; None where there is none."""

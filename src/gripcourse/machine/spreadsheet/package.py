@@ -17,8 +17,8 @@ from xml.parsers import expat
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.xml_scan import (
     Bounds,
+    PartCounts,
     RefusedError,
-    Seen,
     XmlScan,
     local,
     local_name,
@@ -213,14 +213,14 @@ def _go_through(content: bytes, scan: XmlScan) -> None:
 
 
 @lru_cache(maxsize=_KEPT)
-def _seen_in(content: bytes) -> Seen:
+def _seen_in(content: bytes) -> PartCounts:
     scan = _scan_of_short()
     _go_through(content, scan)
     return scan.seen
 
 
 @lru_cache(maxsize=_KEPT)
-def _made_of(content: bytes, make: Callable[[Element], Any]) -> tuple[Any, Seen]:
+def _made_of(content: bytes, make: Callable[[Element], Any]) -> tuple[Any, PartCounts]:
     scan = _scan_of_short()
     return make(scan.root(content)), scan.seen
 

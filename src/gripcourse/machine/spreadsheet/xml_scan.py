@@ -58,7 +58,7 @@ class Bounds:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class PartCounts:
     """What a part holds of what is bounded.
 
     Attributes:
@@ -80,11 +80,11 @@ class XmlScan:
         self._seen: Counter[str] = Counter()
 
     @property
-    def seen(self) -> Seen:
+    def seen(self) -> PartCounts:
         """What was seen so far."""
-        return Seen(self._elements, dict(self._seen))
+        return PartCounts(self._elements, dict(self._seen))
 
-    def add(self, seen: Seen) -> None:
+    def add(self, seen: PartCounts) -> None:
         """Count what a part holds that was gone through before, byte for byte the same.
 
         Raises:
