@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.course.load import read_course
+from gripcourse.course.read import read_course
 from gripcourse.machine.resources import skeleton_root
 
 

@@ -192,7 +192,7 @@ def test_nothing_failed_on_our_side(demo: Demo) -> None:
 def test_the_grades_are_those_of_the_reports(demo: Demo) -> None:
     files = json.loads((demo.graded / "grades.json").read_text(encoding="utf-8"))
     written = {one["student"]: one["score"] for one in files["reports"]}
-    judged = {one.student: one.score for one in demo.outcome.reports if one.judged}
+    judged = {one.student: round(one.score, 6) for one in demo.outcome.reports if one.judged}
     assert written == {**judged, "": None}
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.errors import TableError
-from gripcourse.variants import kept_table
+from gripcourse.variants import table as table_reading
 from gripcourse.variants.kept_table import load_with_table
 
 SMALL = Path(__file__).parent / "small_course"
@@ -39,7 +39,7 @@ def test_a_sound_table_is_judged_once(
 ) -> None:
     table = table_with(tmp_path, "60")
     judged = load_with_table(root, table)
-    monkeypatch.delattr(kept_table, "read_table")
+    monkeypatch.delattr(table_reading, "read_table")
     course, variants = load_with_table(root, table)
     assert variants == judged[1]
     assert course.id == judged[0].id
@@ -61,7 +61,7 @@ def test_a_sound_table_of_a_changed_course_is_judged_anew(
     load_with_table(root, table)
     part = root / "variants" / "catalogues" / "bore.csv"
     part.write_text(part.read_text(encoding="utf-8") + "# looked through\n", encoding="utf-8")
-    monkeypatch.setattr(kept_table, "read_table", lambda *_: ("judged anew",))
+    monkeypatch.setattr(table_reading, "read_table", lambda *_: ("judged anew",))
     assert load_with_table(root, table)[1] == ("judged anew",)
 
 

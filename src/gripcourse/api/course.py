@@ -334,11 +334,10 @@ class Course:
             graded = keep(graded, context, str(gradebook), datetime.now(UTC), times)
         reports = tuple(one.report for one in graded)
         if out is not None:
-            day = graded_on or _today()
-            written = write_results(
-                graded, context, Path(out), day, workers, nothing, passed_over=others
-            )
-            reports = written.reports
+            day, folder = graded_on or _today(), Path(out)
+            reports = write_results(
+                graded, context, folder, day, workers, nothing, passed_over=others
+            ).reports
         incidents = [one.incident for one in graded if one.incident]
         return batch_result(reports, self.words, others, incidents, self.policy.scales)
 

@@ -24,7 +24,7 @@ from gripcourse.workbook.style import (
     row_height,
     set_page,
     write_symbol,
-    write_text,
+    write_symbols,
 )
 
 if TYPE_CHECKING:
@@ -206,7 +206,7 @@ def write_line(sheet: "Worksheet", line: SheetLine, styles: Styles) -> None:
     sheet.set_row(row, line_height(line))
     sheet.write_string(row, SheetColumn.NUMBER, line.number, styles.number)
     write_symbol(sheet, row, SheetColumn.SYMBOL, line.symbol, styles)
-    write_text(sheet, row, SheetColumn.TITLE, line.title, styles.text, styles)
+    write_symbols(sheet, row, SheetColumn.TITLE, line.title, styles.text, styles)
     sheet.write_string(row, SheetColumn.UNIT, line.unit, styles.unit)
 
 

@@ -38,7 +38,7 @@ from gripcourse.workbook.style import (
     row_height,
     set_page,
     write_symbol,
-    write_text,
+    write_symbols,
 )
 
 if TYPE_CHECKING:
@@ -217,7 +217,7 @@ def _write_texts(sheet: "Worksheet", line: KeyLine, key: _Key) -> None:
     }
     sheet.set_row(row, row_height((said, _WIDTHS[column]) for column, said in texts.items()))
     for column, said in texts.items():
-        write_text(sheet, row, column, said, styles.text, styles)
+        write_symbols(sheet, row, column, said, styles.text, styles)
     unit = unit_text(quantity.unit, words.language)
     sheet.write_string(row, KeyColumn.UNIT, unit, styles.unit)
 
@@ -275,7 +275,7 @@ def _write_fixed(sheet: "Worksheet", line: KeyLine, value: float, key: _Key) -> 
         formula=formula_text(line.quantity, key.plan, key.words),
     )
     said = key.words.say(note)
-    write_text(sheet, line.row, KeyColumn.FORMULA, said, key.styles.text, key.styles)
+    write_symbols(sheet, line.row, KeyColumn.FORMULA, said, key.styles.text, key.styles)
 
 
 def _write_formula(

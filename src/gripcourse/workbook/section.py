@@ -15,7 +15,7 @@ from gripcourse.workbook import names
 from gripcourse.workbook.cover import LOCKED, WIDTHS, headings, line_height, write_line
 from gripcourse.workbook.guidance import DECIMAL_SIGN
 from gripcourse.workbook.layout import SECTION_HEADER, SectionSheet, SheetColumn, SheetLine
-from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page, write_text
+from gripcourse.workbook.style import Styles, pages_tall, row_height, set_page, write_symbols
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -88,7 +88,7 @@ def _write_top(sheet: "Worksheet", section: SectionSheet, words: Words, styles: 
         (_HINT_ROW, words.say(DECIMAL_SIGN), styles.hint),
     ):
         sheet.merge_range(row, 0, row, SheetColumn.CHECK, "", style)
-        write_text(sheet, row, 0, text, style, styles)
+        write_symbols(sheet, row, 0, text, style, styles)
         sheet.set_row(row, row_height([(text, sum(WIDTHS.values()))]))
     sheet.set_row(SECTION_HEADER, _HEAD_HEIGHT)
     for column, heading in enumerate(headings(words)):

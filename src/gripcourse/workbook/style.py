@@ -144,7 +144,7 @@ def write_symbol(sheet: "Worksheet", row: int, column: int, symbol: str, styles:
     sheet.write_rich_string(row, column, *parts, styles.symbol_upright)
 
 
-def write_text(
+def write_symbols(
     sheet: "Worksheet", row: int, column: int, text: str, look: "Format", styles: Styles
 ) -> None:
     """Write a title or a sentence; a symbol in it has its subscript below the line.
