@@ -148,6 +148,10 @@ def test_marks_of_details_stand_free_of_each_other_and_of_numbers(
     draw: "Draw", any_variant: str
 ) -> None:
     face = draw(any_variant).view.faces[Face.MAIN]
+    letters = [box for mark in face.marks for box in mark.letters]
+    lines = [(one.note.at, one.knee) for one in face.leaders]
+    lines += [(start, end) for _, start, end in extension_lines(face)]
+    assert not [one for one in lines if any(cuts(*one, box) for box in letters)]
     marks = [box for mark in face.marks for box in mark.boxes]
     boxes = [*marks, *(one.text_box for one in face.dimensions)]
     boxes += [one.box for one in face.leaders]

@@ -152,6 +152,21 @@ def missing_words(drawn: "Drawn", pdf: Path) -> list[str]:
 def test_every_dimension_says_its_number_itself(views: "Mapping[str, Drawn]", scheme: str) -> None:
     """Programs that do not know of a factor of one dimension show what is written."""
     view = views[scheme].view
-    placed = [one.wanted.text for face in view.faces.values() for one in face.dimensions]
-    written = [one.dxf.text for one in view.document.query("DIMENSION")]
-    assert sorted(written) == sorted(placed)
+    asked = [
+        (one.wanted.text, factor)
+        for laid, factor in (
+            *((face, view.arranged.factor) for face in view.faces.values()),
+            *((detail, detail.factor) for detail in view.details),
+        )
+        for one in laid.dimensions
+    ]
+    written = [
+        (one.dxf.text, 1 / one.override().get("dimlfac"))
+        for one in view.document.query("DIMENSION")
+    ]
+    assert len(written) == len(asked)
+    for (text, factor), (asked_text, asked_factor) in zip(
+        sorted(written), sorted(asked), strict=True
+    ):
+        assert text == asked_text
+        assert factor == pytest.approx(asked_factor)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 PAD = 1.0  # free beside the words of a cell
 SMALL, NORMAL, LARGE = 2.5, 3.5, 5.0  # heights of letters
 _SUBSCRIPT = re.compile(r"_(\w+)")
+_RAISED = 0.1  # for each further line in a cell: letters reach below their line
 _SMALLER, _DROP = 0.7, 0.4  # a subscript, in heights of the letters that it stands beside
 
 
@@ -59,7 +60,8 @@ class Cells:
         x = corner[0] + (size[0] / 2 if middle else PAD)
         found = set_in(text, height, room, most)
         pitch = found.height * LEADING
-        top = corner[1] + size[1] / 2 + pitch * (len(found.lines) - 1) / 2
+        raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
+        top = corner[1] + size[1] / 2 + raised
         for number, line in enumerate(found.lines):
             add_text(
                 self.pen.layout,
@@ -75,7 +77,8 @@ class Cells:
         room = (size[0] - 2 * PAD, size[1])
         found = set_in(text.replace("_", ""), height, room, most)
         pitch = found.height * LEADING
-        level = corner[1] + size[1] / 2 + pitch * (len(found.lines) - 1) / 2
+        raised = (pitch / 2 + _RAISED * found.height) * (len(found.lines) - 1)
+        level = corner[1] + size[1] / 2 + raised
         written = iter(text.split())
         for line in found.lines:
             marked = " ".join(word for word, _ in zip(written, line.split(), strict=False))

@@ -206,9 +206,13 @@ def read_text(entity: "Text") -> str:
 
 @lru_cache(maxsize=2)
 def _font(file: str) -> "TrueTypeFont":
-    from ezdxf.fonts.fonts import TrueTypeFont  # noqa: PLC0415 (0.3 s: only who draws pays for it)
+    # 0.3 s: only who draws pays for it
+    from ezdxf.fonts import fonts  # noqa: PLC0415
 
-    return TrueTypeFont(file, 1.0)
+    # What the library remembers of this machine may be older than a font; it would take another.
+    if not fonts.font_manager.has_font(file):
+        fonts.build_system_font_cache()
+    return fonts.TrueTypeFont(file, 1.0)
 
 
 @lru_cache(maxsize=1)

@@ -24,6 +24,7 @@ from gripcourse.drawing.view.cut_faces import Cut
 _FAR = 1e5  # mm, beyond anything drawn
 _NEAR = 1e-3
 _SMALLEST = 1e-2  # mm²
+_SLIVER = 0.1  # height of what is left out at the rim, in reaches
 _BEYOND = 0.12  # how far axes reach beyond what they are axes of, in reaches
 _WAVE, _SWING = 6, 0.02  # chords and height of a line of break, in its lengths
 _HATCHES = ("right", "left")
@@ -62,7 +63,7 @@ def cut_through(view: View, scene: Scene, at: Point, reach: float) -> CutThrough
         _Slice(one.part, shapely.intersection(one.region, window), one.is_pin)
         for one in _uncovered(slices)
     ]
-    left = [one for one in left if shapely.area(one.region) > _SMALLEST]
+    left = [one for one in left if _is_shown(one, reach)]
     pins = [shapely.bounds(one.region) for one in left if one.is_pin]
     hatches = dict(zip([one.part for one in left if not one.is_pin], _leanings(left), strict=True))
     polygons = [(one, piece) for one in left for piece in _polygons(one.region)]
@@ -124,6 +125,15 @@ def _uncovered(slices: Sequence[_Slice]) -> Iterator[_Slice]:
     yield from reversed(found)
     for region in _polygons(pins):
         yield _Slice("", region, is_pin=True)
+
+
+def _is_shown(one: _Slice, reach: float) -> bool:
+    """Tell whether a face is more than a sliver at the rim of what is shown."""
+    if shapely.area(one.region) <= _SMALLEST:
+        return False
+    _, bottom, _, top = shapely.bounds(one.region)
+    at_rim = bottom < _NEAR - reach or reach - _NEAR < top
+    return bool(not at_rim or top - bottom > _SLIVER * reach)
 
 
 def _leanings(slices: Sequence[_Slice]) -> Iterator[str]:

@@ -122,7 +122,7 @@ def _enlarged(shown: Figure, at: Point, reach: float) -> Detail:
 
 
 def _axis(shown: Figure, at: Point, reach: float) -> Iterator[Line]:
-    """Yield the axis of the gripper where it runs through the place."""
+    """Yield the axis of the whole where it runs through the place."""
     if shown.upright and abs(at[0]) < reach:
         yield Line((-at[0], -reach), (-at[0], reach))
     if not shown.upright and abs(at[1]) < reach:

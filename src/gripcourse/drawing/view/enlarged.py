@@ -5,6 +5,7 @@ Millimetres of paper, round the middle of the detail (of the marks, round that o
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations, product
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import ARROW, LineKind
@@ -28,6 +29,7 @@ _AWAY, _STROKE = 1.0, 8.0  # of the marks of a plane, from the outline, and how 
 _ARROW_AT, _SHAFT = 6.0, 8.0
 _CLOSE = 2 * _SHAFT + 2 * LETTER  # planes whose arrows would run into one another
 _HALF_ARROW = ARROW / 6
+_CLEAR = 0.5  # of letters, from extension lines
 _ORIGIN = (0.0, 0.0)
 
 
@@ -164,21 +166,60 @@ class DetailMark:
         up, down = self.high + _AWAY, self.low - _AWAY
         return (Box(left, up, right, up + _STROKE), Box(left, down - _STROKE, right, down))
 
+    @property
+    def letters(self) -> tuple[Box, ...]:
+        """The boxes round the letters at both ends of a plane, the upper one first."""
+        if self.rim is not None:
+            return ()
+        near = self.x - self.towards * (_SHAFT + _AWAY)
+        far = near - self.towards * text_width(self.letter, LETTER)
+        left, right = sorted((near, far))
+        return tuple(
+            Box(left, level - LETTER / 2, right, level + LETTER / 2) for _, _, level in _ends(self)
+        )
+
 
 def marks_of(
-    details: Sequence[Detail], scale: float, bare: Box, words: Words
-) -> Iterator[DetailMark]:
-    """Yield the marks of details in a main view whose strokes fill a box.
+    details: Sequence[Detail],
+    scale: float,
+    bare: Box,
+    words: Words,
+    below: Sequence[float] = (),
+) -> tuple[DetailMark, ...]:
+    """Return the marks of details in a main view whose strokes fill a box.
 
     A plane that lies close behind another one is looked at from the other side, so that the arrows
-    have room.
+    have room; so is one by whose letter an extension line would run.
+
+    Args:
+        details: those on the sheet.
+        scale: millimetres of paper for a millimetre.
+        bare: the box.
+        words: of the reader.
+        below: where extension lines run down from the view.
     """
     planes = [one.at[0] * scale for one in details if one.is_section]
+    marks = []
     for number, one in enumerate(details):
         x, y = at_place(one.at, scale, _ORIGIN)
         rim = None if one.is_section else Arc((x, y), one.reach * scale)
         towards = -1 if any(0 <= x - other < _CLOSE for other in planes if other != x) else 1
-        yield DetailMark(letter_of(number, words), towards, rim, x, bare.bottom, bare.top)
+        letter = letter_of(number, words)
+        sides = (towards, -towards) if one.is_section else (towards,)
+        marks.append([DetailMark(letter, side, rim, x, bare.bottom, bare.top) for side in sides])
+    return min(product(*marks), key=lambda chosen: _in_the_way(chosen, below))
+
+
+def _in_the_way(marks: Sequence[DetailMark], below: Sequence[float]) -> tuple[int, int]:
+    """Return how many marks overlap, and how many extension lines run through letters."""
+    overlaps = sum(
+        one.overlaps(other)
+        for first, second in combinations(marks, 2)
+        for one, other in product(first.boxes, second.boxes)
+    )
+    lower = [box for mark in marks for box in mark.letters[1:]]
+    through = sum(box.left - _CLEAR < x < box.right + _CLEAR for box in lower for x in below)
+    return overlaps, through
 
 
 def draw_mark(layout: "Modelspace", mark: DetailMark, at: Point) -> None:

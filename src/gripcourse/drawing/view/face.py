@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from gripcourse.course.view import Face
+from gripcourse.course.view import Face, Side
 from gripcourse.drawing.paper.document import TEXT_HEIGHT, LineKind
 from gripcourse.drawing.paper.strokes import Box, Line, at_place, placed
 from gripcourse.drawing.paper.text import Point
@@ -79,15 +79,17 @@ def face_layout(
         outline = outline.joined(Box(*axis.start, *axis.end))
     wanted = [_wanted(one, scale, words) for one in shown.measured if one.declared.face is face]
     wanted += [_for_reference(one, scale, words) for one in shown.overall if one.face is face]
-    marks = tuple(marks_of(details if face is Face.MAIN else (), scale, bare, words))
+    down = [x for one in wanted if one.side is Side.BELOW for x, _ in (one.start, one.end)]
+    marks = marks_of(details if face is Face.MAIN else (), scale, bare, words, down)
     dimensions = place(wanted, _with_marks(bare, marks))
     taken = [box for mark in marks for box in mark.boxes]
-    numbers = [*(one.text_box for one in dimensions), *taken]
+    numbers = [one.text_box for one in dimensions]
+    numbers += [box for mark in marks for box in mark.letters]
     below = outline
     for box in (*(one.box for one in dimensions), *taken):
         below = below.joined(box)
     notes = [*_notes(shown, face, scale, words), *(one.note for one in marks if one.note)]
-    leaders = place_leaders(notes, below, numbers)
+    leaders = place_leaders(notes, below, numbers, taken)
     return FaceLayout(outline, axes, tuple(dimensions), tuple(leaders), marks)
 
 

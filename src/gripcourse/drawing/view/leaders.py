@@ -3,7 +3,7 @@
 Lengths are millimetres of paper, in the coordinates of the face.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -22,6 +22,7 @@ _AWAY = 6.0  # along x, from the part to its shelf where there is room
 _OVER = 1.0  # the words over their shelf
 _DOT = 0.6  # radius of the end of a leader
 _SHIFTS = (0.0, *(side * step for step in range(3, 40, 3) for side in (1.0, -1.0)))
+_GAPS = 9  # of the shifts, that a gap in a row is as wide as
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,21 +62,40 @@ class Leader:
         return Box(self.left, self.level, self.left + self.note.width, top)
 
 
-def place_leaders(notes: Iterable[Note], below: Box, numbers: Sequence[Box] = ()) -> list[Leader]:
+def place_leaders(
+    notes: Iterable[Note], below: Box, numbers: Sequence[Box] = (), marks: Sequence[Box] = ()
+) -> list[Leader]:
     """Give each note a shelf in one row above a box, if possible no farther right than it.
 
     Args:
         notes: what is written.
         below: what the row stands above.
         numbers: what no leader line should run through.
+        marks: what none runs through if there is another way.
     """
     leaders = _uncrossed(notes, below)
-    moved = (_shifted(leaders, shift) for shift in _SHIFTS)
-    return next((one for one in moved if _is_clear(one, numbers)), leaders)
+    moved = [_shifted(leaders, shift) for shift in _SHIFTS]
+    every = [*numbers, *marks]
+    found = next((one for one in moved if _is_clear(one, every)), None)
+    if found is None:
+        ways = (*moved, *_opened(leaders))
+        found = next((one for one in ways if _is_clear(one, numbers)), leaders)
+    return found
 
 
 def _shifted(leaders: Sequence[Leader], shift: float) -> list[Leader]:
     return [Leader(one.note, one.left + shift, one.level) for one in leaders]
+
+
+def _opened(leaders: Sequence[Leader]) -> Iterator[list[Leader]]:
+    """Yield rows with a gap somewhere between two shelves."""
+    for shift in _SHIFTS[1:_GAPS]:
+        for place in range(1, len(leaders)):
+            first, rest = leaders[:place], leaders[place:]
+            if shift < 0:
+                yield [*_shifted(first, shift), *rest]
+            else:
+                yield [*first, *_shifted(rest, shift)]
 
 
 def _is_clear(leaders: Sequence[Leader], numbers: Sequence[Box]) -> bool:
