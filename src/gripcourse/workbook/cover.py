@@ -41,7 +41,9 @@ WIDTHS: Final = {
 }
 """Of the columns, in characters."""
 
-_ROW: Final = 15.5  # points, on the average
+_ROW: Final = 16.0  # points, on the average
+_LAST_COLUMN: Final = SheetColumn.VALUE  # nothing is checked: the narrower, the larger the print
+_DRAWN_TOGETHER: Final = 0.25  # of a page; the print is larger than a section's
 _TEXT_COLUMN: Final = SheetColumn.TITLE
 LOCKED: Final = {"select_locked_cells": True, "format_columns": True, "format_rows": True}
 """What a student may do with locked cells: look, copy, and change widths and heights."""
@@ -67,7 +69,7 @@ def write_cover(
     """
     cover = placed.cover
     sheet = book.add_worksheet(cover.name)
-    for column, width in WIDTHS.items():
+    for column, width in _widths().items():
         sheet.set_column(column, column, width)
     title = plan.course.title.of(words.language)
     sheet.set_row(COVER_TITLE, 26)
@@ -76,7 +78,9 @@ def write_cover(
     _write_guidance(sheet, cover, words, styles)
     _write_progress(sheet, placed, words, styles)
     _write_givens(book, sheet, cover, issued, words, styles)
-    set_page(sheet, title, issued.student.name, tall=pages_tall(_heights(cover)))
+    tall = pages_tall(_heights(cover), sum(_widths().values()), drawn_together=_DRAWN_TOGETHER)
+    sheet.repeat_rows(cover.given_header)
+    set_page(sheet, title, issued.student.name, tall=tall)
     sheet.protect("", LOCKED)
     sheet.activate()
 
@@ -88,6 +92,10 @@ def variant_text(issued: Issued, words: Words) -> str:
     said = message("{variant}, version {version}", variant=issued.variant.id,
                    version=issued.version)  # fmt: skip
     return words.say(said)
+
+
+def _widths() -> dict[SheetColumn, int]:
+    return {column: width for column, width in WIDTHS.items() if column <= _LAST_COLUMN}
 
 
 def _heights(cover: Cover) -> list[float]:
@@ -132,9 +140,9 @@ def _write_guidance(sheet: "Worksheet", cover: Cover, words: Words, styles: Styl
         row = cover.guidance + number
         sheet.write_string(row, 0, f"{number}.", styles.hint)
         text = words.say(sentence)
-        sheet.merge_range(row, SheetColumn.SYMBOL, row, SheetColumn.CHECK, "", styles.paragraph)
+        sheet.merge_range(row, SheetColumn.SYMBOL, row, _LAST_COLUMN, "", styles.paragraph)
         sheet.write_string(row, SheetColumn.SYMBOL, text, styles.paragraph)
-        width = sum(WIDTHS.values()) - WIDTHS[SheetColumn.NUMBER]
+        width = sum(_widths().values()) - WIDTHS[SheetColumn.NUMBER]
         sheet.set_row(row, row_height([(text, width)]))
 
 

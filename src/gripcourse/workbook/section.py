@@ -66,7 +66,7 @@ def write_section(
     sheet.repeat_rows(SECTION_HEADER)
     heights = _heights(section, words)
     title = course.title.of(words.language)
-    set_page(sheet, title, issued.student.name, tall=pages_tall(heights))
+    set_page(sheet, title, issued.student.name, tall=pages_tall(heights, sum(WIDTHS.values())))
     sheet.protect("", LOCKED)
 
 

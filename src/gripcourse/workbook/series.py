@@ -53,7 +53,7 @@ def write_series(
         sheet.write_string(row, 0, heading, styles.heading_line)
         sheet.set_row(row, row_height([(heading, _WIDTH * _COLUMNS)]))
         row = 1 + _write_table(sheet, row + 1, table, words, styles)
-    set_page(sheet, title, right, tall=pages_tall([_LINE] * row))
+    set_page(sheet, title, right, tall=pages_tall([_LINE] * row, _WIDTH * _COLUMNS))
     sheet.protect("", LOCKED)
 
 

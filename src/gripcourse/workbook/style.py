@@ -38,10 +38,9 @@ MOST_DECIMALS: Final = 12
 
 _LINE_HEIGHT: Final = 13.0  # points
 _PADDING: Final = 6.0
-_PAGE_HEIGHT: Final = (
-    1050.0  # points of rows on a page, as wide as the columns of a section make it
-)
-_DRAWN_TOGETHER: Final = 0.35  # of a page
+# Points of rows on a page for each character of its width: the wider, the smaller it is printed.
+_PAGE_HEIGHT: Final = 8.9
+_DRAWN_TOGETHER: Final = 0.15  # of a page, as wide as the columns of a section make it
 _WIDEST_LETTERS: Final = 0.9  # a letter of text beside the digits that columns are measured in
 
 RunKind: TypeAlias = Literal["italic", "upright", "sub"]
@@ -211,13 +210,20 @@ def row_height(texts: Iterable[tuple[str, float]]) -> float:
     return _LINE_HEIGHT * max(lines, 1) + _PADDING
 
 
-def pages_tall(heights: Iterable[float]) -> int:
-    """Return on how many pages rows of such heights, in points, are printed.
+def pages_tall(
+    heights: Iterable[float], width: float, *, drawn_together: float = _DRAWN_TOGETHER
+) -> int:
+    """Return on how many pages rows are printed.
 
     Rows that go a little beyond a page are drawn together into it: nobody wants the last three on
-    a page of their own.
+    a page of their own. More than a little would make the type too small to read.
+
+    Args:
+        heights: of the rows, in points.
+        width: of all columns, in characters.
+        drawn_together: what of a page is no reason for one more.
     """
-    return max(1, math.ceil(sum(heights) / _PAGE_HEIGHT - _DRAWN_TOGETHER))
+    return max(1, math.ceil(sum(heights) / (_PAGE_HEIGHT * width) - drawn_together))
 
 
 def set_page(
@@ -236,7 +242,7 @@ def set_page(
     if landscape:
         sheet.set_landscape()
     sheet.fit_to_pages(1, tall)
-    sheet.set_margins(left=0.6, right=0.6, top=0.8, bottom=0.7)
+    sheet.set_margins(left=0.4, right=0.4, top=0.8, bottom=0.7)
     half = _LONGEST_HEADER // 2
     sheet.set_header(f"&L{_header_text(left, half)}&R{_header_text(right, half)}")
     sheet.set_footer("&C&P / &N")
