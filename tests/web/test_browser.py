@@ -21,6 +21,7 @@ from urllib.error import URLError
 
 import pytest
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -137,7 +138,9 @@ def another_page(browser: "WebDriver") -> Iterator[None]:
     """Wait until what is pressed here has led to another page: a press itself waits for nothing."""
     before = browser.find_element(By.TAG_NAME, "html")
     yield
-    WebDriverWait(browser, SECONDS).until(staleness_of(before))
+    # Between two pages the browser may answer that an element is of neither: it is asked again.
+    waiting = WebDriverWait(browser, SECONDS, ignored_exceptions=[WebDriverException])
+    waiting.until(staleness_of(before))
 
 
 @pytest.mark.parametrize(
