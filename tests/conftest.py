@@ -40,6 +40,12 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Start one process more than there are processors: some tests wait for other programs."""
+    return (os.cpu_count() or 1) + 1
+
+
+@pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> ByFolder | None:
     """Give each process whole folders, where files were asked for."""
     return ByFolder(config, log) if config.getoption("dist") == "loadfile" else None
