@@ -40,9 +40,14 @@ def cut_faces(shapes: Sequence[Shown], face: Face) -> Iterator[Cut]:
             seen = shapely.Polygon(one.ring).buffer(0).difference(shapely.union_all(covers))
             for piece in shapely.get_parts(seen):
                 if piece.area > _SMALLEST:
-                    rings = (piece.exterior, *piece.interiors)
-                    yield Cut([_corners(ring) for ring in rings], one.hatch)
+                    yield cut_of(piece, one.hatch)
 
 
-def _corners(ring: shapely.LinearRing) -> list[Point]:
-    return [(float(x), float(y)) for x, y in ring.coords[:-1]]
+def cut_of(piece: shapely.Polygon, hatch: str) -> Cut:
+    """Return a polygon as a cut face."""
+    return Cut([corners_of(ring) for ring in (piece.exterior, *piece.interiors)], hatch)
+
+
+def corners_of(ring: shapely.Geometry) -> list[Point]:
+    """Return the corners of a ring, each once."""
+    return [(float(x), float(y)) for x, y in shapely.get_coordinates(ring)[:-1]]

@@ -19,7 +19,7 @@ from gripcourse.drawing.paper.strokes import Box, Line, Stroke
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.bodies import Piece, Scene, pieces_of
 from gripcourse.drawing.view.contents import Seen
-from gripcourse.drawing.view.cut_faces import Cut
+from gripcourse.drawing.view.cut_faces import Cut, corners_of, cut_of
 
 _FAR = 1e5  # mm, beyond anything drawn
 _NEAR = 1e-3
@@ -70,11 +70,7 @@ def cut_through(view: View, scene: Scene, at: Point, reach: float) -> CutThrough
     seen = [edge for _, piece in polygons for edge in _edges(piece, reach)]
     if seen:
         seen += [Seen(one, LineKind.CENTRE) for one in _axes(polygons, reach, has_pin=bool(pins))]
-    cuts = [
-        Cut([_corners(ring) for ring in (piece.exterior, *piece.interiors)], hatches[one.part])
-        for one, piece in polygons
-        if not one.is_pin
-    ]
+    cuts = [cut_of(piece, hatches[one.part]) for one, piece in polygons if not one.is_pin]
     return CutThrough(seen, cuts, Box(*map(float, pins[0])) if pins else None)
 
 
@@ -159,7 +155,7 @@ def _polygons(region: shapely.Geometry) -> list[shapely.Polygon]:
 def _edges(piece: shapely.Polygon, reach: float) -> Iterator[Seen]:
     """Yield the edges of a cut face; where the section is broken off, a line of break."""
     for ring in (piece.exterior, *piece.interiors):
-        corners = _corners(ring.simplify(_NEAR))
+        corners = corners_of(ring.simplify(_NEAR))
         for start, end in pairwise([*corners, corners[0]]):
             is_level = abs(end[1] - start[1]) < _NEAR
             if is_level and abs(abs(start[1]) - reach) < _NEAR:
@@ -190,7 +186,3 @@ def _axes(
     yield Line((0.0, bottom - beyond), (0.0, top + beyond))
     if has_pin:
         yield Line((left - beyond, 0.0), (right + beyond, 0.0))
-
-
-def _corners(ring: shapely.Geometry) -> list[Point]:
-    return [(float(x), float(y)) for x, y in shapely.get_coordinates(ring)[:-1]]

@@ -15,7 +15,7 @@ from gripcourse.drawing.paper.strokes import Arc, Box, Line, Stroke, box_of, cov
 from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.bodies import Scene
 from gripcourse.drawing.view.contents import Figure, Seen
-from gripcourse.drawing.view.cut_faces import Cut
+from gripcourse.drawing.view.cut_faces import Cut, cut_of
 from gripcourse.drawing.view.cut_through import CutThrough, cut_through
 from gripcourse.drawing.view.numbers import Numbers, numbers_at
 from gripcourse.solver.plan import Plan
@@ -144,11 +144,7 @@ def _cut_within(cut: Cut, at: Point, window: shapely.Polygon) -> Iterator[Cut]:
     seen = shapely.Polygon(rings[0], rings[1:]).buffer(0).intersection(window)
     for piece in shapely.get_parts(seen):
         if isinstance(piece, shapely.Polygon) and piece.area > _SMALLEST:
-            yield Cut([_corners(ring) for ring in (piece.exterior, *piece.interiors)], cut.hatch)
-
-
-def _corners(ring: shapely.LinearRing) -> list[Point]:
-    return [(float(x), float(y)) for x, y in ring.coords[:-1]]
+            yield cut_of(piece, cut.hatch)
 
 
 def _section(found: CutThrough, at: Point, reach: float) -> Detail:
