@@ -180,6 +180,6 @@ def test_the_same_drawing_is_the_same_bytes_in_every_process() -> None:
             capture_output=True,
             check=True,
         ).stdout
-        for seed in ("1", "2")
+        for seed in ("1", "4")  # sets of the library came in another order with these
     }
     assert len(digests) == 1

@@ -96,6 +96,9 @@ def new_document(language: str) -> "Drawing":
 
 def dxf_bytes(document: "Drawing") -> bytes:
     """Write a document as a DXF file that is the same in every run: no date, nothing random."""
+    # Else the library takes them from a set, in another order in every process.
+    for name in sorted(document.entitydb.dxf_types_in_use()):
+        document.classes.add_class(name)
     stream = StringIO()
     document.write(stream)
     text = _DATES.sub(rf"\g<1>{_NO_DATE}", stream.getvalue())
