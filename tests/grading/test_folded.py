@@ -1,15 +1,19 @@
 """A folded report says what it said, in a fraction of the room."""
 
+import json
 import pickle
 from dataclasses import replace
 from pathlib import Path
 
 from gripcourse.course.model import Course
+from gripcourse.exports.report_json import findings_json, report_json
+from gripcourse.exports.report_result import report_result
 from gripcourse.grading.folded import Folded, Shelf, digest_of_report, folded
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
 from gripcourse.simulation.mix import load_mix
+from gripcourse.text.words import LANGUAGES, Words
 
 
 def test_nothing_is_lost_and_little_is_kept(course: Course, policy: Policy) -> None:
@@ -39,3 +43,29 @@ def test_without_room_for_a_file_findings_stay_in_memory(course: Course, policy:
     report = judge_one(next(iter(room.behaviours)), room).report
     with Path("/dev/full").open("r+b", buffering=0) as full:
         assert [Shelf(file).put(report) for file in (None, full)] == [report, report]
+
+
+def test_what_was_said_of_findings_is_found_in_its_language(course: Course, policy: Policy) -> None:
+    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
+    report = judge_one(next(iter(room.behaviours)), room).report
+    small = folded(report, "ru", lambda found, language: f"{len(found)} {language}")
+    on_shelf = Shelf().put(small)
+    travelled = pickle.loads(pickle.dumps(on_shelf))  # noqa: S301 (ours)
+    for one in (small, on_shelf, travelled):
+        assert isinstance(one.findings, Folded)
+        assert one == report
+        assert one.findings.said_in("ru") == f"{len(report.findings)} ru"
+        assert one.findings.said_in("en") is None
+
+
+def test_a_report_is_the_same_line_of_json_whoever_said_its_findings(
+    course: Course, policy: Policy
+) -> None:
+    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
+    report = judge_one(next(iter(room.behaviours)), room).report
+    small = Shelf().put(folded(report, course.language, findings_json))
+    for language in LANGUAGES:
+        words = Words(language)
+        line = report_json(small, words, policy.scales)
+        assert line == report_json(report, words, policy.scales)
+        assert json.loads(line) == report_result(report, words, policy.scales).to_dict()

@@ -12,7 +12,7 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.batch.second_look import made_by_office, needing, needs_second_look
-from gripcourse.grading.folded import Shelf, folded
+from gripcourse.grading.folded import SayFindings, Shelf, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
@@ -51,10 +51,11 @@ class Graded:
 
 @dataclass(frozen=True, slots=True)
 class _Job:
-    """What is done with every file."""
+    """What is done with every file; see `grade_files`."""
 
     context: GradingContext
     grade_one: GradeOne
+    say: SayFindings | None
 
 
 def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
@@ -67,6 +68,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     seconds: float = SECONDS_PER_FILE,
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
+    say: SayFindings | None = None,
 ) -> tuple[Graded, ...]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -82,13 +84,16 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         kept: what is known of single files from an earlier run, where every new report is kept as
             it comes; None for neither.
         pool: kind of workers.
+        say: puts findings into words in the course's language where they are made, for who wants
+            them so later; it must be found by its name in another process.
     """
     shelf = Shelf(register=context.register)
     known = {} if kept is None else kept.of(files, shelf)
     for number in known:
         on_done(files[number])
     left = [number for number in range(len(files)) if number not in known]
-    new = _alone([files[number] for number in left], _Job(context, grade_one), workers, on_done,
+    job = _Job(context, grade_one, say)
+    new = _alone([files[number] for number in left], job, workers, on_done,
                  seconds, kept, pool, shelf)  # fmt: skip
     reports = {**known, **dict(zip(left, new, strict=True))}
     graded = (
@@ -235,7 +240,7 @@ def incident_number(trace: str) -> str:
 
 def _grade(file: Readable, job: _Job) -> Report:
     # Folded where it was made: it travels as bytes, and who waits for all has less to do.
-    return folded(job.grade_one(file, job.context))
+    return folded(job.grade_one(file, job.context), job.context.course.language, job.say)
 
 
 def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:

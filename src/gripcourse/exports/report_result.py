@@ -257,7 +257,7 @@ def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) ->
         causes=tuple(
             CauseResult(one.quantity, one.explains, words.say(one.message)) for one in report.causes
         ),
-        findings=tuple(_finding_result(one, words) for one in report.findings),
+        findings=tuple(finding_result(one, words) for one in report.findings),
         digest=report.digest,
         known_by=report.known_by,
         earned=_points(report.earned) if report.judged else None,
@@ -283,7 +283,8 @@ def _flag_result(flag: Flag, words: Words) -> FlagResult:
     return FlagResult(flag.code, said, flag.others, flag.rests_on, in_languages)
 
 
-def _finding_result(finding: Finding, words: Words) -> FindingResult:
+def finding_result(finding: Finding, words: Words) -> FindingResult:
+    """Put a finding into words for another program."""
     return FindingResult(
         quantity=finding.quantity,
         section=finding.section,

@@ -11,13 +11,16 @@ import sys
 import tempfile
 import weakref
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from threading import Lock
-from typing import IO, TypeVar
+from typing import IO, TypeAlias, TypeVar
 
 from gripcourse.grading.model import Finding, Report
 from gripcourse.variants.model import Issued
+
+SayFindings: TypeAlias = Callable[[Collection[Finding], str], str]
+"""Puts findings into words of a language, as another program reads them."""
 
 _Value = TypeVar("_Value")
 
@@ -57,10 +60,12 @@ class Shelf:
         findings = report.findings
         if not isinstance(findings, Folded) or isinstance(findings.held, _Place):
             return report
-        place = self._put(findings.held)
+        place, said = self._put(findings.held), findings.said
+        if isinstance(said, bytes) and said:
+            said = self._put(said) or said
         if place is None:
             return report
-        return replace(report, findings=Folded(place, findings.count))
+        return replace(report, findings=replace(findings, held=place, said=said))
 
     def read(self, start: int, size: int) -> bytes:
         """Return what lies at a place.
@@ -102,20 +107,28 @@ class Folded:
     Attributes:
         held: bytes of this process or one of its workers, and of nobody else; or where they lie.
         count: how many findings they are.
+        said: the same, packed, in words for another program; empty where nobody has said them.
+        language: of these words.
     """
 
     held: bytes | _Place
     count: int
+    said: bytes | _Place = b""
+    language: str = ""
 
     @property
     def packed(self) -> bytes:
         """The bytes, wherever they are."""
-        held = self.held
-        return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
+        return _fetched(self.held)
 
-    def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int]]:
+    def said_in(self, language: str) -> str | None:
+        """Return the findings in words of a language; None where they are not at hand."""
+        packed = _fetched(self.said) if language == self.language else b""
+        return zlib.decompress(packed).decode() if packed else None
+
+    def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int, bytes, str]]:
         # Another process has no part in the shelf.
-        return Folded, (self.packed, self.count)
+        return Folded, (self.packed, self.count, _fetched(self.said), self.language)
 
     def __len__(self) -> int:
         return self.count
@@ -141,12 +154,24 @@ class Folded:
         return repr(tuple(self))
 
 
-def folded(report: Report) -> Report:
-    """Return a report that says the same and takes little room."""
+def _fetched(held: bytes | _Place) -> bytes:
+    return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
+
+
+def folded(report: Report, language: str = "", say: SayFindings | None = None) -> Report:
+    """Return a report that says the same and takes little room.
+
+    Args:
+        report: to fold.
+        language: in which its findings are to be said, too.
+        say: says them; None for nobody.
+    """
     if isinstance(report.findings, Folded) or not report.findings:
         return report
     findings = tuple(report.findings)
-    return replace(report, findings=Folded(zlib.compress(pickle.dumps(findings), 1), len(findings)))
+    said = b"" if say is None else zlib.compress(say(findings, language).encode(), 1)
+    packed = zlib.compress(pickle.dumps(findings), 1)
+    return replace(report, findings=Folded(packed, len(findings), said, language))
 
 
 def digest_of_report(report: Report) -> str:

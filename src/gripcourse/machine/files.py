@@ -18,13 +18,15 @@ _PRIVATE_FOLDER = 0o700
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
 
 
-def write_bytes(path: Path, data: bytes, *, private: bool = False) -> None:
+def write_bytes(path: Path, data: bytes, *, private: bool = False, lasting: bool = True) -> None:
     """Write a file in one step, with the folders above it where they are missing.
 
     Args:
         path: the file to make or to replace.
         data: its whole content.
         private: whether only its owner may read it, for example the key of the signatures.
+        lasting: whether to wait until the disk has it, so that a machine that loses its power has
+            the one or the other whole.
 
     Raises:
         OSError: the folder cannot be written; the old file is untouched.
@@ -33,8 +35,9 @@ def write_bytes(path: Path, data: bytes, *, private: bool = False) -> None:
         handle = os.open(temporary, _NEW, _PRIVATE if private else _PUBLIC)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
-            stream.flush()
-            os.fsync(stream.fileno())
+            if lasting:
+                stream.flush()
+                os.fsync(stream.fileno())
 
 
 def write_text(path: Path, text: str, *, private: bool = False) -> None:

@@ -64,7 +64,8 @@ def write_value(path: Path, value: object) -> None:
         OSError: it cannot be written.
     """
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    write_bytes(path, pickle.dumps(value), private=True)
+    # What a machine loses with its power counts as not kept.
+    write_bytes(path, pickle.dumps(value), private=True, lasting=False)
 
 
 def keep(digest: str, value: object) -> None:

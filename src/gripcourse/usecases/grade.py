@@ -8,6 +8,7 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import shares
+from gripcourse.exports.report_json import findings_json
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
@@ -76,7 +77,8 @@ def grade(
 ) -> tuple[Graded, ...]:
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
-    return grade_files(files, context, min(workers, len(files)), on_done, kept=kept, pool=pool)
+    count = min(workers, len(files))
+    return grade_files(files, context, count, on_done, kept=kept, pool=pool, say=findings_json)
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
