@@ -118,7 +118,7 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
     jobs = run_each(
         _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
     )
-    keeping = _Keeping(job.context, workers, kept, shelf)
+    keeping = _Remembering(job.context, workers, kept, shelf)
     alone = in_order(_kept(jobs, files, keeping), done)
     reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
     pairs = enumerate(reports)
@@ -128,7 +128,7 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
 
 
 @dataclass(frozen=True, slots=True)
-class _Keeping:
+class _Remembering:
     """What decides over what is kept of a report, and where; see `grade_files`."""
 
     context: GradingContext
@@ -138,7 +138,7 @@ class _Keeping:
 
 
 def _kept(
-    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], keeping: _Keeping
+    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], keeping: _Remembering
 ) -> Iterator[tuple[int, Report | Lost]]:
     """Keep what was found out of files; what failed or needs a second look is tried again."""
     for number, report in jobs:
