@@ -519,7 +519,7 @@ def test_a_regrade_from_showing_to_undoing(gripcourse: Command, term: Term, tmp_
     shown = gripcourse("regrade", *files)
     assert shown.code == cli.NEEDS_PERSON
     assert all(
-        one in shown.out for one in ("s01", "the policy", "kinematic_diagram", "1 unchanged")
+        one in shown.out for one in ("s01", "the policy", "(kinematic_diagram): ", "1 unchanged")
     )
     assert "kinematic_diagram" not in gripcourse("regrade", *files, "--only", "raised").out
 

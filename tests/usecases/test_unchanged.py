@@ -27,6 +27,7 @@ from gripcourse.gradebook.store import open_gradebook
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Decision, Flag, FlagCode, Outcome, Report, Timing
 from gripcourse.grading.path_pattern import path_pattern
+from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 from gripcourse.policy.load import load_policy
 from gripcourse.text.words import message
 from gripcourse.usecases.as_before import Beginning, GradingAsked, SaidAtEnd, beginning
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
 
 GRADED_ON: Final = date(2026, 12, 2)
 NOW: Final = datetime(2026, 12, 9, 9, tzinfo=UTC)
+LATER: Final = datetime(2026, 12, 10, 9, tzinfo=UTC)
 WORKS: Final = Path("works")
 SAID: Final = SaidAtEnd("belts", "two works", "", needs_person=False)
 HERE = Path(__file__).parent
@@ -64,7 +66,13 @@ class Desk:
     fake: ModuleType
 
     def grade(
-        self, *, out: str = "out", day: date | None = None, afresh: bool = False, **changes: object
+        self,
+        *,
+        out: str = "out",
+        day: date | None = None,
+        afresh: bool = False,
+        now: datetime = NOW,
+        **changes: object,
     ) -> GradingOutcome:
         context = replace(grading_of(self.course, load_policy(self.course)), **changes)  # type: ignore[arg-type]
         folder = Path(out)
@@ -74,7 +82,7 @@ class Desk:
         files = collect([WORKS]).files
         graded = grade(files, context, 0, lambda _: None, earlier)
         times = handed_in_times((), files, ZoneInfo("Europe/Kyiv"))
-        graded = keep(graded, context, self.gradebook, NOW, times)
+        graded = keep(graded, context, self.gradebook, now, times)
         outcome = write_results(
             graded,
             context,
@@ -85,8 +93,8 @@ class Desk:
             lay_out=self.fake.page,
             earlier=earlier,
         )
-        if is_settled(graded, context, folder):
-            begun.keep(SAID, [one.report.digest for one in graded], NOW)
+        if is_settled(graded, context, folder, 0):
+            begun.keep(SAID, [one.report.digest for one in graded], now)
         return outcome
 
     def begun(self, out: str = "out", *options: object) -> Beginning:
@@ -303,6 +311,58 @@ def test_what_somebody_else_decides_meanwhile_is_not_passed_over_next_time(desk:
     assert desk.begun().said_before() is None
     desk.begun().keep(SAID, [one.hexdigest() for one in digests], datetime.now(UTC))
     assert desk.begun().said_before() == SAID
+
+
+def test_files_that_were_refused_for_their_content_are_not_looked_at_again(desk: Desk) -> None:
+    (WORKS / "s03.xlsx").write_bytes(b"%PDF-1.7 a scan")
+    (WORKS / "s04.xlsx").write_bytes(b"")
+    (WORKS / "s05.xls").write_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(9))
+    first = desk.grade(now=LATER)
+    assert [one.refusal for one in first.reports] == ["", "", "pdf", "empty", "xls"]
+    assert desk.begun().said_before() == SAID
+    assert desk.grade().taken_over.results == 5
+    (WORKS / "s04.xlsx").write_bytes(b"%PDF-1.7 another")
+    assert desk.begun().said_before() is None
+    assert desk.grade().taken_over.results == 4
+    desk.grade(out="anew")
+    assert made("out") == made("anew")
+
+
+def test_a_file_larger_than_any_workbook_is_refused_unread_and_remembered(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = WORKS / "s03.xlsx"
+    path.touch()
+    os.truncate(path, LARGEST_FILE + 1)
+    monkeypatch.setattr(Path, "read_bytes", fail_for(path, Path.read_bytes))
+    assert desk.grade(now=LATER).reports[2].refusal == "too_large"
+    assert desk.begun().said_before() == SAID
+    assert desk.grade().taken_over == TakenOver(3, 3)
+
+
+def fail_for(path: Path, read: Callable[[Path], bytes]) -> Callable[[Path], bytes]:
+    """Read every file but one, which must not be read as a whole."""
+
+    def read_or_fail(one: Path) -> bytes:
+        assert one != path
+        return read(one)
+
+    return read_or_fail
+
+
+def test_a_file_that_this_machine_could_not_read_is_looked_at_again(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def without_room(*_: object) -> None:
+        raise MemoryError
+
+    (WORKS / "s03.xlsx").write_bytes((WORKS / "s02.xlsx").read_bytes())
+    with monkeypatch.context() as patch:
+        patch.setattr("gripcourse.submission.read.read_checked", without_room)
+        refusals = [one.refusal for one in desk.grade(now=LATER).reports]
+        assert refusals == ["", "", "too_costly"]
+    assert desk.begun().said_before() is None
+    assert [one.refusal for one in desk.grade().reports] == ["", "", ""]
 
 
 def test_a_damaged_result_is_found_out_again(desk: Desk) -> None:

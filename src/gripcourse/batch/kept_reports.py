@@ -11,7 +11,6 @@ from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.kept import read_value, write_value
-from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 
 _COMPARED = "compared.kept"
 
@@ -70,7 +69,7 @@ class KeptReports:
     def _find(self, file: Readable) -> Report | None:
         if not self.folder.is_dir():
             return None
-        digest = digest_of_content(file, LARGEST_FILE)
+        digest = digest_of_content(file)
         found = read_value(self._path(file, digest)) if digest else None
         return found if isinstance(found, Report) and found.digest == digest else None
 

@@ -20,6 +20,7 @@ from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import NamedBytes, Readable, in_memory, shown_name
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
+from gripcourse.machine.spreadsheet.refusals import OF_THE_MACHINE
 from gripcourse.text.shown import shown
 
 _log = logging.getLogger(__name__)
@@ -122,40 +123,53 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
     jobs = run_each(
         _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
     )
-    recalculate = job.context.recalculate
-    alone = in_order(_keeping(jobs, files, kept, shelf, recalculate=recalculate), done)
+    keeping = _Remembering(job.context, workers, kept, shelf)
+    alone = in_order(_kept(jobs, files, keeping), done)
     reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)
     pairs = enumerate(reports)
     again = ((number, report) for number, report in pairs if report is not alone[number])
-    held = dict(_keeping(again, files, kept, shelf, recalculate=recalculate))
+    held = dict(_kept(again, files, keeping))
     return [held.get(number, report) for number, report in enumerate(reports)]
 
 
-def _keeping(
-    jobs: Iterable[tuple[int, Report | Lost]],
-    files: Sequence[Readable],
-    kept: KeptReports | None,
-    shelf: Shelf,
-    *,
-    recalculate: bool,
+@dataclass(frozen=True, slots=True)
+class _Remembering:
+    """What decides over what is kept of a report, and where; see `grade_files`."""
+
+    context: GradingContext
+    workers: int
+    kept: KeptReports | None
+    shelf: Shelf
+
+
+def _kept(
+    jobs: Iterable[tuple[int, Report | Lost]], files: Sequence[Readable], keeping: _Remembering
 ) -> Iterator[tuple[int, Report | Lost]]:
     """Keep what was found out of files; what failed or needs a second look is tried again."""
     for number, report in jobs:
         if isinstance(report, Lost):
             yield number, report
             continue
-        if kept is not None and is_found_out(report, recalculate=recalculate):
-            kept.keep(files[number], report)
-        yield number, shelf.put(report)
+        if keeping.kept is not None and is_found_out(report, keeping.context, keeping.workers):
+            keeping.kept.keep(files[number], report)
+        yield number, keeping.shelf.put(report)
 
 
-def is_found_out(report: Report, *, recalculate: bool) -> bool:
+def is_found_out(report: Report, context: GradingContext, workers: int) -> bool:
     """Tell whether all is known of a file: the same bytes need not be looked at again.
 
-    A file that could not be read is looked at again each time: the machine may be to blame.
+    What is refused for its content stays refused. Where the machine may be to blame, or LibreOffice
+    could make more of a file than it did, the file is looked at again each time.
+
+    Args:
+        report: of the file.
+        context: that it was graded with.
+        workers: how many processes grade; without any no other program is asked.
     """
-    is_whole = not needs_second_look(report, recalculate=recalculate)
-    return bool(report.digest) and not report.refusal and is_whole
+    if not report.digest or report.refusal in OF_THE_MACHINE:
+        return False
+    asked = context.office is not None and workers > 0
+    return not (asked and needs_second_look(report, recalculate=context.recalculate))
 
 
 def _in_memory(file: Readable) -> NamedBytes:

@@ -104,7 +104,7 @@ def regrade(  # noqa: PLR0913 (one parameter per option)
         found = command.regrade(files, context, place, workers, now, lambda _: tick(), kept=kept)
     if found.incidents:
         cli_text.write_incident("\n".join(found.incidents))
-    typer.echo(regrade_text.regrade_text(found, direction, words))
+    typer.echo(regrade_text.regrade_text(found, direction, context, words))
     if apply:
         signed = Signed(by or getpass.getuser(), now, why)
         done = command.apply_regrade(found, place, signed, allow_lower=allow_lower)

@@ -13,6 +13,7 @@ from gripcourse.text.words import Message, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from gripcourse.batch.one_file import GradingContext
     from gripcourse.gradebook.journal import Published, Regrade
     from gripcourse.gradebook.model import Attempt, Result
     from gripcourse.gradebook.regrade import Shift, WorkChange
@@ -48,17 +49,26 @@ def chosen_direction(written: str | None) -> "Shift | None":
     raise misuse(what, did_you_mean(written, list(Shift)))
 
 
-def regrade_text(found: "Regrading", only: "Shift | None", words: Words) -> str:
-    """Return old and new points of each work, what changed about each item, and the counts."""
+def regrade_text(
+    found: "Regrading", only: "Shift | None", context: "GradingContext", words: Words
+) -> str:
+    """Return old and new points of each work, what changed about each item, and the counts.
+
+    Args:
+        found: what a regrade comes to.
+        only: which works are shown; None for all that change.
+        context: the course and its register, which know names and titles.
+        words: of the reader.
+    """
     from gripcourse.gradebook.regrade import Shift
 
     asked = found.to_apply if only is None else found.going(only)
     lines = []
     if asked:
         heads = [words.say(one) for one in _HEADS]
-        rows = [_row(one, words) for one in asked]
+        rows = [_row(one, context, words) for one in asked]
         lines.append(table_text(heads, rows, right={2, 3}))
-    lines += [line for one in asked for line in _items(one, words)]
+    lines += [line for one in asked for line in _items(one, context, words)]
     counts = {one: len(found.going(one)) for one in Shift}
     lines.append(
         words.say(
@@ -70,7 +80,7 @@ def regrade_text(found: "Regrading", only: "Shift | None", words: Words) -> str:
             )
         )
     )
-    lines += _left_out(found, words)
+    lines += _left_out(found, context, words)
     return "\n".join(lines)
 
 
@@ -115,10 +125,10 @@ def history_text(events: Sequence["Event"], words: Words) -> str:
     return "\n".join(lines)
 
 
-def _row(one: "WorkChange", words: Words) -> tuple[str, ...]:
+def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[str, ...]:
     changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
     return (
-        one.work.student,
+        _called(one.work.student, context),
         shown(Path(one.work.attempt.file).name),
         words.number(one.before.score, 4),
         words.number(one.after.score, 4),
@@ -126,16 +136,31 @@ def _row(one: "WorkChange", words: Words) -> tuple[str, ...]:
     )
 
 
-def _items(change: "WorkChange", words: Words) -> Iterator[str]:
+def _items(change: "WorkChange", context: "GradingContext", words: Words) -> Iterator[str]:
+    from gripcourse.usecases.called import title_of
+
+    student = change.work.student
     for one in change.items:
+        title = title_of(student, one.quantity, context)
         said = message(
             "{student}, {item}: {before} → {after}.",
-            student=change.work.student,
-            item=one.quantity,
+            student=_called(student, context),
+            item=_with_id("" if title is None else title.of(words.language), one.quantity),
             before=_result(one.before),
             after=_result(one.after),
         )
         yield words.say(said)
+
+
+def _called(student: str, context: "GradingContext") -> str:
+    from gripcourse.usecases.called import name_of
+
+    return _with_id(name_of(student, context), student)
+
+
+def _with_id(said: str, id_: str) -> str:
+    """Put an id, which commands ask for, behind what people say; alone where they say nothing."""
+    return f"{said} ({id_})" if said and said != id_ else id_
 
 
 def _result(result: "Result | None") -> Message:
@@ -149,11 +174,11 @@ def _result(result: "Result | None") -> Message:
     )
 
 
-def _left_out(found: "Regrading", words: Words) -> Iterator[str]:
+def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> Iterator[str]:
     kinds = (
         (
             message("Cannot be judged any more; what was graded stands: {names}."),
-            [one.work.student for one in found.lost],
+            [_called(one.work.student, context) for one in found.lost],
         ),
         (
             message("The gradebook does not know these files; grade them first: {names}."),
@@ -165,7 +190,10 @@ def _left_out(found: "Regrading", words: Words) -> Iterator[str]:
         ),
         (
             message("Graded before and not among these files: {names}."),
-            [f"{one.student} ({shown(Path(one.attempt.file).name)})" for one in found.missing],
+            [
+                f"{_called(one.student, context)}: {shown(Path(one.attempt.file).name)}"
+                for one in found.missing
+            ],
         ),
     )
     for said, names in kinds:

@@ -83,25 +83,27 @@ def in_memory(source: Readable, most: int) -> NamedBytes:
         OSError: there is no such file, it may not be read, is damaged inside its zip, or too large.
     """
     name = shown_name(source)
-    if isinstance(source, Path) and source.stat().st_size > most:
+    if is_larger(source, most):
         raise OSError(errno.EFBIG, os.strerror(errno.EFBIG), name)
     return NamedBytes(name, content_of(source))
 
 
-def digest_of_content(source: Readable, most: int) -> str:
-    """Return the SHA-256 of the content, hexadecimal.
+def is_larger(source: Readable, most: int) -> bool:
+    """Tell whether a file on the disk has more bytes, without reading it.
 
-    Args:
-        source: the file.
-        most: bytes; larger ones are not read.
+    Raises:
+        OSError: there is no such file.
+    """
+    return isinstance(source, Path) and source.stat().st_size > most
 
-    Returns:
-        The digest; empty for a file that is gone, cannot be read or is too large.
+
+def digest_of_content(source: Readable) -> str:
+    """Return the SHA-256 of the content, hexadecimal; empty for a file that cannot be read.
+
+    A file on the disk is read piece by piece, however large it is.
     """
     try:
         if isinstance(source, Path):
-            if source.stat().st_size > most:
-                return ""
             with source.open("rb") as stream:
                 return hashlib.file_digest(stream, "sha256").hexdigest()
         return hashlib.sha256(content_of(source)).hexdigest()

@@ -14,7 +14,14 @@ from dataclasses import dataclass
 from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
-from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
+from gripcourse.machine.content import (
+    Readable,
+    content_of,
+    digest_of_content,
+    is_larger,
+    pure_path,
+    shown_name,
+)
 from gripcourse.machine.spreadsheet.addresses import Place, address, place_of
 from gripcourse.machine.spreadsheet.cell_value import (
     GENERAL,
@@ -25,7 +32,7 @@ from gripcourse.machine.spreadsheet.cell_value import (
     text_index,
 )
 from gripcourse.machine.spreadsheet.package import Package
-from gripcourse.machine.spreadsheet.preflight import read_checked
+from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE, read_checked
 from gripcourse.machine.spreadsheet.sheet_cells import (
     EMPTY,
     StoredCell,
@@ -46,7 +53,8 @@ _MOST_NAMES: Final = 10_000  # of ours
 
 _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
     ((zipfile.BadZipFile, zlib.error, EOFError), WhyRefused.DAMAGED),
-    ((MemoryError, OverflowError, RecursionError), WhyRefused.TOO_LARGE),
+    ((OverflowError, RecursionError), WhyRefused.TOO_LARGE),
+    ((MemoryError,), WhyRefused.TOO_COSTLY),
     ((KeyError,), WhyRefused.PART_MISSING),
 )
 
@@ -83,13 +91,20 @@ def read_workbook(source: Readable) -> RawWorkbook | Rejected:
 
     Raises:
         OSError: there is no such file, or it may not be read.
+        ImportError: this program cannot be read as a whole.
     """
-    data, file = content_of(source), shown_name(source)
+    file = shown_name(source)
+    if is_larger(source, LARGEST_FILE):
+        # Whoever packed it has no claim on this machine's memory.
+        return Rejected.because(file, digest_of_content(source), WhyRefused.TOO_LARGE)
+    data = content_of(source)
     digest = hashlib.sha256(data).hexdigest()
     try:
         read = read_checked(
             pure_path(source).name, data, lambda package: _read(package, file, digest)
         )
+    except (OSError, ImportError):  # bytes in memory make nothing raise these
+        raise
     except Exception as fault:  # noqa: BLE001 (whatever the bytes make a library raise)
         read = _fault_of(fault)
     return read if isinstance(read, RawWorkbook) else Rejected.because(file, digest, read)

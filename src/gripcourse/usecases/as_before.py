@@ -20,13 +20,11 @@ from gripcourse.issuing.signature import key_path
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_text
-from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 from gripcourse.usecases.collect import Collected
 from gripcourse.usecases.versions import EARLIER, digest_of_texts, versions_of
 
 _SAID: Final = "said.json"
 _REPORTS: Final = "reports"
-_ANY_SIZE: Final = 1 << 62  # bytes
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +127,7 @@ def beginning(asked: GradingAsked) -> Beginning:
     around = [
         repr((asked.place, asked.options, asked.found.passed_over)),
         *map(_named_with_time, asked.found.files),
-        *(digest_of_content(path_of(asked.root), _ANY_SIZE) for path_of in people),
+        *(digest_of_content(path_of(asked.root)) for path_of in people),
         *map(str, sorted((asked.root / "private").glob("declarations/*.zip"))),
     ]
     now = datetime.now(UTC)
@@ -148,7 +146,7 @@ def _named_with_time(file: Readable) -> str:
 
 
 def _digests(asked: GradingAsked) -> list[str]:
-    return [digest_of_content(one, LARGEST_FILE) for one in asked.found.files]
+    return [digest_of_content(one) for one in asked.found.files]
 
 
 def _results(out: Path) -> str:
@@ -156,7 +154,7 @@ def _results(out: Path) -> str:
     files = sorted(
         one for folder in (out, out / _REPORTS) for one in folder.glob("*") if one.is_file()
     )
-    told = (repr((str(one.relative_to(out)), digest_of_content(one, _ANY_SIZE))) for one in files)
+    told = (repr((str(one.relative_to(out)), digest_of_content(one))) for one in files)
     return digest_of_texts(told)
 
 

@@ -18,6 +18,7 @@ from gripcourse.machine.files import (
     write_bytes,
     write_text,
 )
+from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.text.words import message
 from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, renew_tables
 from gripcourse.usecases.collect import PassedOver
@@ -168,19 +169,25 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     )
 
 
-def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path) -> bool:
+def is_settled(graded: Sequence[Graded], context: GradingContext, out: Path, workers: int) -> bool:
     """Tell whether the next run need not look at any file or report again while nothing changes.
 
-    What could not be read, and what failed on our side, may be the machine's fault of that day.
+    What was gone, and what failed on our side, may be the machine's fault of that day.
 
     Args:
         graded: the batch.
         context: that it was graded with.
         out: folder of its results, written.
+        workers: how many processes graded it.
     """
-    recalculate = context.recalculate
-    whole = all(is_found_out(one.report, recalculate=recalculate) for one in graded)
+    whole = all(_is_settled(one.report, context, workers) for one in graded)
     return whole and not (out / INCIDENTS).exists()
+
+
+def _is_settled(report: Report, context: GradingContext, workers: int) -> bool:
+    """Tell whether all is known of a file; one that is damaged inside its zip has no bytes."""
+    damaged = not report.digest and report.refusal == WhyRefused.DAMAGED
+    return damaged or is_found_out(report, context, workers)
 
 
 def taken_over_next_time(outcome: GradingOutcome) -> GradingOutcome:

@@ -20,6 +20,7 @@ from gripcourse.machine.database.home import exists
 from gripcourse.policy.rubric import Rubric, lines_of
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words, message
+from gripcourse.usecases.called import name_of, title_of
 from gripcourse.variants.sheet import cell_place
 
 
@@ -98,16 +99,13 @@ def _row_to_mark(
     one: Waiting, attempt: Attempt, context: GradingContext, words: Words
 ) -> RowToMark:
     issued = context.register.get(one.student)
-    title = one.quantity
-    if issued is not None:
-        declared = plan_of(context.course, issued.variant.composition).quantities
-        title = declared[one.quantity].title.of(words.language) if one.quantity in declared else ""
+    title = title_of(one.student, one.quantity, context)
     return RowToMark(
         student=one.student,
         quantity=one.quantity,
-        name="" if issued is None else issued.student.name,
+        name=name_of(one.student, context),
         group="" if issued is None else issued.student.group,
-        title=title,
+        title="" if title is None else title.of(words.language),
         possible=attempt.by_quantity[one.quantity].max_points,
         rubric=_rubrics(one.student, attempt, context).get(one.quantity),
     )

@@ -105,3 +105,6 @@ REASONS: Final[Mapping[WhyRefused, Message]] = {
     WhyRefused.XLSB: message("The file has the .xlsb format. Save it as an .xlsx workbook."),
 }
 """What each means, and what to do."""
+
+OF_THE_MACHINE: Final = frozenset({WhyRefused.GONE, WhyRefused.TOO_COSTLY})
+"""What another day or another machine may do better; all else is said of a file's very bytes."""
