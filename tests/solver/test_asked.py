@@ -1,9 +1,11 @@
 """What stands beside an asked quantity: what decides its answer."""
 
+from dataclasses import replace
+
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.course.quantity import Kind
+from gripcourse.course.quantity import Kind, Rounding
 from gripcourse.solver.asked import cited_works, deciding
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import LANGUAGES, Words
@@ -26,6 +28,16 @@ def test_a_choice_has_its_series_and_its_rule(plan: Plan) -> None:
     said = beside(plan, "pin_diameter_first")
     assert said == "GOST 9650-80, below 3 mm GOST 3128-70; one of the first 3 sizes not below d_req"
     assert beside(plan, "rod").endswith("any size not below 0.3 · D; d_r ≤ 0.7 · D")
+
+
+@pytest.mark.parametrize("steps", [None, 0])
+def test_without_steps_only_the_nearest_size_is_asked_for(plan: Plan, steps: int | None) -> None:
+    bore = plan.quantities["bore"]
+    assert bore.choice is not None
+    rule = replace(bore.choice, rounding=Rounding.NEAREST, steps=steps)
+    said = deciding(replace(bore, choice=rule), plan, ENGLISH)
+    assert "the size of the series nearest to " in said
+    assert "any size" not in said
 
 
 def test_every_choice_names_its_series(plan: Plan) -> None:

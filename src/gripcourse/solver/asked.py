@@ -62,7 +62,7 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     sizes, needed = _sizes(choice), _written(formula, plan, words.language)
     if _reads_table(formula):
         yield words.say(message("{sizes} that will do", sizes=sizes))
-    elif choice.rounding is Rounding.NEAREST and choice.steps == 0:
+    elif choice.rounding is Rounding.NEAREST and not choice.steps:
         yield words.say(message("the size of the series nearest to {needed}", needed=needed))
     elif choice.rounding is Rounding.NEAREST:
         yield words.say(message("{sizes} nearest to {needed}", sizes=sizes, needed=needed))
