@@ -55,7 +55,19 @@ def _read(box: Box) -> str:
 
 
 def test_a_symbol_is_italic_with_an_upright_index() -> None:
-    assert html(symbol_box("F_тр")) == ('<span class="formula"><i>F</i><sub>тр</sub></span>')
+    written = html(symbol_box("F_тр"))
+    assert written == '<span class="formula f-slanted">F<sub>тр</sub></span>'
+
+
+def test_of_slanted_and_upright_runs_the_fewer_have_elements_of_their_own() -> None:
+    written = html(typeset(parse("m + g"), SYMBOLS))
+    assert written == '<span class="formula f-slanted">m<span> +\u00a0</span>g</span>'
+    written = html(typeset(parse("2*m"), SYMBOLS))
+    assert written == '<span class="formula">2 ·\u00a0<i>m</i></span>'
+
+
+def test_slanted_letters_in_a_product_are_one_run() -> None:
+    assert html(typeset(parse("2*(m*g*F)"), SYMBOLS)).count("<i>") == 1
 
 
 def test_upright_runs_need_no_element_of_their_own() -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from html import escape
 from itertools import groupby
-from typing import Final, assert_never
+from typing import Final
 
 from gripcourse.formula.boxes import (
     Applied,
@@ -36,18 +36,57 @@ def html(box: Box) -> str:
     tallest = [one for one in _flat(box) if isinstance(one, Fraction | Root | Fence | Script)]
     scale = min(map(scale_of, tallest), default=1.0)
     style = "" if scale == 1.0 else f' style="font-size: {scale:.2f}em"'
-    return f'<span class="formula"{style}>{_html(box)}</span>'
+    return _whole("span", "formula", box, style)
 
 
-def _html(box: Box) -> str:
-    """Return the elements of a box; upright runs are bare text: each element costs a page time."""
-    elements: list[str] = []
-    for upright, parts in groupby(_flat(box), _is_upright):
-        if upright:
-            elements.append(escape("".join(map(_run, parts))))
-        else:
-            elements += map(_element, parts)
-    return "".join(elements)
+def _whole(
+    tag: str, kind: str, box: Box, style: str = "", around: tuple[str, str] = ("", "")
+) -> str:
+    """Return a box as one element, slanted as a whole where fewer runs then have one of their own.
+
+    Each element costs a page time.
+    """
+    runs = [
+        (slope, "".join(written for _, written in parts))
+        for slope, parts in groupby(_sloped(_written(box)), lambda part: part[0])
+    ]
+    slanted = 2 * sum(slope for slope, _ in runs) > len(runs)
+    apart = "<span>{}</span>" if slanted else "<i>{}</i>"
+    inside = "".join(
+        written if slope is slanted else apart.format(written) for slope, written in runs
+    )
+    classes = f"{kind} f-slanted".strip() if slanted else kind
+    start = f'{tag} class="{classes}"' if classes else tag
+    before, after = around
+    return f"<{start}{style}>{before}{inside}{after}</{tag}>"
+
+
+def _sloped(parts: Iterator[tuple[bool | None, str]]) -> Iterator[tuple[bool, str]]:
+    """Let a part that looks the same either way stand with what is before it."""
+    last = False
+    for slope, written in parts:
+        last = last if slope is None else slope
+        yield last, written
+
+
+def _written(box: Box) -> Iterator[tuple[bool | None, str]]:
+    """Yield the parts of a line, each with whether it is slanted; None where that changes nothing.
+
+    What has elements of its own has also slopes of its own.
+    """
+    for one in _flat(box):
+        match one:
+            case Text("variable", run):
+                yield True, escape(run)
+            case Text("times", ""):
+                yield None, _run(one)
+            case Text() | Value():
+                yield False, escape(_run(one))
+            case Script(base, sub, sup):
+                yield from _written(base)
+                yield None, _scripts(base, sub, sup)
+            case _:
+                yield None, _element(one)
 
 
 def _flat(box: Box) -> Iterator[Box]:
@@ -89,10 +128,6 @@ def argument(word: str, arguments: tuple[Box, ...]) -> Box:
     return Fence("(", Row(tuple(items)), ")")
 
 
-def _is_upright(box: Box) -> bool:
-    return isinstance(box, Value) or (isinstance(box, Text) and box.kind != "variable")
-
-
 def _run(box: Box) -> str:
     """Write an upright box; a line may break before a sign, never after it."""
     match box:
@@ -110,42 +145,32 @@ def _run(box: Box) -> str:
 
 def _element(box: Box) -> str:
     match box:
-        case Text(_, run):
-            return f"<i>{escape(run)}</i>"
         case Fraction(top, bottom):
-            over = f'<span class="f-top">{_html(top)}</span>'
-            under = f'<span class="f-bottom">{_html(bottom)}</span>'
+            over, under = _whole("span", "f-top", top), _whole("span", "f-bottom", bottom)
             kind = f"f-fraction{_class(' f-deep-', bottom)}"
-            return f'<span class="{kind}">{over}<span class="f-sign">/</span>{under}</span>'
+            return f'<span class="{kind}">{over}{_sign("/")}{under}</span>'
         case Root(body, index):
             sign = f'<span class="f-index">{escape(index)}</span>' if index else ""
-            sign += '<span class="f-sign">√</span>'
-            return f'<span class="f-root">{sign}<span class="f-body">{_html(body)}</span></span>'
+            return f'<span class="f-root">{sign}{_sign("√")}{_whole("span", "f-body", body)}</span>'
         case Fence(left, body, right):
             kind = {"(": "round", "|": "bars", "{": "curly"}[left]
-            return (
-                f'<span class="f-fence f-{kind}"><span class="f-sign">{left}</span>'
-                f'{_html(body)}<span class="f-sign">{right}</span></span>'
-            )
-        case Script(base, sub, sup):
-            return _html(base) + _scripts(base, sub, sup)
-        case Row() | Value() | Applied():
-            return _html(box)
+            signs = (_sign(left), _sign(right))
+            return _whole("span", f"f-fence f-{kind}", body, around=signs)
         case _:
-            assert_never(box)
+            raise TypeError(f"{box} is a line of boxes")
+
+
+def _sign(sign: str) -> str:
+    return f'<span class="f-sign">{sign}</span>'
 
 
 def _scripts(base: Box, sub: Box | None, sup: Box | None) -> str:
     """Return what stands below and above after a base."""
-    below = "" if sub is None else f"<sub>{_html(sub)}</sub>"
-    if sup is None:
-        return below
-    if sub is not None:
-        above = f'<span class="f-above">{_html(sup)}</span>'
-        return f'<span class="f-scripts">{above}<span class="f-below">{_html(sub)}</span></span>'
-    kind = _class("f-raised-", base)
-    start = f'<sup class="{kind}">' if kind else "<sup>"
-    return f"{start}{_html(sup)}</sup>"
+    if sub is not None and sup is not None:
+        above, below = _whole("span", "f-above", sup), _whole("span", "f-below", sub)
+        return f'<span class="f-scripts">{above}{below}</span>'
+    below = "" if sub is None else _whole("sub", "", sub)
+    return below if sup is None else _whole("sup", _class("f-raised-", base), sup)
 
 
 def _class(name: str, box: Box) -> str:
