@@ -191,7 +191,7 @@ def runs_through(line: Line, boxes: Iterable[Box]) -> bool:
         if reach.overlaps(box):
             # How far the corners lie on the left of the line: beside it all are on one side.
             sides = [along * (y - y0) - up * (x - x0) for x, y in box.corners]
-            if min(sides) < 0 < max(sides):
+            if min(sides) < -_NOTHING and max(sides) > _NOTHING:
                 return True
     return False
 
