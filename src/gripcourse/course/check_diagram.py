@@ -11,7 +11,7 @@ from gripcourse.course.shared_drawing import unknown_name
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
-from gripcourse.formula.tree import Formula, Number, names
+from gripcourse.formula.tree import Formula, Number
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.units import known as known_unit
@@ -166,7 +166,7 @@ def _unknown_positions(element: Element, scheme: Scheme) -> Iterator[Problem]:
 def _formula_faults(
     place: _FormulaPlace, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
-    unknown = [name for name in names(formula.tree) if name not in known]
+    unknown = [name for name in formula.names if name not in known]
     for name in unknown:
         what = message("The name '{name}' is not known.", name=name)
         said = unknown_name(what, name, known, place.scheme, is_shared=place.is_shared)

@@ -12,7 +12,7 @@ from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.parse import FormulaFault, caret
-from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, names, walk
+from gripcourse.formula.tree import CONSTANTS, Call, Formula, Name, Operation, walk
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension, known
 from gripcourse.text.words import Message, message
@@ -40,16 +40,17 @@ def check_formulas(
     if not checked:
         return
     dimensions = {name: dimension(one.unit) for name, one in quantities.items() if known(one.unit)}
+    usable = {name for name, other in quantities.items() if other.kind is not Kind.MANUAL}
     for one in checked:
         for key, formula, is_condition in _keyed_formulas(one):
-            faults = list(_name_faults(one, key, formula, quantities, columns, elsewhere))
+            faults = list(_name_faults(one, key, formula, usable, columns, elsewhere))
             yield from faults
             if faults:
                 continue
             if is_condition != _is_condition(formula):
                 yield _wrong_sort(one, key, is_condition)
                 continue
-            if not {one.id, *names(formula.tree)} <= dimensions.keys():
+            if not {one.id, *formula.names} <= dimensions.keys():
                 continue  # an unknown unit is reported where it is declared
             yield from bare_numbers(one, key, formula, quantities)
             try:
@@ -112,12 +113,11 @@ def _name_faults(
     one: Quantity,
     key: str,
     formula: Formula,
-    quantities: Mapping[str, Quantity],
+    usable: Collection[str],
     columns: Mapping[str, Column],
     elsewhere: Mapping[str, Collection[str]],
 ) -> Iterator[Problem]:
     place = f"quantity.{one.id}.{key}"
-    usable = {name for name, other in quantities.items() if other.kind is not Kind.MANUAL}
     for part in walk(formula.tree):
         match part:
             case Name(name, span) if name not in CONSTANTS and name not in usable:

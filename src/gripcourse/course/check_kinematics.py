@@ -8,7 +8,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.parse import FormulaFault, caret
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.units import known as known_unit
@@ -60,7 +60,7 @@ def _motion_formulas(motion: Kinematics) -> Iterator[Formula]:
 def _formula_faults(
     file: str, key: str, formula: Formula, unit: str, known: Mapping[str, Dimension]
 ) -> Iterator[Problem]:
-    unknown = [name for name in names(formula.tree) if name not in known]
+    unknown = [name for name in formula.names if name not in known]
     for name in unknown:
         what = message("The name '{name}' is not known.", name=name)
         yield Problem(file, f"kinematics.{key}", what, did_you_mean(name, known))

@@ -5,6 +5,7 @@ accepted reading would never be named.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -106,6 +107,7 @@ def same_value(
     return int(both.sum()) >= _ENOUGH and bool(agree.all())
 
 
+@lru_cache(maxsize=4096)
 def _scattered(name: str) -> NDArray[np.float64]:
     """Return numbers that belong to a name and to no other.
 
@@ -114,4 +116,6 @@ def _scattered(name: str) -> NDArray[np.float64]:
     """
     chance = np.random.default_rng(np.frombuffer(name.encode(), dtype=np.uint8).tolist())
     small = chance.uniform(0.1, 0.9, _SAMPLES)
-    return np.concatenate([small, 10 ** chance.uniform(*_DECADES, _WIDE_SAMPLES)])
+    found = np.concatenate([small, 10 ** chance.uniform(*_DECADES, _WIDE_SAMPLES)])
+    found.flags.writeable = False  # every formula with the name is given the same
+    return found

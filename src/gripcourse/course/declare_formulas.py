@@ -7,8 +7,8 @@ from gripcourse.course.quantity import Alternative, AsPrinted, Choice, Rounding,
 from gripcourse.course.toml_table import Table
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.course.written_formula import read_formula
-from gripcourse.formula.parse import parse
-from gripcourse.formula.tree import Formula, names
+from gripcourse.formula.parse import formula_of
+from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
@@ -77,7 +77,7 @@ def _wrong_formula(table: Table, units: Mapping[str, str]) -> Formula | None:
     formula = read_formula(table, "formula", {})
     if formula is None:
         return None
-    used = {name: unit for name, unit in units.items() if name in names(formula.tree)}
+    used = {name: unit for name, unit in units.items() if name in formula.names}
     return Formula(formula.text, formula.tree, used)
 
 
@@ -98,7 +98,7 @@ def read_alternatives(table: Table, units: Mapping[str, str]) -> tuple[Alternati
 
 def _alternative(table: Table, units: Mapping[str, str]) -> Alternative:
     table.known_keys()
-    formula = _wrong_formula(table, units) or Formula("0", parse("0"), {})
+    formula = _wrong_formula(table, units) or formula_of("0", {})
     return Alternative(table.text("id"), formula, table.texts("remark"))
 
 
@@ -111,7 +111,7 @@ def _slip(table: Table, units: Mapping[str, str]) -> Slip:
             message("The credit is {credit}.", credit=credit),
             message("Write a share of the points from 0 to 1."),
         )
-    fallback = Formula("0", parse("0"), {})
+    fallback = formula_of("0", {})
     formula = _wrong_formula(table, units) or fallback
     hint = table.texts("hint")
     return Slip(table.text("id"), formula, credit, hint, table.flag("seldom"))

@@ -14,14 +14,14 @@ from gripcourse.course.diagram_keys import DIAGRAM
 from gripcourse.course.diagram_words import MIRRORS, VOCABULARY, Role, Sort
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import Problem
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.parse import FormulaFault, caret, formula_of
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 
 FILE = "diagram.toml"
 _UNSAID = ""  # the diagram that takes the element decides
-_NOTHING = Formula("0", parse("0"), {})
+_NOTHING = formula_of("0", {})
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +208,7 @@ def _formula(table: Table, name: str, text: str) -> Formula:
     if not text:
         return _NOTHING
     try:
-        return Formula(text, parse(text), {})
+        return formula_of(text, {})
     except FormulaFault as fault:
         table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return _NOTHING

@@ -72,7 +72,10 @@ class Shape:
 
     def key(self, name: str, values: Mapping[str, object]) -> Key | None:
         """Return what a name means in a table with these values; None where it means nothing."""
-        return self.of(values).get(name, self.each)
+        kind = values.get(self.by)
+        further = self.kinds.get(kind) if isinstance(kind, str) else None
+        own = further.get(name) if further is not None else None
+        return own or self.keys.get(name, self.each)
 
 
 def text(meaning: str, *words: str, required: bool = False) -> Key:

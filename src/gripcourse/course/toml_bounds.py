@@ -24,9 +24,14 @@ def shorten_long(values: dict[str, object], file: str, problems: list[Problem]) 
     while left:
         place, found = left.pop()
         for key, value in _inside(found):
-            shown = str(key) if len(str(key)) <= LONGEST_KEY else f"{str(key)[:_SHOWN]}…"
+            is_long = isinstance(key, str) and len(key) > LONGEST_KEY
+            is_long_text = isinstance(value, str) and len(value) > LONGEST_TEXT
+            holds_more = isinstance(value, dict | list)
+            if not (is_long or is_long_text or holds_more):
+                continue
+            shown = f"{str(key)[:_SHOWN]}…" if is_long else str(key)
             where = ".".join(part for part in (place, shown) if part)
-            if len(str(key)) > LONGEST_KEY:
+            if is_long:
                 what = message(
                     "The key has {count} signs; {most} at most are read.",
                     count=len(str(key)),
@@ -34,7 +39,7 @@ def shorten_long(values: dict[str, object], file: str, problems: list[Problem]) 
                 )
                 problems.append(Problem(file, where, what, _REMEDY))
                 _put(found, key, None, shown)
-            elif isinstance(value, str) and len(value) > LONGEST_TEXT:
+            elif isinstance(value, str) and is_long_text:
                 what = message(
                     "The text has {count} signs; {most} at most are read.",
                     count=len(value),
@@ -42,7 +47,7 @@ def shorten_long(values: dict[str, object], file: str, problems: list[Problem]) 
                 )
                 problems.append(Problem(file, where, what, _REMEDY))
                 _put(found, key, f"{value[:_SHOWN]}…")
-            elif isinstance(value, dict | list):
+            elif holds_more:
                 left.append((where, value))
 
 

@@ -24,7 +24,7 @@ from gripcourse.course.view import (
     ViewPart,
     ViewShape,
 )
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.parse import FormulaFault, caret, formula_of
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Texts, message
@@ -198,7 +198,7 @@ def _check_inside(table: Table, kind: str) -> None:
 
 def _repeat(table: Table) -> Repeat | Ring:
     table.known_keys()
-    count = _formula(table, "count", table.text("count")) or Formula("1", parse("1"), {})
+    count = _formula(table, "count", table.text("count")) or formula_of("1", {})
     if table.has("about"):
         return Ring(count, _expressions(table, "about", Need.POINT))
     return Repeat(count, _expressions(table, "step", Need.POINT))
@@ -296,7 +296,7 @@ def _fits(count: int, need: Need) -> bool:
 
 def _formula(table: Table, name: str, text: str) -> Formula | None:
     try:
-        return Formula(text, parse(text), {}) if text else None
+        return formula_of(text, {}) if text else None
     except FormulaFault as fault:
         table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from gripcourse.course.toml_table import Table
-from gripcourse.formula.parse import FormulaFault, caret, parse
+from gripcourse.formula.parse import FormulaFault, caret, formula_of
 from gripcourse.formula.tree import Formula
 from gripcourse.text.words import message
 
@@ -14,7 +14,7 @@ def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula |
     if not text:
         return None
     try:
-        return Formula(text, parse(text), dict(units))
+        return formula_of(text, dict(units))
     except FormulaFault as fault:
         table.add(name, fault.what, message("Correct the formula."), caret(text, fault.span))
         return None
@@ -22,4 +22,4 @@ def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula |
 
 def written_formula(table: Table, name: str) -> Formula:
     """Read the formula of a key; 0 where it cannot be read, which the table remembers."""
-    return read_formula(table, name, {}) or Formula("0", parse("0"), {})
+    return read_formula(table, name, {}) or formula_of("0", {})

@@ -19,6 +19,7 @@ from gripcourse.formula.functions import FUNCTIONS, Function
 from gripcourse.formula.signs import check_signs, comma, too_deep
 from gripcourse.formula.tree import (
     Call,
+    Formula,
     Name,
     Negation,
     Node,
@@ -26,10 +27,12 @@ from gripcourse.formula.tree import (
     Operation,
     Operator,
     Span,
+    names,
+    with_names,
 )
 from gripcourse.text.words import Message, message
 
-__all__ = ["FormulaFault", "caret", "parse"]
+__all__ = ["FormulaFault", "caret", "formula_of", "parse"]
 
 _LONGEST: Final = 2000
 _DEEPEST_TREE: Final = 100
@@ -70,6 +73,20 @@ def parse(text: str) -> Node:
     syntax = _syntax(line)
     _check_depth(syntax, line)
     return _condition(syntax, line)
+
+
+def formula_of(text: str, units: Mapping[str, str]) -> Formula:
+    """Read a formula whose names enter in these units.
+
+    Raises:
+        FormulaFault: the text is no formula; see `parse`.
+    """
+    return with_names(text, parse(text), units, _names_in(text))
+
+
+@lru_cache(maxsize=4096)
+def _names_in(text: str) -> tuple[str, ...]:
+    return names(parse(text))
 
 
 def _syntax(line: str) -> ast.expr:

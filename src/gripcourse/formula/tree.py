@@ -93,11 +93,11 @@ class Formula:
 
     def __reduce__(self) -> tuple[Callable[..., "Formula"], tuple[object, ...]]:
         # Not by a state: Python before 3.11.4 puts its own in the place of ours.
-        return _sent, (self.text, self.tree, dict(self.units), self.names)
+        return with_names, (self.text, self.tree, dict(self.units), self.names)
 
 
-def _sent(text: str, tree: Node, units: Mapping[str, str], names: tuple[str, ...]) -> Formula:
-    """Make a formula that was kept or sent; a course has thousands, whose trees need no walk."""
+def with_names(text: str, tree: Node, units: Mapping[str, str], names: tuple[str, ...]) -> Formula:
+    """Make a formula whose names are known; a course has thousands, whose trees need no walk."""
     made = object.__new__(Formula)
     values = {"text": text, "tree": tree, "units": units, "names": names, "made": {}}
     for name, value in values.items():
@@ -111,14 +111,14 @@ CONSTANTS: frozenset[str] = frozenset({"pi"})
 def children(node: Node) -> tuple[Node, ...]:
     """Return the nodes directly below a node, left to right."""
     match node:
-        case Negation(operand):
-            return (operand,)
+        case Name() | Number():
+            return ()
         case Operation(_, left, right):
             return (left, right)
+        case Negation(operand):
+            return (operand,)
         case Call(_, arguments):
             return arguments
-        case _:
-            return ()
 
 
 def walk(node: Node) -> Iterator[Node]:

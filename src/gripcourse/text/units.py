@@ -112,6 +112,7 @@ def unit_names() -> tuple[str, ...]:
     return tuple(_table())
 
 
+@lru_cache(maxsize=1024)
 def known(unit: str) -> bool:
     """Tell whether a unit is spelled as the table and its compounds are."""
     parts = _split(unit, _OUR_FACTOR)

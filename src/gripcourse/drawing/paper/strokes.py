@@ -182,6 +182,20 @@ def _pieces(stroke: Stroke, mask: Sequence[Point], *, inner: bool) -> Iterator[S
             yield stroke if (low, high) == (0.0, 1.0) else _piece(stroke, low, high)
 
 
+def runs_through(line: Line, boxes: Iterable[Box]) -> bool:
+    """Tell whether a line shares more than an edge or a corner with one of some boxes."""
+    reach = reach_of(line)
+    (x0, y0), (x1, y1) = line.start, line.end
+    along, up = x1 - x0, y1 - y0
+    for box in boxes:
+        if reach.overlaps(box):
+            # How far the corners lie on the left of the line: beside it all are on one side.
+            sides = [along * (y - y0) - up * (x - x0) for x, y in box.corners]
+            if min(sides) < -_NOTHING and max(sides) > _NOTHING:
+                return True
+    return False
+
+
 def inside(point: Point, mask: Sequence[Point]) -> bool:
     """Tell whether a point lies in a closed polygon."""
     x, y = point

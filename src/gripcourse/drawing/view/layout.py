@@ -191,6 +191,7 @@ def _with_details(bare: Arranged, content: SheetContent, taken: Sequence[Box]) -
     field = bare.sheet.frame
     free = field.width * field.height - sum(one.width * one.height for one in taken)
     room = field.grown(-MARGIN)
+    by_faces = area_of(views, taken) / free
 
     def with_scales(scales: Mapping[int, Scale]) -> Arranged:
         found: dict[int, tuple[Scale, Point]] = {}
@@ -202,7 +203,7 @@ def _with_details(bare: Arranged, content: SheetContent, taken: Sequence[Box]) -
                 found[number] = scale, at
                 boxes.append(box.moved(at))
         filled = area_of([*views, *boxes], taken) / free
-        return replace(bare, details=found, filled=filled, by_faces=area_of(views, taken) / free)
+        return replace(bare, details=found, filled=filled, by_faces=by_faces)
 
     choices = {
         number: _scales(box, bare.factor * content.enlarged[number])

@@ -5,11 +5,11 @@ Lengths are millimetres of paper, in the coordinates of the face.
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TYPE_CHECKING
 
 from gripcourse.drawing.paper.document import LineKind
-from gripcourse.drawing.paper.strokes import Box, Line, outside, reach_of
+from gripcourse.drawing.paper.strokes import Box, Line, runs_through
 from gripcourse.drawing.paper.text import Point, add_text, text_width
 
 if TYPE_CHECKING:
@@ -56,6 +56,11 @@ class Leader:
         return (self.left if nearer_left else right), self.level
 
     @property
+    def line(self) -> Line:
+        """The leader line, from the part to the shelf."""
+        return Line(self.note.at, self.knee)
+
+    @property
     def box(self) -> Box:
         """The box round shelf and words."""
         top = self.level + _OVER + self.note.height
@@ -74,13 +79,18 @@ def place_leaders(
         marks: what none runs through if there is another way.
     """
     leaders = _uncrossed(notes, below)
-    moved = [_shifted(leaders, shift) for shift in _SHIFTS]
     every = [*numbers, *marks]
-    found = next((one for one in moved if _is_clear(one, every)), None)
+    found = next((one for one in _moved_along(leaders) if _is_clear(one, every)), None)
     if found is None:
-        ways = (*moved, *_opened(leaders))
+        ways = chain(_moved_along(leaders), _opened(leaders))
         found = next((one for one in ways if _is_clear(one, numbers)), leaders)
     return found
+
+
+def _moved_along(leaders: Sequence[Leader]) -> Iterator[list[Leader]]:
+    """Yield the row at other places, the nearest first."""
+    for shift in _SHIFTS:
+        yield _shifted(leaders, shift)
 
 
 def _shifted(leaders: Sequence[Leader], shift: float) -> list[Leader]:
@@ -99,25 +109,22 @@ def _opened(leaders: Sequence[Leader]) -> Iterator[list[Leader]]:
 
 
 def _is_clear(leaders: Sequence[Leader], numbers: Sequence[Box]) -> bool:
-    lines = [Line(one.note.at, one.knee) for one in leaders]
-    through = (
-        list(outside(line, box.corners)) != [line]
-        for line in lines
-        for box in numbers
-        if reach_of(line).overlaps(box)
+    through = (runs_through(one.line, numbers) for one in leaders)
+    return not any(through) and not any(
+        cross(*pair) for pair in combinations([one.line for one in leaders], 2)
     )
-    return not any(through) and not any(cross(*pair) for pair in combinations(leaders, 2))
 
 
 def _uncrossed(notes: Iterable[Note], below: Box) -> list[Leader]:
     ordered = sorted(notes, key=lambda one: (one.at[0], -one.at[1], one.text))
     for _ in range(len(ordered) ** 2):
         leaders = _in_row(ordered, below)
+        lines = [one.line for one in leaders]
         crossing = next(
             (
                 (first, second)
-                for first, second in combinations(range(len(leaders)), 2)
-                if cross(leaders[first], leaders[second])
+                for first, second in combinations(range(len(lines)), 2)
+                if cross(lines[first], lines[second])
             ),
             None,
         )
@@ -128,9 +135,9 @@ def _uncrossed(notes: Iterable[Note], below: Box) -> list[Leader]:
     return _in_row(ordered, below)
 
 
-def cross(first: Leader, second: Leader) -> bool:
+def cross(first: Line, second: Line) -> bool:
     """Tell whether two leader lines cross."""
-    a, b, c, d = first.note.at, first.knee, second.note.at, second.knee
+    a, b, c, d = first.start, first.end, second.start, second.end
     return _left(a, b, c) * _left(a, b, d) < 0 and _left(c, d, a) * _left(c, d, b) < 0
 
 

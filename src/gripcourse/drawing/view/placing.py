@@ -31,12 +31,8 @@ def whole(boxes: Sequence[Box]) -> Box:
 
 def area_of(boxes: Sequence[Box], taken: Sequence[Box]) -> float:
     """Return the area that boxes cover together, less what is taken by something else, mm²."""
-    covered = shapely.union_all([shapely.box(*one) for one in _array(boxes)])
-    return float(
-        shapely.difference(
-            covered, shapely.union_all([shapely.box(*one) for one in _array(taken)])
-        ).area
-    )
+    covered, away = (shapely.union_all(shapely.box(*_array(some).T)) for some in (boxes, taken))
+    return float(shapely.difference(covered, away).area)
 
 
 def placements(

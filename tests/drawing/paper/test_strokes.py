@@ -1,0 +1,40 @@
+"""Straight lines and boxes on paper: what runs through what."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gripcourse.drawing.paper.strokes import Box, Line, covered, reach_of, runs_through
+
+BOX = Box(0.0, 0.0, 4.0, 2.0)
+PLACES = st.integers(-8, 24).map(lambda quarters: quarters / 4)
+POINTS = st.tuples(PLACES, PLACES)
+
+
+LINES = st.tuples(POINTS, POINTS).filter(lambda ends: ends[0] != ends[1])
+
+
+@given(LINES.map(lambda ends: Line(*ends)))
+def test_a_line_runs_through_a_box_that_covers_a_piece_of_it(line: Line) -> None:
+    pieces = [piece for piece in covered(line, BOX.corners) if reach_of(piece).overlaps(BOX)]
+    assert runs_through(line, [BOX]) == bool(pieces)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        Line((-1.0, 0.0), (5.0, 0.0)),
+        Line((4.0, -1.0), (4.0, 3.0)),
+        Line((-1.0, 1.0), (1.0, -1.0)),
+        Line((0.0, 2.0), (-3.0, 4.0)),
+    ],
+    ids=["along an edge", "along another", "over a corner", "from a corner"],
+)
+def test_a_line_that_only_touches_a_box_does_not_run_through_it(line: Line) -> None:
+    assert not runs_through(line, [BOX])
+
+
+def test_a_line_runs_through_boxes_where_it_runs_through_one_of_them() -> None:
+    line = Line((-1.0, 1.0), (5.0, 1.0))
+    assert not runs_through(line, [])
+    assert runs_through(line, [BOX.moved((0.0, 5.0)), BOX])
