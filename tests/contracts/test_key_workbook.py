@@ -1,8 +1,10 @@
 """The key workbook computes what the solver computes: a spreadsheet program is the judge."""
 
 import re
+import shutil
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import openpyxl
@@ -28,16 +30,46 @@ WITHOUT_FORMULA: Mapping[str, str] = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class Firsts:
+    """The key of the first variant of each of the few trials, written once."""
+
+    folder: Path
+    keys: tuple[KeyFile, ...]
+
+    def copy(self, folder: Path, keys: Sequence[KeyFile]) -> None:
+        """Write keys into a folder, which are among these."""
+        assert {one.name for one in keys} <= {one.name for one in self.keys}
+        for one in keys:
+            shutil.copy(self.folder / f"{one.name}.xlsx", folder)
+
+
+@pytest.fixture(scope="module")
+def firsts(
+    few_trials: dict[str, tuple[Trial, ...]], tmp_path_factory: pytest.TempPathFactory
+) -> Firsts:
+    folder = tmp_path_factory.mktemp("keys")
+    keys = tuple(
+        one
+        for scheme, own in few_trials.items()
+        for one in key_files(scheme, own)
+        if one.name.endswith("-0")
+    )
+    write_keys(folder, keys)
+    return Firsts(folder, keys)
+
+
 @pytest.mark.office
 @pytest.mark.xdist_group("office")
 def test_a_spreadsheet_computes_every_formula_of_a_key_as_the_solver_does(
-    few_trials: dict[str, tuple[Trial, ...]], monkeypatch: pytest.MonkeyPatch
+    few_trials: dict[str, tuple[Trial, ...]], firsts: Firsts, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In every scheme, and every quantity with each of its formulas in some of them.
 
     `gripcourse validate --prove` writes the key of every trial, for two variants.
     """
     monkeypatch.setattr("gripcourse.proofs.workbooks._OF_EACH", 1)
+    monkeypatch.setattr("gripcourse.proofs.workbooks.write_keys", firsts.copy)
     results = tuple(prove_workbooks(few_trials, office_command()))
     assert [one.problems for one in results if one.problems] == []
     assert len(results) == len(few_trials)
@@ -61,16 +93,10 @@ def test_a_changed_mass_changes_the_results(
     assert list(differing_cells(key.plan, key.variant.given, cells))
 
 
-def test_only_listed_quantities_have_no_spreadsheet_formula(
-    few_trials: dict[str, tuple[Trial, ...]], tmp_path: Path
-) -> None:
-    firsts: list[KeyFile] = []
-    for scheme, own in few_trials.items():
-        firsts += [one for one in key_files(scheme, own) if one.name.endswith("-0")]
-    write_keys(tmp_path, firsts)
+def test_only_listed_quantities_have_no_spreadsheet_formula(firsts: Firsts) -> None:
     fixed = set()
-    for key in firsts:
-        live = read_formulas(tmp_path / f"{key.name}.xlsx")
+    for key in firsts.keys:
+        live = read_formulas(firsts.folder / f"{key.name}.xlsx")
         fixed |= {one.id for one in key.plan.answered if f"si.{one.id}" not in live}
     assert fixed == WITHOUT_FORMULA.keys()
 

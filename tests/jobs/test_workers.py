@@ -4,15 +4,25 @@ import signal
 import subprocess
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from multiprocessing import util
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 
 from gripcourse.jobs.limits import Limits, memory_notice
 from gripcourse.jobs.lost import JobLostError, Lost
-from gripcourse.jobs.pools import INLINE, PROCESSES, THREADS, Pool, pool_for
+from gripcourse.jobs.pools import (
+    INLINE,
+    PROCESSES,
+    THREADS,
+    Executing,
+    Initializer,
+    Pool,
+    pool_for,
+)
 from gripcourse.jobs.workers import all_done, in_order, run_each
 from support.processes import is_running, wait_for
 
@@ -106,11 +116,20 @@ def test_a_job_that_ends_the_program_ends_only_itself(errands: ModuleType) -> No
 @pytest.mark.skipif(sys.platform != "linux", reason="sleeps in a library of the system")
 def test_who_hangs_in_a_library_is_ended_and_the_others_are_done(errands: ModuleType) -> None:
     items = ["one", "deaf", "two"]
-    jobs = run_each(errands.deaf, items, None, workers=1, seconds=2, pool=IMPATIENT)
+    opened = []
+
+    def open_counted(workers: int, first: Initializer, arguments: tuple[Any, ...]) -> Executing:
+        opened.append(workers)
+        return IMPATIENT.open(workers, first, arguments)
+
+    pool = replace(IMPATIENT, open=open_counted)
+    jobs = run_each(errands.deaf, items, None, workers=1, seconds=2, pool=pool)
     one, hung, two = in_order(jobs)
     assert (one, two) == ("one", "two")
     assert isinstance(hung, Lost)
     assert "did not end in time" in hung.reason
+    # The first, and one for each whom it took along; none to see whether workers can start.
+    assert opened == [1, 1, 1]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")

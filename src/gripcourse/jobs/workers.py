@@ -136,31 +136,34 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
     while waiting:
         count = min(workers, len(waiting))
         # Who was taken along when a worker died may be the one that it died of.
-        suspects = yield from _until_worker_dies(waiting, crew, count, count * _AHEAD, stay)
-        if suspects and not _can_start(crew):
+        suspects, has_started = yield from _until_worker_dies(
+            waiting, crew, count, count * _AHEAD, stay
+        )
+        if suspects and not has_started and not _can_start(crew):
             lost = Lost("No worker could start; what it wrote to its error output says why.\n")
             left = sorted((*suspects, *(number for number, _ in waiting)))
             yield from ((number, lost) for number in left)
             return
         alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
         while alone:
-            for number in (yield from _until_worker_dies(alone, crew, 1, 1, stay)):
-                yield number, Lost(DIED)
+            lost_alone, _ = yield from _until_worker_dies(alone, crew, 1, 1, stay)
+            yield from ((number, Lost(DIED)) for number in lost_alone)
 
 
 def _until_worker_dies(
     waiting: _Waiting, crew: _Crew, workers: int, ahead: int, stay: list[int]
-) -> Generator[tuple[int, Any], None, list[int]]:
+) -> Generator[tuple[int, Any], None, tuple[list[int], bool]]:
     """Do jobs from the left of `waiting`, until none is left or a worker dies.
 
     Yields:
         The number of each job that was done, with what it came to.
 
     Returns:
-        The numbers of the jobs that a worker took along.
+        The numbers of the jobs that a worker took along, and whether a worker did any job.
     """
     executor = crew.open(workers)
     taken_along: list[int] = []
+    has_started = False
     running: dict[Future[Any], int] = {}
     try:
         while running or (waiting and not taken_along):
@@ -182,10 +185,11 @@ def _until_worker_dies(
                 except BrokenExecutor:
                     taken_along.append(number)
                 else:
+                    has_started = True
                     yield number, outcome
     finally:
         executor.shutdown(cancel_futures=True)
-    return taken_along
+    return taken_along, has_started
 
 
 def _can_start(crew: _Crew) -> bool:

@@ -1,6 +1,7 @@
 """The pages of the reference course, made once."""
 
 import html
+import re
 from collections.abc import Mapping
 from html.parser import HTMLParser
 
@@ -13,6 +14,8 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.documents.reference.pages import pages
 from gripcourse.text.words import Words
 
+# What is computed has an article, what is given a row of a table.
+_BEGINNING = re.compile('<(?:article|tr) id="([^"]*)"')
 _WITHOUT_END = frozenset({"meta", "br", "wbr", "mspace"})
 
 
@@ -25,11 +28,13 @@ class Page(HTMLParser):
         self.ids: list[str] = []
         self.links: list[str] = []
         self.rows: list[list[str]] = []
-        self.text = ""
         self._open: list[str] = []
+        self._of_entry: list[str] = []
+        self._spoken: dict[str, list[str]] = {}
         self.feed(text)
         self.close()
         assert self._open == []
+        self.entries = self._entries()
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag not in _WITHOUT_END:
@@ -37,6 +42,8 @@ class Page(HTMLParser):
         for name, value in attrs:
             if name == "id":
                 self.ids.append(value or "")
+                if tag in {"article", "tr"}:
+                    self._of_entry = self._spoken.setdefault(value or "", [])
             if name == "href":
                 self.links.append(value or "")
         if tag == "tr":
@@ -51,13 +58,23 @@ class Page(HTMLParser):
             assert self._open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        self.text += data
+        self._of_entry.append(data)
         if "td" in self._open or "th" in self._open:
             self.rows[-1][-1] += data
 
-    def says(self, text: str) -> bool:
-        """Tell whether a text of the course is on the page."""
-        return html.escape(text, quote=True) in self.source or text in self.text
+    def says(self, name: str, text: str) -> bool:
+        """Tell whether a text of the course is in an entry of a declaration."""
+        escaped = html.escape(text, quote=True)
+        return any(escaped in source or text in said for source, said in self.entries.get(name, ()))
+
+    def _entries(self) -> dict[str, list[tuple[str, str]]]:
+        """Return the entries of each declaration: as they are written, and as they are read."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        _, *parts = _BEGINNING.split(self.source)
+        for id_, source in zip(parts[::2], parts[1::2], strict=True):
+            entry = source, "".join(self._spoken[html.unescape(id_)])
+            found.setdefault(id_.partition(".")[0], []).append(entry)
+        return found
 
 
 @pytest.fixture(scope="session")

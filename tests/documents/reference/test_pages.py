@@ -56,7 +56,7 @@ def test_every_declaration_of_every_scheme_is_on_its_page(
             texts += [printed.note.of("en") for printed in one.as_printed]
             if one.explain is not None:
                 texts.append(one.explain.of("en"))
-            if one.id not in ids or not all(map(page.says, texts)):
+            if one.id not in ids or not all(page.says(one.id, text) for text in texts):
                 missing.append((scheme, one.id))
     assert missing == []
 
