@@ -26,7 +26,7 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
-# Millimetres of a module of the square code: three dots where a sheet is scanned at 150 an inch, and
+# Millimetres of a module of the square code: three dots of a scan at 150 an inch, and
 # what the sheets with most to read have room for.
 _MODULE, _SMALL_MODULE = 0.5, 0.38
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
