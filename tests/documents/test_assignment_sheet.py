@@ -14,6 +14,7 @@ from gripcourse.course.quantity import Convention, Tolerance
 from gripcourse.documents.appendix import appendix_of
 from gripcourse.documents.assignment_sheet import TEMPLATE, assignment_sheet, sheet_values
 from gripcourse.documents.pdf import Document, render_html
+from gripcourse.issuing.seal import seal_modules, seal_of
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
@@ -92,6 +93,22 @@ def test_a_personal_link_stands_as_text_and_in_the_code_where_it_is_wanted(
     # Round the code, and as an address with its own text.
     assert pages[1][1:] == (3, True)
     assert pages[0][0] != pages[1][0]
+
+
+def test_a_square_code_with_an_address_is_wide_enough_to_be_read_from_paper(
+    issued: Issued, plan: Plan, policy: Policy, course: Course
+) -> None:
+    link = "https://course.example.org/s/s017~1~0~code/"
+    at_home = replace(course, address="https://course.example.org/grippers/")
+    for wanted, module in (("", 0.37), (link, 0.5)):  # in mm; this sheet is one of the longest
+        values = sheet_values(issued, plan, policy, at_home, ENGLISH, wanted)
+        width = values["seal_width"]
+        assert isinstance(width, float)
+        assert width >= 20.0
+        code = seal_of(issued, course.id), wanted or at_home.address
+        assert width / seal_modules(*code) >= module
+        page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
+        assert f'style="width: {width}mm; height: {width}mm"' in page
 
 
 @pytest.mark.parametrize("language", ["en", "ru", "uk"])

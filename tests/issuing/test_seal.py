@@ -7,7 +7,7 @@ from datetime import date
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gripcourse.issuing.seal import Seal, read_seal, seal_of, seal_svg, seal_text
+from gripcourse.issuing.seal import Seal, read_seal, seal_modules, seal_of, seal_svg, seal_text
 from gripcourse.issuing.signature import sign, verify
 from gripcourse.variants.model import Issued, Student, Variant
 
@@ -49,6 +49,12 @@ def test_the_picture_is_square_and_depends_on_the_student() -> None:
     _, _, width, height = picture.attrib["viewBox"].split()
     assert width == height
     assert seal_svg(replace(SEAL, student="s018")) != seal_svg(SEAL)
+
+
+def test_the_picture_is_as_many_modules_wide_as_is_said() -> None:
+    for address in ("", "https://example.org/grippers"):
+        picture = ET.fromstring(seal_svg(SEAL, address))  # noqa: S314 - our own drawing
+        assert picture.attrib["viewBox"].split()[2] == str(seal_modules(SEAL, address))
 
 
 def test_the_code_of_a_course_with_an_address_is_a_link_that_says_the_same() -> None:

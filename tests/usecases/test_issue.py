@@ -121,6 +121,18 @@ class TestLaterChanges:
         assert "s03" in said
         assert "s02" not in said
 
+    def test_a_font_that_the_sheets_ask_for_in_vain_is_named_once(
+        self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        without_documents(monkeypatch)
+        classroom.issue()
+        own = classroom.course.root / "templates" / "style"
+        own.mkdir(parents=True, exist_ok=True)
+        rule = 'h1 { font-family: "No Such Family" }\n'
+        (own / "assignment.css").write_text(rule + rule.replace("h1", "h2"), encoding="utf-8")
+        (note,) = classroom.issue().notes
+        assert "No Such Family is missing" in str(note)
+
     def test_another_deadline_is_not_applied_silently(
         self, classroom: Classroom, monkeypatch: pytest.MonkeyPatch
     ) -> None:

@@ -11,7 +11,7 @@ from gripcourse.documents.pdf import Document, picture, render_pdf
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.drawing.diagram.nominal import nominal_values
-from gripcourse.issuing.seal import seal_of, seal_svg
+from gripcourse.issuing.seal import seal_modules, seal_of, seal_svg
 from gripcourse.policy.model import Policy
 from gripcourse.solver.asked import deciding
 from gripcourse.solver.plan import Plan
@@ -26,6 +26,9 @@ STYLES = ("page.css", "formula.css", "assignment.css")
 
 # So many letters of a signature tell two sheets apart at a glance.
 _CONTROL_LETTERS = 12
+# Millimetres of a module of the square code: three dots of a scan at 150 an inch, and
+# what the sheets with most to read have room for.
+_MODULE, _SMALL_MODULE = 0.5, 0.38
 _NARROW = 112.0  # mm of a diagram that leaves room for text beside it
 _MANY = 85  # quantities, from which on a diagram has to leave room beside it
 # Prints by how much there is to read, in letters. The first leaves the appendix a page of its own;
@@ -133,13 +136,16 @@ def sheet_values(
     sections = list(_tasks(plan, policy, course, words))
     rules = [*course_notes(plan, words), *map(words.say, judging_rules(plan, policy, words))]
     density = _density(_letters((*data, *constants), sections, rules))
+    seal, address = seal_of(issued, course.id), link or course.address
+    module = _SMALL_MODULE if density == _PRINTS[-1] and not link else _MODULE
     return {
         "course": course.title.of(words.language),
         "student": issued.student.name,
         "variant": variant_text(issued, words),
         "control": issued.signature[:_CONTROL_LETTERS],
-        "seal": picture(seal_svg(seal_of(issued, course.id), link or course.address)),
-        "address": link or course.address,
+        "seal": picture(seal_svg(seal, address)),
+        "seal_width": round(seal_modules(seal, address) * module, 1),
+        "address": address,
         "link": link,
         "diagram": _fitted(diagram, density),
         "pairs": _pairs(issued, plan, words),

@@ -148,20 +148,35 @@ def _element(box: Box) -> str:
         case Fraction(top, bottom):
             over, under = _whole("span", "f-top", top), _whole("span", "f-bottom", bottom)
             kind = f"f-fraction{_class(' f-deep-', bottom)}"
-            return f'<span class="{kind}">{over}{_sign("/")}{under}</span>'
+            return f'<span class="{kind}">{over}{_sign("/", bottom)}{under}</span>'
         case Root(body, index):
             sign = f'<span class="f-index">{escape(index)}</span>' if index else ""
-            return f'<span class="f-root">{sign}{_sign("√")}{_whole("span", "f-body", body)}</span>'
+            sign += _sign("√", body)
+            return f'<span class="f-root">{sign}{_whole("span", "f-body", body)}</span>'
         case Fence(left, body, right):
             kind = {"(": "round", "|": "bars", "{": "curly"}[left]
-            signs = (_sign(left), _sign(right))
+            signs = (_sign(left, body), _sign(right))
             return _whole("span", f"f-fence f-{kind}", body, around=signs)
         case _:
             raise TypeError(f"{box} is a line of boxes")
 
 
-def _sign(sign: str) -> str:
-    return f'<span class="f-sign">{sign}</span>'
+def _sign(sign: str, after: Box | None = None) -> str:
+    """Return a sign that is there but not seen; by what stands after it, whether text follows."""
+    kind = "f-sign" if after is not None and _begins_with_text(after) else "f-sign f-last"
+    return f'<span class="{kind}">{sign}</span>'
+
+
+def _begins_with_text(box: Box) -> bool:
+    match next(_flat(box), None):
+        case Text(_, run):
+            return bool(run.strip())
+        case Value():
+            return True
+        case Script(base):
+            return _begins_with_text(base)
+        case _:
+            return False
 
 
 def _scripts(base: Box, sub: Box | None, sup: Box | None) -> str:

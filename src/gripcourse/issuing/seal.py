@@ -7,9 +7,13 @@ code says stands behind the sign `#`, which is never sent to that page's server.
 import io
 import re
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 from urllib.parse import quote, unquote
 
 from gripcourse.variants.model import Issued
+
+if TYPE_CHECKING:
+    from segno import QRCode
 
 _MARK = "gripcourse:1"
 _TEXT = re.compile(
@@ -61,9 +65,19 @@ def read_seal(text: str) -> Seal | None:
 
 def seal_svg(seal: Seal, address: str = "") -> str:
     """Return the code as an SVG element whose size is left to the page; see `seal_text`."""
+    stream = io.BytesIO()
+    _code(seal, address).save(
+        stream, kind="svg", border=_QUIET, omitsize=True, xmldecl=False, nl=False
+    )
+    return stream.getvalue().decode()
+
+
+def seal_modules(seal: Seal, address: str = "") -> int:
+    """Return how many modules the code is wide, with the white round it; see `seal_text`."""
+    return int(_code(seal, address).symbol_size(border=_QUIET)[0])
+
+
+def _code(seal: Seal, address: str) -> "QRCode":
     import segno  # noqa: PLC0415 (only who makes a sheet pays for it)
 
-    code = segno.make(seal_text(seal, address), error="m", micro=False)
-    stream = io.BytesIO()
-    code.save(stream, kind="svg", border=_QUIET, omitsize=True, xmldecl=False, nl=False)
-    return stream.getvalue().decode()
+    return segno.make_qr(seal_text(seal, address), error="m")

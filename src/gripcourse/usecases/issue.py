@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from gripcourse.course.model import Course
 from gripcourse.desk.store import open_desk
+from gripcourse.documents.assignment_sheet import STYLES
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
@@ -21,6 +22,7 @@ from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import discard_unfinished, make_private_folder
+from gripcourse.machine.resources import TEMPLATES
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Message, message
@@ -34,6 +36,7 @@ from gripcourse.usecases.handout import (
     workbook_path,
 )
 from gripcourse.usecases.links import address_of, make_links
+from gripcourse.usecases.styles import missing_fonts
 from gripcourse.variants.model import Issued
 from gripcourse.variants.table import read_table
 
@@ -140,8 +143,9 @@ def issue_order(
     links = links_on_sheets(course, policy, terms.key, order.today, order.link_days)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     made_key = _key_notes(course) if known is None else ()
-    notes = (*made_key, *roster.notes, *extended.notes)
     handouts = write_handouts(context, entries, workers, on_done, issue_one)
+    fonts = missing_fonts(course.root / TEMPLATES, STYLES)
+    notes = (*made_key, *roster.notes, *extended.notes, *fonts)
     return Issuing(handouts, notes, extended.outdated)
 
 

@@ -1,7 +1,7 @@
 """Style sheets of a course judged on this machine: they are there, and so are their fonts."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Final
 
@@ -9,7 +9,7 @@ from gripcourse.documents.registry import document_kinds
 from gripcourse.errors import Problem
 from gripcourse.machine.fonts import font_remedy, fonts_used, missing_font, without_greek
 from gripcourse.machine.resources import template_file
-from gripcourse.text.words import message
+from gripcourse.text.words import Message, message
 
 _GENERIC: Final = frozenset(
     {"serif", "sans-serif", "monospace", "cursive", "fantasy", "system-ui", "math", "inherit"}
@@ -38,6 +38,23 @@ def style_problems(templates: Path) -> list[Problem]:
         style = path.read_text(encoding="utf-8")
         problems += [*_missing_fonts(style, shown), *_without_greek(style, shown)]
     return problems
+
+
+def missing_fonts(templates: Path, styles: Iterable[str]) -> tuple[Message, ...]:
+    """Say of each font that style sheets ask for first and this machine lacks what stands in.
+
+    Args:
+        templates: folder of the course.
+        styles: names of the sheets; one that is missing is another's to say.
+    """
+    paths = (template_file(templates, f"style/{name}") for name in styles)
+    written = (path.read_text(encoding="utf-8") for path in paths if path.is_file())
+    wanted = dict.fromkeys(family for style in written for family in first_families(style))
+    return tuple(
+        message("{fault}.", fault=missing_font(family, used))
+        for family, used in fonts_used(wanted).items()
+        if used != family
+    )
 
 
 def first_families(style: str) -> dict[str, int]:
