@@ -210,10 +210,16 @@ def _computed_inputs(family: Family, member: Member) -> Iterator[tuple[Rows, tup
     for one in family.members:
         if one.quantity.kind is Kind.FORMULA and one.quantity.id in member.inputs:
             own[member.inputs.index(one.quantity.id), one.at] = True
-    patterns, which = np.unique(own[:, member.at], axis=1, return_inverse=True)
-    for number, pattern in enumerate(patterns.T):
-        names = tuple(name for name, is_one in zip(member.inputs, pattern, strict=True) if is_one)
-        yield np.flatnonzero(np.ravel(which) == number), names
+    of_member = own[:, member.at]
+    found: list[tuple[Rows, tuple[str, ...]]] = [(np.arange(of_member.shape[1]), ())]
+    for name, is_computed in zip(member.inputs, of_member, strict=True):
+        found = [
+            (places[part], names + added)
+            for places, names in found
+            for part, added in ((~is_computed[places], ()), (is_computed[places], (name,)))
+            if part.any()
+        ]
+    yield from found
 
 
 def _only(item: AnswerItem, scheme: int) -> AnswerItem:
