@@ -117,17 +117,17 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
     Raises:
         UsageError: the course has no such scheme.
     """
-    problems: list[Problem] = []
     course = kept_course(root)
+    if course is not None:  # every scheme of it was checked
+        with_scheme(course, scheme)
+        own = [root / name for name in REQUIRED_FOLDERS]
+        printed = partial(_printed_problems, course, scheme)
+        return unless_sound(f"numbers of {scheme}", root, own, printed)
+    course, problems = read_course(root)
     if course is None:
-        course, problems = read_course(root)
-        if course is None:
-            return problems
-        problems = [*problems, *check_course(with_scheme(course, scheme), whole=course)]
-    with_scheme(course, scheme)  # of a course that is kept, every scheme was checked
-    own = [root / name for name in REQUIRED_FOLDERS]
-    printed = partial(_printed_problems, course, scheme)
-    return problems or unless_sound(f"numbers of {scheme}", root, own, printed)
+        return problems
+    problems += check_course(with_scheme(course, scheme), whole=course)
+    return problems or _printed_problems(course, scheme)
 
 
 def with_scheme(course: Course, scheme: str) -> Course:
