@@ -94,6 +94,39 @@ def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[...,
     assert {Path(one.file).name for one in found} == {"spare.csv"}
 
 
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("variants/sections/open_belt.toml", "asin((large_diameter", "asin((larg_diameter"),
+        ("grader/policy.toml", "total = 100", "total = 99"),
+        (SPACE, "[given.power]", "[given.powr]"),
+        ("variants/tables/main.csv", "\n001,", "\n001,no_such_"),
+    ],
+)
+def test_a_fault_is_found_after_the_course_was_found_sound(
+    broken: Callable[..., Path], file: str, old: str, new: str
+) -> None:
+    root = broken()
+    assert all_problems(root) == []
+    path = root / file
+    sound = path.read_text(encoding="utf-8")
+    path.write_text(sound.replace(old, new, 1), encoding="utf-8")
+    assert Path(file).name in {Path(one.file).name for one in all_problems(root)}
+    path.write_text(sound, encoding="utf-8")
+    assert all_problems(root) == []
+
+
+def test_a_template_is_judged_after_all_were_found_sound(broken: Callable[..., Path]) -> None:
+    root = broken()
+    assert all_problems(root) == []
+    (root / "templates").mkdir(exist_ok=True)
+    name = "assignment.html.j2"
+    engine = Path(__file__).parents[2] / "templates" / name
+    text_of_it = engine.read_text(encoding="utf-8") + "{{ no_such_value }}"
+    (root / "templates" / name).write_text(text_of_it, encoding="utf-8")
+    assert f"templates/{name}" in {one.file for one in all_problems(root)}
+
+
 def test_a_folder_without_a_course_has_one_problem(tmp_path: Path) -> None:
     [problem] = all_problems(tmp_path)
     assert (problem.file, str(problem.what)) == (

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gripcourse.course.digest import course_digest
 from gripcourse.course.model import Course
-from gripcourse.errors import CourseError
+from gripcourse.errors import CourseError, Problem
 from gripcourse.machine.enclosed import strange_files
 from gripcourse.machine.kept import keep, read_kept
 from gripcourse.machine.resources import COURSE_FOLDERS
@@ -36,28 +36,46 @@ def load_with_digest(root: Path) -> tuple[Course, str | None]:
     Raises:
         CourseError: with all problems of the course at once.
     """
+    course, problems, digest = judge_course(root)
+    if course is None or problems:
+        raise CourseError(problems)
+    return course, digest
+
+
+def kept_course(root: Path) -> Course | None:
+    """Return a course that was found sound before, None where some file has changed since."""
+    digest = None if strange_files(root, COURSE_FOLDERS) else course_digest(root)
+    return None if digest is None else _kept_at(digest, root)
+
+
+def judge_course(root: Path) -> tuple[Course | None, list[Problem], str | None]:
+    """Return a course with every problem of its files; one that is kept has none.
+
+    Returns:
+        The course, None where a file could not be read at all; its problems; and the digest that
+        it was found under, taken before it was read.
+    """
     strange = strange_files(root, COURSE_FOLDERS)
     if strange:
-        raise CourseError(strange)
+        return None, strange, None
     digest = course_digest(root)
     kept = None if digest is None else _kept_at(digest, root)
     if kept is not None:
-        return kept, digest
+        return kept, [], digest
     # Only who finds nothing kept reads and checks: 50 modules.
     from gripcourse.course.check import check_course  # noqa: PLC0415 (as said)
     from gripcourse.course.read import read_course  # noqa: PLC0415
 
     course, problems = read_course(root)
     if course is not None:
-        problems += check_course(course)
-    if course is None or problems:
-        raise CourseError(problems)
+        problems = [*problems, *check_course(course)]
     # What changed while it was read is not kept under the digest of what was there before.
-    if digest is not None and digest == course_digest(root):
+    is_sound = course is not None and not problems
+    if is_sound and digest is not None and digest == course_digest(root):
         keep(digest, course)
         for remembered in (_kept, _kept_at):  # that there was none
             remembered.cache_clear()
-    return course, digest
+    return course, problems, digest
 
 
 @lru_cache(maxsize=4)

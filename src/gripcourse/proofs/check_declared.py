@@ -119,7 +119,12 @@ def _with_names(
 ) -> dict[str, Quantity]:
     """Return the composition with these options that holds all names, else as many as possible."""
     best: dict[str, Quantity] = {}
-    for chosen in {tuple({**one, **options}.items()): None for one in pair_option_sets(scheme)}:
+    tried: set[tuple[tuple[str, str], ...]] = set()
+    for one in pair_option_sets(scheme):
+        chosen = tuple({**one, **options}.items())
+        if chosen in tried:
+            continue
+        tried.add(chosen)
         key = (scheme.id, chosen)
         if key not in composed:
             composed[key] = {**course.constants, **compose(course, scheme, dict(chosen))}

@@ -1,19 +1,22 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
 from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids
+from gripcourse.course.load import judge_course, kept_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
 from gripcourse.course.read import read_course
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
+from gripcourse.machine.resources import REQUIRED_FOLDERS, TEMPLATES, template_folders
 from gripcourse.policy.load import load_policy, read_policy
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import calculations, differences
@@ -28,9 +31,10 @@ from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.check_lists import list_problems
+from gripcourse.usecases.judged_before import unless_sound
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
-from gripcourse.usecases.templates import filling_problems, read_templates, sample_documents
+from gripcourse.usecases.templates import Read, filling_problems, read_templates, sample_documents
 from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.space import Space, load_spaces
@@ -54,10 +58,9 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
 
 
 def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
-    course, problems = read_course(root)
+    course, problems = _judged(root, thorough=thorough)
     if course is None:
         return problems
-    problems = [*problems, *check_course(course, thorough=thorough)]
     policy, unfit = read_policy(course)
     problems += unfit
     problems += [*check_equations(course), *_mix_problems(course)]
@@ -65,18 +68,43 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
-    templates, words = course.root / "templates", Words(course.language)
+    templates = course.root / TEMPLATES
     read, unread = read_templates(templates)
     problems += [*unread, *style_problems(templates)]
     if is_sound:
-        problems += _printed_problems(course)
-        spaces, found = _spaces(course)
-        problems += [*found, *nothing_left(course, spaces)]
-        problems += _table_problems(course, load_policy(course))
-        for sample in islice(samples(course, load_policy(course), spaces, words), 1):
-            documents, hindered = sample_documents(sample)
-            problems += [*hindered, *filling_problems(documents, templates, words, read)]
+        own = [root / name for name in REQUIRED_FOLDERS]
+        problems += unless_sound("numbers", root, own, partial(_number_problems, course))
+        all_read = [*own, *template_folders(templates)]
+        filled = partial(_template_problems, course, templates, read)
+        problems += unless_sound("templates", root, all_read, filled)
     return [*problems, *_machine_problems(root)]
+
+
+def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]]:
+    """Read and check a course; one that was found sound is not read again but for more."""
+    if not thorough:
+        course, problems, _ = judge_course(root)
+        return course, problems
+    course, problems = read_course(root)
+    return course, problems if course is None else [*problems, *check_course(course, thorough=True)]
+
+
+def _number_problems(course: Course) -> list[Problem]:
+    """Return the problems of all that a sound course prints, draws and lists."""
+    problems = _printed_problems(course)
+    spaces, found = _spaces(course)
+    problems += [*found, *nothing_left(course, spaces)]
+    return [*problems, *_table_problems(course, load_policy(course))]
+
+
+def _template_problems(course: Course, templates: Path, read: Mapping[str, Read]) -> list[Problem]:
+    """Fill the documents of one worked example; return what is wrong with their templates."""
+    words, (spaces, _) = Words(course.language), _spaces(course)
+    problems: list[Problem] = []
+    for sample in islice(samples(course, load_policy(course), spaces, words), 1):
+        documents, hindered = sample_documents(sample)
+        problems += [*hindered, *filling_problems(documents, templates, words, read)]
+    return problems
 
 
 def scheme_problems(root: Path, scheme: str) -> list[Problem]:
@@ -89,11 +117,16 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
     Raises:
         UsageError: the course has no such scheme.
     """
+    course = kept_course(root)
+    if course is not None:  # every scheme of it was checked
+        with_scheme(course, scheme)
+        own = [root / name for name in REQUIRED_FOLDERS]
+        printed = partial(_printed_problems, course, scheme)
+        return unless_sound(f"numbers of {scheme}", root, own, printed)
     course, problems = read_course(root)
     if course is None:
         return problems
-    only = with_scheme(course, scheme)
-    problems += check_course(only, whole=course)
+    problems += check_course(with_scheme(course, scheme), whole=course)
     return problems or _printed_problems(course, scheme)
 
 

@@ -37,7 +37,7 @@ class Named:
     names: frozenset[str]
 
 
-Compositions: TypeAlias = dict[tuple[object, ...], tuple[Named, ...]]
+Compositions: TypeAlias = dict[tuple[object, ...], Named]
 
 
 def load_mechanisms(course: Course) -> tuple[Mechanism, ...]:
@@ -175,24 +175,18 @@ def _with_names(
     compositions: Compositions,
 ) -> Named:
     """Return the choices, with these options, that hold all names, else as many as possible."""
-    key = (scheme.id, *options.items())
-    if key not in compositions:
-        plain = compositions.get((scheme.id,)) or tuple(_compositions(course, scheme))
-        compositions[(scheme.id,)] = plain
-        changed = ({**one.options, **options} for one in plain)
-        compositions[key] = tuple(_named(course, scheme, one) for one in changed)
     best = Named({}, frozenset())
-    for one in compositions[key]:
+    for plain in pair_option_sets(scheme):
+        chosen = {**plain, **options}
+        key = (scheme.id, *chosen.items())
+        if key not in compositions:
+            compositions[key] = _named(course, scheme, chosen)
+        one = compositions[key]
         if len(wanted & one.names) >= len(wanted & best.names):
             best = one
             if wanted <= one.names:
                 break
     return best
-
-
-def _compositions(course: Course, scheme: Scheme) -> Iterator[Named]:
-    for one in pair_option_sets(scheme):
-        yield _named(course, scheme, one)
 
 
 def _named(course: Course, scheme: Scheme, options: Mapping[str, str]) -> Named:

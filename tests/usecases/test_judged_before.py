@@ -1,0 +1,67 @@
+"""What was found sound is not judged again, and nothing else is taken for it."""
+
+from pathlib import Path
+
+import pytest
+
+from gripcourse.errors import Problem
+from gripcourse.text.words import message
+from gripcourse.usecases.judged_before import unless_sound
+
+FAULT = Problem("variants/a.toml", "", message("The file is missing."), message("Write it."))
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    folder = tmp_path / "course" / "variants"
+    folder.mkdir(parents=True)
+    (folder / "a.toml").write_text("a = 1", encoding="utf-8")
+    return folder.parent
+
+
+def judged(root: Path, *problems: Problem, subject: str = "numbers") -> list[Problem]:
+    """Judge a course that has some problems."""
+    return unless_sound(subject, root, [root / "variants"], lambda: list(problems))
+
+
+def test_what_was_found_sound_is_not_judged_again(root: Path) -> None:
+    assert judged(root) == []
+    assert judged(root, FAULT) == []
+
+
+def test_another_judgement_of_the_same_files_is_made(root: Path) -> None:
+    assert judged(root) == []
+    assert judged(root, FAULT, subject="templates") == [FAULT]
+
+
+def test_what_was_found_wrong_is_judged_each_time(root: Path) -> None:
+    assert judged(root, FAULT) == [FAULT]
+    assert judged(root, FAULT) == [FAULT]
+    assert judged(root) == []
+
+
+@pytest.mark.parametrize("name", ["a.toml", "tables/main.csv", "b"])
+def test_a_file_that_changed_or_is_new_is_judged(root: Path, name: str) -> None:
+    assert judged(root) == []
+    path = root / "variants" / name
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("a = 2", encoding="utf-8")
+    assert judged(root, FAULT) == [FAULT]
+
+
+def test_what_changes_while_it_is_judged_is_judged_again(root: Path) -> None:
+    def judge() -> list[Problem]:
+        (root / "variants" / "a.toml").write_text("a = 2", encoding="utf-8")
+        return []
+
+    assert unless_sound("numbers", root, [root / "variants"], judge) == []
+    (root / "variants" / "a.toml").write_text("a = 1", encoding="utf-8")
+    assert judged(root, FAULT) == [FAULT]
+
+
+def test_a_folder_that_is_a_link_is_judged_each_time(root: Path) -> None:
+    (root / "variants" / "one").mkdir()
+    (root / "variants" / "linked").symlink_to(root / "variants" / "one")
+    assert judged(root) == []
+    assert judged(root, FAULT) == [FAULT]
