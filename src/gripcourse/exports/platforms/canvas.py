@@ -67,7 +67,7 @@ def fill_gradebook(
     rows: list[list[str]] = []
     filled = 0
     for place, cells in enumerate(table.rows):
-        is_header = place == 0 or _POSSIBLE in cells[0]
+        is_header = place == 0 or (cells and _POSSIBLE in cells[0])
         row = next((row for at, row in people if at == place), None)
         if not is_header and row is None:
             continue
