@@ -4,6 +4,7 @@ Nothing of an archive is ever written to the disk, so that no name in it can lea
 is read only as far as it may be large, whatever size the archive declares.
 """
 
+import errno
 import stat
 import unicodedata
 import zipfile
@@ -115,10 +116,12 @@ def read_member(archive: Path, place: int) -> bytes:
         with zipfile.ZipFile(archive) as opened:
             info = opened.infolist()[place]
             if info.compress_type not in _METHODS:
-                raise UnreadableMemberError(str(info.compress_type))
+                raise NotImplementedError(info.compress_type)
             with opened.open(info) as stream:
                 data = stream.read(LARGEST_MEMBER + 1)
-    except _DAMAGE as fault:
+    except (*_DAMAGE, OSError) as fault:
+        if _is_of_the_disk(fault):
+            raise
         raise UnreadableMemberError(str(fault)) from fault
     if len(data) > LARGEST_MEMBER:
         raise UnreadableMemberError(str(len(data)))
@@ -130,10 +133,17 @@ def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
     try:
         with zipfile.ZipFile(archive) as opened:
             yield opened
-    except _DAMAGE as fault:
+    except (*_DAMAGE, OSError) as fault:
+        if _is_of_the_disk(fault):
+            raise
         what = message("This is no zip that can be read: it is damaged or something else.")
         remedy = message("Download it again, or unpack it and name the folder.")
         raise UsageError([Problem(str(archive), "", what, remedy)]) from fault
+
+
+def _is_of_the_disk(fault: Exception) -> bool:
+    """Tell a fault of the disk from one of the archive, which may point before its own begin."""
+    return isinstance(fault, OSError) and fault.errno != errno.EINVAL
 
 
 def _name(info: zipfile.ZipInfo) -> str:
