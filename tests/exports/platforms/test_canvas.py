@@ -59,3 +59,8 @@ def test_a_blank_line_is_nobodys(works: Works) -> None:
     header, *rest = EXPORT.splitlines(keepends=True)
     spaced = "".join((header, "\n", *rest, "\n"))
     assert table(spaced, works=works(FILES)) == table(works=works(FILES))
+
+
+def test_spaces_around_a_heading_are_nothing(works: Works) -> None:
+    spaced = EXPORT.replace("Student,ID,SIS User ID,", "Student , ID,SIS User ID ,", 1)
+    assert table(spaced, works=works(FILES))[1:] == table(works=works(FILES))[1:]
