@@ -1,6 +1,8 @@
-"""Rosters and declarations from strangers: each spoiled one is read or refused."""
+"""Rosters, declarations, tables of platforms and archives from strangers: read or refused."""
 
+import io
 import random
+import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -10,7 +12,15 @@ import pytest
 
 from gripcourse.course.toml_faults import toml_values
 from gripcourse.errors import GripcourseError, Problem
+from gripcourse.exports.platforms.canvas import fill_gradebook
+from gripcourse.exports.platforms.moodle_worksheet import fill_worksheet, read_worksheet
 from gripcourse.issuing.roster import read_roster
+from gripcourse.machine.archive import (
+    UnreadableMemberError,
+    is_bundle,
+    members_of,
+    read_member,
+)
 from gripcourse.machine.content import NamedBytes
 
 ROOT: Final = Path(__file__).parents[2]
@@ -42,14 +52,69 @@ def declarations(data: bytes, folder: Path) -> object:
     return toml_values(folder / "course.toml", "course.toml", problems) or problems
 
 
+def worksheet(data: bytes, _folder: Path) -> object:
+    return fill_worksheet(read_worksheet(NamedBytes("work.csv", data)), (), lambda _: "").content
+
+
+def gradebook(data: bytes, _folder: Path) -> object:
+    return fill_gradebook(NamedBytes("grades.csv", data), (), "").content
+
+
+def works(data: bytes, folder: Path) -> object:
+    """Read every member that may be read; no two of them have one name."""
+    path = folder / "works.zip"
+    path.write_bytes(data)
+    is_bundle(path)
+    members = [one for one in members_of(path) if one.unusable is None]
+    assert len({one.name for one in members}) == len(members)
+    for one in members:
+        with suppress(UnreadableMemberError):
+            read_member(path, one.place)
+    return path
+
+
+def declared(name: str) -> bytes:
+    return (ROOT / "variants" / name).read_bytes()
+
+
+def packed() -> bytes:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in ("s01/a.xlsx", "s01/b.xlsx", "Ольга_12_file/ответ.xlsx", "c/"):
+            archive.writestr(zipfile.ZipInfo(name), bytes(range(256)) * 4, zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+WORKSHEET: Final = """\
+Identifier,"Full name",Status,Grade,"Maximum grade","Grade can be changed",\
+"Last modified (grade)","Feedback comments"
+"Participant 12","Ольга Иванова","Submitted",,100.00,Yes,-,
+"Participant 3","Іван Ковальчук","Submitted",,100.00,Yes,"Saturday, 21 November 2026","<p>a,
+b</p>"
+"""
+GRADEBOOK: Final = """\
+Student,ID,SIS User ID,SIS Login ID,Section,РГР 1 (9876),Current Score
+    Points Possible,,,,,"50.00",(read only)
+"Иванова, Ольга",501,u1,ivanova@uni.ua,РТ-41,,70
+"""
+
+
 @pytest.mark.parametrize(
     ("sound", "read"),
-    [("variants/roster.csv", roster), ("variants/course.toml", declarations)],
-    ids=["roster", "declarations"],
+    [
+        (declared("roster.csv"), roster),
+        (declared("course.toml"), declarations),
+        (WORKSHEET.encode(), worksheet),
+        (WORKSHEET.encode("utf-16"), worksheet),
+        (GRADEBOOK.encode("utf-8-sig"), gradebook),
+        (packed(), works),
+    ],
+    ids=["roster", "declarations", "worksheet", "worksheet in UTF-16", "gradebook", "archive"],
 )
 def test_what_is_spoiled_is_read_or_refused(
-    sound: str, read: Callable[[bytes, Path], object], tmp_path: Path
+    sound: bytes, read: Callable[[bytes, Path], object], tmp_path: Path
 ) -> None:
-    for data in spoiled((ROOT / sound).read_bytes()):
+    assert read(sound, tmp_path)
+    for data in spoiled(sound):
         with suppress(GripcourseError):  # it says what is wrong
             assert read(data, tmp_path)

@@ -3,6 +3,7 @@
 import stat
 import struct
 import unicodedata
+import warnings
 import zipfile
 from pathlib import Path
 
@@ -103,6 +104,45 @@ def test_two_members_of_one_name_are_both_there(tmp_path: Path) -> None:
     with pytest.warns(UserWarning, match="Duplicate"):
         path = packed(tmp_path / "a.zip", "a.xlsx", "a.xlsx")
     assert [one.name for one in members_of(path)] == ["a (2).xlsx", "a.xlsx"]
+
+
+def test_names_that_look_numbered_already_are_numbered_on(tmp_path: Path) -> None:
+    names = ["x" + " (2)" * count for count in range(1200)]
+    with pytest.warns(UserWarning, match="Duplicate"):
+        path = packed(tmp_path / "a.zip", *names, "x")
+    assert len({one.name for one in members_of(path)}) == len(names) + 1
+
+
+@pytest.mark.parametrize("name", [".", "", "./", "/", "a/.."])
+def test_members_without_a_name_are_not_read(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "a.zip"
+    with zipfile.ZipFile(path, "w") as archive, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for _ in range(2):
+            archive.writestr(zipfile.ZipInfo(name), b"1")
+    assert {one.unusable for one in members_of(path)} <= {Unusable.UNSAFE_PATH}
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_LZMA, zipfile.ZIP_BZIP2])
+def test_what_is_packed_in_a_rare_way_is_not_unpacked(tmp_path: Path, method: int) -> None:
+    """A hundred bytes of bzip2 are a hundred megabytes, and its library unpacks them whole."""
+    path = tmp_path / "a.zip"
+    with zipfile.ZipFile(path, "w", method) as archive:
+        archive.writestr("a.xlsx", bytes(range(256)) * 40)
+    (one,) = members_of(path)
+    assert one.unusable is Unusable.METHOD
+    with pytest.raises(UnreadableMemberError):
+        read_member(path, one.place)
+
+
+def test_a_damaged_member_is_said_to_be_unreadable(tmp_path: Path) -> None:
+    path = packed(tmp_path / "a.zip", "a.xlsx", data=bytes(range(256)) * 40)
+    data = bytearray(path.read_bytes())
+    for place in range(60, 100):
+        data[place] ^= 0x5A
+    path.write_bytes(data)
+    with pytest.raises(UnreadableMemberError):
+        read_member(path, 0)
 
 
 def test_what_is_no_zip_is_refused_in_a_sentence(tmp_path: Path) -> None:

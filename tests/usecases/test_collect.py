@@ -1,5 +1,7 @@
 """Every file under a folder is graded or named with the reason why it is not."""
 
+import errno
+import os
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -60,6 +62,30 @@ def test_no_link_in_a_folder_is_followed_and_each_is_named(tmp_path: Path) -> No
     assert found.files == (work / "a.xlsx",)
     named = {Path(one.file).name: (one.why, one.needs_person) for one in found.passed_over}
     assert named == dict.fromkeys(targets, (WhyNot.LINK, True))
+
+
+def test_a_folder_that_may_not_be_looked_into_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made(tmp_path, "a.xlsx", "s01/b.xlsx", "s02/c.xlsx", "s03/d.xlsx")
+    scan, access = os.scandir, os.access
+
+    def refused(path: str) -> object:
+        if str(path).endswith("s01"):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+        return scan(path)
+
+    def allowed(path: str, what: int) -> bool:
+        return not (str(path).endswith("s02") and what == os.X_OK) and access(path, what)
+
+    monkeypatch.setattr(os, "scandir", refused)
+    monkeypatch.setattr(os, "access", allowed)
+    found = collect([tmp_path])
+    assert [path.name for path in found.files] == ["a.xlsx", "d.xlsx"]
+    assert [(Path(one.file).name, one.why, one.needs_person) for one in found.passed_over] == [
+        ("s01", WhyNot.CLOSED, True),
+        ("s02", WhyNot.CLOSED, True),
+    ]
 
 
 def test_a_link_that_a_person_names_is_followed(tmp_path: Path) -> None:

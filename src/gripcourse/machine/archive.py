@@ -4,6 +4,7 @@ Nothing of an archive is ever written to the disk, so that no name in it can lea
 is read only as far as it may be large, whatever size the archive declares.
 """
 
+import errno
 import stat
 import unicodedata
 import zipfile
@@ -24,7 +25,13 @@ MOST_MEMBERS: Final = 100_000
 _OF_A_DOCUMENT: Final = frozenset({"[Content_Types].xml", "mimetype"})
 _UTF8: Final = 1 << 11
 _ENCRYPTED: Final = 1
-_DAMAGE: Final = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError)
+# Of bzip2 a few bytes are gigabytes, and the library unpacks all that it has read at once. No
+# learning platform packs so.
+_METHODS: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
+_DAMAGE: Final = (
+    *(zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError),
+    *(RuntimeError, ValueError),  # a password; a name that is no text, a place before the file
+)
 
 
 class Unusable(StrEnum):
@@ -32,12 +39,13 @@ class Unusable(StrEnum):
 
     UNSAFE_PATH = "unsafe_path"
     ENCRYPTED = "encrypted"
+    METHOD = "method"
     TOO_LARGE = "too_large"
     NO_FILE = "no_file"
 
 
 class UnreadableMemberError(OSError):
-    """A member that is damaged, or larger than it said."""
+    """A member that is damaged, larger than it said, or packed in a way that is not read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +54,7 @@ class PackedMember:
 
     Attributes:
         place: its number in the archive, from 0.
-        name: with folders, as its owner wrote it; no two of an archive are the same.
+        name: with folders, as its owner wrote it; no two that can be read are the same.
         unusable: why it is not to be read; None where it is.
     """
 
@@ -83,9 +91,12 @@ def members_of(archive: Path) -> tuple[PackedMember, ...]:
     taken: Counter[str] = Counter()
     members = []
     for place, info in enumerate(found):
-        if not info.is_dir():
-            name = _free(_name(info), taken)
-            members.append(PackedMember(place, name, _unusable(info, name)))
+        if not info.filename.endswith("/"):
+            name = _name(info)
+            unusable = _unusable(info, name)
+            if unusable is not Unusable.UNSAFE_PATH:  # that need not have a last part
+                name = _free(name, taken)
+            members.append(PackedMember(place, name, unusable))
     return tuple(sorted(members, key=lambda one: one.name))
 
 
@@ -97,13 +108,20 @@ def read_member(archive: Path, place: int) -> bytes:
         place: of the member; see `PackedMember`.
 
     Raises:
-        UnreadableMemberError: it is damaged, or larger than any file that is looked at.
+        UnreadableMemberError: it is damaged, larger than any file that is looked at, or packed
+            in a way that is not read.
         OSError: the archive cannot be read.
     """
     try:
-        with zipfile.ZipFile(archive) as opened, opened.open(opened.infolist()[place]) as stream:
-            data = stream.read(LARGEST_MEMBER + 1)
-    except _DAMAGE as fault:
+        with zipfile.ZipFile(archive) as opened:
+            info = opened.infolist()[place]
+            if info.compress_type not in _METHODS:
+                raise NotImplementedError(info.compress_type)
+            with opened.open(info) as stream:
+                data = stream.read(LARGEST_MEMBER + 1)
+    except (*_DAMAGE, OSError) as fault:
+        if _is_of_the_disk(fault):
+            raise
         raise UnreadableMemberError(str(fault)) from fault
     if len(data) > LARGEST_MEMBER:
         raise UnreadableMemberError(str(len(data)))
@@ -115,10 +133,17 @@ def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
     try:
         with zipfile.ZipFile(archive) as opened:
             yield opened
-    except _DAMAGE as fault:
+    except (*_DAMAGE, OSError) as fault:
+        if _is_of_the_disk(fault):
+            raise
         what = message("This is no zip that can be read: it is damaged or something else.")
         remedy = message("Download it again, or unpack it and name the folder.")
         raise UsageError([Problem(str(archive), "", what, remedy)]) from fault
+
+
+def _is_of_the_disk(fault: Exception) -> bool:
+    """Tell a fault of the disk from one of the archive, which may point before its own begin."""
+    return isinstance(fault, OSError) and fault.errno != errno.EINVAL
 
 
 def _name(info: zipfile.ZipInfo) -> str:
@@ -138,10 +163,11 @@ def _name(info: zipfile.ZipInfo) -> str:
 def _free(name: str, taken: Counter[str]) -> str:
     """Return a name that no member before has: archives may hold one name twice."""
     taken[name] += 1
-    if taken[name] == 1:
-        return name
-    path = PurePosixPath(name)
-    return _free(str(path.with_name(f"{path.stem} ({taken[name]}){path.suffix}")), taken)
+    while taken[name] > 1:
+        path = PurePosixPath(name)
+        name = str(path.with_name(f"{path.stem} ({taken[name]}){path.suffix}"))
+        taken[name] += 1
+    return name
 
 
 def _unusable(info: zipfile.ZipInfo, name: str) -> Unusable | None:
@@ -153,4 +179,6 @@ def _unusable(info: zipfile.ZipInfo, name: str) -> Unusable | None:
         return Unusable.NO_FILE
     if info.flag_bits & _ENCRYPTED:
         return Unusable.ENCRYPTED
+    if info.compress_type not in _METHODS:
+        return Unusable.METHOD
     return Unusable.TOO_LARGE if info.file_size > LARGEST_MEMBER else None

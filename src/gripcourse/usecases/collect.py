@@ -4,6 +4,7 @@ A zip that is named itself is looked into, as a learning platform hands it out. 
 or inside another zip may be a student's own bundle: it is named and a person unpacks it.
 """
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -32,9 +33,11 @@ class WhyNot(StrEnum):
     LOCK_FILE = "lock_file"
     HIDDEN = "hidden"
     LINK = "link"
+    CLOSED = "closed"
     NO_FILE = Unusable.NO_FILE
     UNSAFE_PATH = Unusable.UNSAFE_PATH
     ENCRYPTED = Unusable.ENCRYPTED
+    METHOD = Unusable.METHOD
     TOO_LARGE = Unusable.TOO_LARGE
     OTHER = "other"
 
@@ -52,11 +55,17 @@ REASONS: Final[Mapping[WhyNot, Message]] = {
     WhyNot.LINK: message(
         "A link to another place, where anything may lie; put the file itself here."
     ),
+    WhyNot.CLOSED: message(
+        "A folder that may not be looked into; allow it, there may be works in it."
+    ),
     WhyNot.NO_FILE: message("No file that can be read: a broken link or a device."),
     WhyNot.UNSAFE_PATH: message(
         "Its name in the archive leads out of it; nobody packs so by chance."
     ),
     WhyNot.ENCRYPTED: message("It is protected by a password inside the archive."),
+    WhyNot.METHOD: message(
+        "It is packed in a way that is not read; unpack the archive and name the folder."
+    ),
     WhyNot.TOO_LARGE: message("It is larger than any workbook that is looked at."),
     WhyNot.OTHER: message("Not a workbook, for example a drawing."),
 }
@@ -147,13 +156,25 @@ def _packed(archive: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
 
 
 def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
-    for path in sorted(folder.rglob("*")):
+    closed: list[Path] = []
+    found: list[Path] = []
+    for place, folders, files in os.walk(
+        folder, onerror=lambda fault: closed.append(Path(str(fault.filename)))
+    ):
+        if not os.access(place, os.X_OK):  # its names may be read, nothing else
+            closed.append(Path(place))
+            folders.clear()
+            continue
+        found += (Path(place, name) for name in (*folders, *files))
+    for path in sorted({*found, *closed}):
         # What we keep of an earlier run is nobody's work, wherever the results were put.
         if EARLIER in path.parts:
             continue
         # Whoever made the folder may have laid a link to any file of ours, or of another student's.
-        if path.is_symlink():
+        if path.is_symlink() and path != folder:
             yield path, WhyNot.LINK
+        elif path in closed:
+            yield path, WhyNot.CLOSED
         elif not path.is_dir():
             yield path, why_not(path) if path.is_file() else WhyNot.NO_FILE
 

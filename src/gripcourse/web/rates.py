@@ -1,12 +1,13 @@
 """How often somebody may do something, counted in the memory of one server."""
 
 import threading
-from collections import deque
+from collections import OrderedDict, deque
 from typing import Final
 
 from gripcourse.desk.model import Allowance
 
-_MOST_KEPT: Final = 10_000  # whoever tries with ever new names cannot fill the memory
+# Of each allowance: whoever tries with ever new names cannot fill the memory.
+MOST_KEPT: Final = 10_000
 
 
 CHECKS: Final = Allowance(30, 600)
@@ -22,7 +23,7 @@ class Counter:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._done: dict[tuple[Allowance, str], deque[float]] = {}
+        self._done: dict[Allowance, OrderedDict[str, deque[float]]] = {}
 
     def allows(self, rate: Allowance, who: str, now: float) -> bool:
         """Count one more; False, and nothing counted, where it would be too many.
@@ -33,9 +34,11 @@ class Counter:
             now: seconds of a clock that never goes back.
         """
         with self._lock:
-            if len(self._done) > _MOST_KEPT:
-                self._done.clear()
-            times = self._done.setdefault((rate, who), deque())
+            done = self._done.setdefault(rate, OrderedDict())
+            times = done.setdefault(who, deque())
+            done.move_to_end(who)
+            if len(done) > MOST_KEPT:  # who has not come for the longest time is forgotten
+                done.popitem(last=False)
             while times and now - times[0] >= rate.seconds:
                 times.popleft()
             if len(times) >= rate.times:

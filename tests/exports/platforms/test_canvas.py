@@ -53,3 +53,14 @@ def test_the_assignment_must_be_clear() -> None:
 def test_another_table_is_refused_by_its_headings() -> None:
     with pytest.raises(UsageError, match="No heading is ID, Section"):
         table("Student,Points\nA,1\n")
+
+
+def test_a_blank_line_is_nobodys(works: Works) -> None:
+    header, *rest = EXPORT.splitlines(keepends=True)
+    spaced = "".join((header, "\n", *rest, "\n"))
+    assert table(spaced, works=works(FILES)) == table(works=works(FILES))
+
+
+def test_spaces_around_a_heading_are_nothing(works: Works) -> None:
+    spaced = EXPORT.replace("Student,ID,SIS User ID,", "Student , ID,SIS User ID ,", 1)
+    assert table(spaced, works=works(FILES))[1:] == table(works=works(FILES))[1:]

@@ -163,3 +163,18 @@ def test_the_names_in_the_zip_of_reports_are_those_that_moodle_takes(
     number, plugin, kind = rest.split("/")[0].split("_")
     assert (person, number, plugin, kind) == ("Ольга Иванова", "12", "assignfeedback", "file")
     assert notes == ()
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        (b"Identifier," + b"a" * 200_000, "cannot be told apart"),
+        (b"\xef\xbb\xbfIdentifier\xff\xfe,x", "no table of text"),
+        (b"\xff\xfea\0b", "no table of text"),
+        (b"\xff\xfe\0\xd8a\0", "no table of text"),
+    ],
+    ids=["a very long cell", "a mark of UTF-8 alone", "UTF-16 cut short", "half a sign"],
+)
+def test_what_is_no_text_is_refused_by_name(data: bytes, said: str) -> None:
+    with pytest.raises(UsageError, match=f"^work.csv.*{said}"):
+        read_worksheet(NamedBytes("work.csv", data))

@@ -59,7 +59,7 @@ def fill_gradebook(
     table = read_raw_table(source, lambda header: len(_KNOWN & {cell.strip() for cell in header}))
     kept = _kept_columns(table)
     column = _assignment_column(table, kept[-1], assignment)
-    places = {cell: place for place, cell in enumerate(table.header)}
+    places = {cell.strip(): place for place, cell in enumerate(table.header)}
     people = tuple(_people(table, places))
     matching = match(works, [row for _, row in people], table.file)
     possible = _possible(table, column)
@@ -67,7 +67,7 @@ def fill_gradebook(
     rows: list[list[str]] = []
     filled = 0
     for place, cells in enumerate(table.rows):
-        is_header = place == 0 or _POSSIBLE in cells[0]
+        is_header = place == 0 or (cells and _POSSIBLE in cells[0])
         row = next((row for at, row in people if at == place), None)
         if not is_header and row is None:
             continue

@@ -78,17 +78,23 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
     """
     data, file = content_of(source), shown_name(source)
     encoding = _encoding(data)
-    if encoding is None:
-        what = message("This is no table of text.")
-        remedy = message("Download the table again, as CSV; a workbook is something else.")
-        raise UsageError([Problem(file, "", what, remedy)])
-    text = data.decode(encoding)
+    try:
+        if encoding is None:
+            raise _no_text(file)
+        text = data.decode(encoding)
+    except UnicodeError as fault:
+        raise _no_text(file) from fault
     records = tuple(found[0] for found in _RECORD.finditer(text) if found[0])
     if not records:
         what, remedy = message("The table is empty."), message("Export it again.")
         raise UsageError([Problem(file, "", what, remedy)])
-    separator = max(_SEPARATORS, key=lambda one: known(_cells(records[0], one)))
-    rows = tuple(_cells(record, separator) for record in records)
+    try:
+        separator = max(_SEPARATORS, key=lambda one: known(_cells(records[0], one)))
+        rows = tuple(_cells(record, separator) for record in records)
+    except csv.Error as fault:
+        what = message("The rows cannot be told apart: {fault}.", fault=fault)
+        remedy = message("Look for a quotation mark that is opened and never closed.")
+        raise UsageError([Problem(file, "", what, remedy)]) from fault
     problems = [
         Problem(
             file,
@@ -106,6 +112,12 @@ def read_raw_table(source: Readable, known: RateHeader) -> RawTable:
     if problems:
         raise UsageError(problems)
     return RawTable(file, encoding, separator, records, rows)
+
+
+def _no_text(file: str) -> UsageError:
+    what = message("This is no table of text.")
+    remedy = message("Download the table again, as CSV; a workbook is something else.")
+    return UsageError([Problem(file, "", what, remedy)])
 
 
 def _cells(record: str, separator: str) -> tuple[str, ...]:
