@@ -5,12 +5,13 @@ A cohort of ten thousand has some seven million cells; of one in ten anything is
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.intp]
+Floats: TypeAlias = NDArray[np.float64]
+Ints: TypeAlias = NDArray[np.signedinteger[Any]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -19,7 +20,7 @@ class SparseTable:
 
     Attributes:
         rows, columns: of the table.
-        key: (cells,); column times rows, plus row; ascending.
+        key: (cells,); column times rows, plus row; ascending; of 32 bits where they are enough.
         value: (cells,); finite.
     """
 
@@ -32,12 +33,25 @@ class SparseTable:
     def of(cls, shape: tuple[int, int], row: Ints, column: Ints, value: Floats) -> "SparseTable":
         """Put numbers into a table; of several in one cell the last counts."""
         rows, columns = shape
-        known = np.flatnonzero(np.isfinite(value))
-        key = column[known] * rows + row[known]
+        known = np.isfinite(value)
+        key, value = _keys(shape, row[known], column[known]), value[known]
         order = np.argsort(key, kind="stable")
         is_last = np.diff(key[order], append=-1) != 0
         order = order[is_last]
-        return cls(rows, columns, key[order], value[known[order]])
+        return cls(rows, columns, key[order], value[order])
+
+    @classmethod
+    def joined(cls, shape: tuple[int, int], parts: Sequence["SparseTable"]) -> "SparseTable":
+        """Put tables of this shape together, no two of which have the same cell."""
+        rows, columns = shape
+        nothing = _keys(shape, np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.int32))
+        key = np.concatenate([nothing, *(one.key for one in parts)])
+        key.sort()
+        value = np.empty(len(key))
+        # One after the other: an order of all of them would take as much room again.
+        for one in parts:
+            value[np.searchsorted(key, one.key)] = one.value
+        return cls(rows, columns, key, value)
 
     @classmethod
     def of_table(cls, table: Floats) -> "SparseTable":
@@ -50,7 +64,7 @@ class SparseTable:
         """Return the numbers of cells, NaN for the empty ones."""
         if not len(self.key):
             return np.full(np.broadcast(row, column).shape, np.nan)
-        wanted = column * self.rows + row
+        wanted = _keys((self.rows, self.columns), row, column)
         place = np.minimum(np.searchsorted(self.key, wanted), len(self.key) - 1)
         return np.where(self.key[place] == wanted, self.value[place], np.nan)
 
@@ -67,7 +81,9 @@ class SparseTable:
     @property
     def begins(self) -> Ints:
         """Where the numbers of each column begin, and where those of the last one end."""
-        return np.searchsorted(self.key, np.arange(self.columns + 1) * self.rows)
+        ends = np.arange(1, self.columns + 1) * self.rows - 1  # of each column, its last key
+        after = np.searchsorted(self.key, ends.astype(self.key.dtype), "right")
+        return np.concatenate(([0], after))
 
     @property
     def present(self) -> NDArray[np.bool_]:
@@ -75,3 +91,11 @@ class SparseTable:
         found = np.zeros((self.rows, self.columns), dtype=np.bool_)
         found[self.place] = True
         return found
+
+
+def _keys(shape: tuple[int, int], row: Ints, column: Ints) -> Ints:
+    """Return the keys of cells; see `SparseTable`."""
+    rows, columns = shape
+    if rows * columns <= np.iinfo(np.int32).max:
+        return column.astype(np.int32) * rows + row.astype(np.int32)
+    return column.astype(np.int64) * rows + row.astype(np.int64)

@@ -103,7 +103,8 @@ def _of_typed(pooled: ComparisonPool, rule: LikenessRule, chances: Chances) -> l
 def _portions(pooled: ComparisonPool) -> Iterator[slice]:
     """Part the numbers into those of so many submissions as there is room to compare at a time."""
     rows = range(0, len(pooled.students), _AT_ONCE)
-    begins = np.searchsorted(pooled.numbers.row, [*rows, len(pooled.students)])
+    row = pooled.numbers.row
+    begins = np.searchsorted(row, np.array([*rows, len(pooled.students)], dtype=row.dtype))
     yield from (slice(begin, end) for begin, end in pairwise(begins.tolist()))
 
 

@@ -81,32 +81,24 @@ def issued_values(
     kind = np.full(len(variants), len(plans), dtype=np.intp)
     # The last one is of what cannot be solved.
     families = np.tile(np.arange(len(columns)), (len(plans) + 1, 1))
-    cells: list[tuple[Ints, Ints, Floats]] = []
+    shape, parts = (len(variants), len(columns)), list[SparseTable]()
     for number, (plan, members) in enumerate(plans):
         names = [name for name in plan.quantities if name in columns]
         solved = _solved(plan, [variants[row][1] for row in members], names)
-        places = np.array([columns[name] for name in names], dtype=np.intp)
-        rows = np.array(members, dtype=np.intp)
+        places = np.array([columns[name] for name in names], dtype=np.int32)
+        rows = np.array(members, dtype=np.int32)
         kind[rows] = number
         families[number, places] = places[_families(solved)]
-        cells.append((np.repeat(rows, len(places)), np.tile(places, len(rows)), solved.ravel()))
-    row, column, value = _joined(cells)
-    del cells  # as much room again
+        row, column = np.repeat(rows, len(places)), np.tile(places, len(rows))
+        parts.append(SparseTable.of(shape, row, column, solved.ravel()))
     return IssuedValues(
         owners=tuple(owner for owner, _ in variants),
         quantities=tuple(columns),
-        values=SparseTable.of((len(variants), len(columns)), row, column, value),
+        values=SparseTable.joined(shape, parts),
         kind=kind,
         families=families,
         discrete=np.array(list(exact.values()), bool),
     )
-
-
-def _joined(cells: Sequence[tuple[Ints, Ints, Floats]]) -> tuple[Ints, Ints, Floats]:
-    """Put rows, columns and values of all plans one after the other."""
-    nothing = np.zeros(0, dtype=np.intp)
-    rows, columns, values = zip((nothing, nothing, np.zeros(0)), *cells, strict=True)
-    return np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
 
 
 def _grouped(

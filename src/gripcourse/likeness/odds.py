@@ -78,7 +78,9 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     found = [np.zeros(0, dtype=np.intp)]
     for chosen in _portions(compared, telling):
         number, owner = compared.found.owners(chosen)
-        pairs, place = np.unique(row[number] * compared.owners + owner, return_inverse=True)
+        pairs, place = np.unique(
+            row[number].astype(np.intp) * compared.owners + owner, return_inverse=True
+        )
         likely = np.bincount(place, weight[number], len(pairs)) >= least
         likely &= np.bincount(place, minlength=len(pairs)) >= answers
         of_likely = likely[place]

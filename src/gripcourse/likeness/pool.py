@@ -59,7 +59,7 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     columns = issued.columns
     students: list[str] = []
     slips: dict[object, int] = {}
-    wholes, reals = array("q"), array("d")
+    wholes, reals = array("i"), array("d")
     for row, work in enumerate(works):
         students.append(work.student)
         for one in sorted(
@@ -69,7 +69,7 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
             slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
             wholes.extend((row, columns[one.quantity], one.explained, slip))
             reals.extend((one.value, one.half_unit))
-    of_row, column, explained, slip_of = np.asarray(wholes, dtype=np.intp).reshape(-1, 4).T
+    of_row, column, explained, slip_of = np.asarray(wholes, dtype=np.int32).reshape(-1, 4).T
     value, half = np.asarray(reals, dtype=np.float64).reshape(-1, 2).T
     return ComparisonPool(
         students=tuple(students),
@@ -113,23 +113,23 @@ class SharedMethods:
 
     Attributes:
         pooled: the numbers.
-        right: (numbers,); the right value of each, for its own student.
         likely: (numbers,); that another makes the same mistake.
     """
 
     pooled: ComparisonPool
-    right: Floats
     likely: Floats
 
     def part(self, which: slice) -> "SharedMethods":
         """Return the same for some of the numbers."""
-        return SharedMethods(self.pooled.part(which), self.right[which], self.likely[which])
+        return SharedMethods(self.pooled.part(which), self.likely[which])
 
     def chance(self, number: Ints, owner: Ints) -> Floats:
         """Return it for pairs of a number and a submission; 0 where they would differ."""
-        pooled = self.pooled
-        theirs = pooled.issued.values.at(pooled.own[owner], pooled.numbers.column[number])
-        shared = np.isclose(self.right[number], theirs, rtol=1e-6, atol=0.0)
+        pooled, values = self.pooled, self.pooled.issued.values
+        column = pooled.numbers.column[number]
+        right = values.at(pooled.own[pooled.numbers.row[number]], column)
+        theirs = values.at(pooled.own[owner], column)
+        shared = np.isclose(right, theirs, rtol=1e-6, atol=0.0)
         return np.where(shared, self.likely[number], 0.0)
 
 
@@ -139,7 +139,7 @@ def shared_methods(pooled: ComparisonPool, chances: Chances) -> SharedMethods:
     right = pooled.issued.values.at(pooled.own[numbers.row], numbers.column)
     with np.errstate(divide="ignore", invalid="ignore"):
         common = _commonness(numbers.column, numbers.value / right)
-    return SharedMethods(pooled, right, np.maximum(common, chances.shared))
+    return SharedMethods(pooled, np.maximum(common, chances.shared))
 
 
 def _without_filler(numbers: Sequence[Typed]) -> Iterator[Typed]:
