@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Course
+from gripcourse.documents.report.certificate_checks import tested_for_bodies
 from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
 from gripcourse.machine.files import expect_folder, write_bytes
@@ -14,7 +15,6 @@ from gripcourse.policy.load import load_policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.variants import draw_variants
 from gripcourse.variants.audit import VariantAudit, audit
-from gripcourse.documents.report.certificate_checks import tested_for_bodies
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
