@@ -11,6 +11,7 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
 from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.tree import Formula
+from gripcourse.solver.asked import NOTED
 from gripcourse.text.units import dimension, factor, known, unit_text
 from gripcourse.text.words import LANGUAGES, Texts
 from support.each import each
@@ -80,7 +81,7 @@ def test_what_stands_beside_a_question_says_nothing_twice(composition: "Composit
 def read_beside(one: Quantity, language: str) -> list[str]:
     """Return the texts of a question as the sheet has them one after the other."""
     note = one.source.note
-    printed = one.note_decides or one.kind in {Kind.CHOICE, Kind.PICK}
+    printed = one.note_decides or one.kind in NOTED
     texts = (one.title, one.decides, note if printed else None)
     return [text.of(language).casefold() for text in texts if text is not None]
 

@@ -100,3 +100,17 @@ def test_a_series_that_students_could_not_be_shown_is_named(
     problem = draft.edit(file, old, "# nothing: ").problem()
     assert (problem.file, str(problem.key)) == (file, key)
     assert f"'# {key}: …'" in str(problem.remedy)
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        (PIN, "title.uk"),
+        ("variants/catalogues/bore_pneumatic.csv", "column.rod.ru"),
+    ],
+)
+def test_a_language_that_a_printed_name_lacks_is_told(draft: "Draft", file: str, line: str) -> None:
+    problem = draft.edit(file, f"# {line}: ", "# nothing: ").problem()
+    assert (problem.file, str(problem.key)) == (file, line)
+    assert "in this language is missing" in str(problem.what)
+    assert f"'# {line}: …'" in str(problem.remedy)

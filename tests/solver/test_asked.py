@@ -6,6 +6,8 @@ import pytest
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Rounding
+from gripcourse.formula.parse import parse
+from gripcourse.formula.tree import Formula
 from gripcourse.solver.asked import cited_works, deciding
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import LANGUAGES, Words
@@ -38,6 +40,33 @@ def test_without_steps_only_the_nearest_size_is_asked_for(plan: Plan, steps: int
     said = deciding(replace(bore, choice=rule), plan, ENGLISH)
     assert "the size of the series nearest to " in said
     assert "any size" not in said
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "the size of the series nearest to 3, or one within ±2 places of it"),
+        ("ru", "значение ряда, ближайшее к 3, или отстоящее от него в ряду не более чем на ±2"),
+        ("uk", "значення ряду, найближче до 3, або віддалене від нього в ряду не більше ніж на ±2"),
+    ],
+)
+def test_with_steps_the_nearest_size_has_neighbours_on_either_side(
+    plan: Plan, language: str, said: str
+) -> None:
+    bore = plan.quantities["bore"]
+    assert bore.choice is not None
+    rule = replace(bore.choice, rounding=Rounding.NEAREST, steps=2, condition=None)
+    chosen = replace(bore, choice=rule, formula=Formula("3", parse("3"), {}))
+    assert said in deciding(chosen, plan, Words(language))
+
+
+def test_a_verdict_has_the_note_of_its_source(plan: Plan) -> None:
+    verdict = plan.quantities["grip_holds"]
+    assert verdict.kind is Kind.VERDICT
+    assert verdict.source.note is not None
+    assert not verdict.note_decides
+    for language in LANGUAGES:
+        assert verdict.source.note.of(language) in beside(plan, "grip_holds", Words(language))
 
 
 def test_every_choice_names_its_series(plan: Plan) -> None:

@@ -13,7 +13,7 @@ from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.fair import VerdictShare
 from gripcourse.variants.model import Variant
-from gripcourse.variants.monotony import EndShare, ends_of, sizes_of
+from gripcourse.variants.monotony import EndShare, ends_of, sizes_of, taken_of
 from gripcourse.variants.space import load_spaces
 
 SCHEMES = ("screw", "slot_lever")
@@ -74,6 +74,35 @@ def test_an_end_of_the_range_that_always_governs_is_named(
     greater = group.values[force.first] > group.values[force.second]
     assert force.share == pytest.approx(greater.mean())
     assert (force in found.same_ends) == (force.same > found.rules.same_end)
+
+
+def test_the_reason_of_a_quantity_stands_with_each_pair_that_its_formula_compares(
+    course: Course, some: tuple[Variant, ...]
+) -> None:
+    groups = solve_groups(course, some)
+    ends = ends_of(groups)
+    told = {(one.scheme, one.quantity, one.first, one.second): one for one in ends}
+    assert len(told) == len(ends)
+    shares: dict[tuple[str, str, str, str], list[np.ndarray]] = {}
+    for group in groups:
+        for taken in taken_of(group):
+            declared = taken.member.quantity
+            pair = (group.family.scheme, declared.id, taken.first, taken.second)
+            assert told[pair].because == declared.one_end
+            shares.setdefault(pair, []).append(taken.share)
+    for pair, found in shares.items():
+        assert told[pair].share == pytest.approx(np.nanmean(np.concatenate(found)))
+    assert any(one.because is not None for one in ends)
+    assert any(one.because is None for one in ends)
+
+
+def test_a_reason_excuses_only_the_pairs_that_it_is_declared_for(found: VariantAudit) -> None:
+    excused = EndShare("press", "force", "at_max", "at_min", 50, 1.0, BECAUSE)
+    broken = replace(excused, first="open", second="at_max", share=0.98)
+    silent = replace(excused, quantity="torque", because=None)
+    told = replace(found, ends=(excused, broken, silent))
+    assert told.told_ends == (excused,)
+    assert told.same_ends == (broken, silent)
 
 
 def test_a_verdict_that_is_rarely_or_mostly_no_is_named(found: VariantAudit) -> None:

@@ -4,9 +4,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from gripcourse.cli.text import audit_text
 from gripcourse.course.model import Course
 from gripcourse.policy.model import Policy
-from gripcourse.text.words import LANGUAGES, Texts
+from gripcourse.text.words import LANGUAGES, Texts, Words
+from gripcourse.usecases.audit import WrittenAudit
 from gripcourse.variants.audit import audit
 from gripcourse.variants.draw import draw
 from gripcourse.variants.feasible import Array
@@ -48,3 +50,19 @@ def test_an_audit_names_the_worst_pair_of_bodies(course: Course, policy: Policy)
     assert not any(one.passed for one in heavy)
     assert found.overlaps == len(heavy)
     assert audit(course, policy, variants, spaces).overlaps is None
+
+
+def test_of_bodies_the_audit_speaks_only_where_some_were_looked_at(
+    course: Course, policy: Policy
+) -> None:
+    spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
+    found = audit(
+        course,
+        policy,
+        draw(course, spaces, 4, 5).variants,
+        spaces,
+        lambda _, v: [None] * len(v["mass"]),
+    )
+    said = [audit_text(WrittenAudit("t.csv", found, (), tested), Words("en")) for tested in (0, 3)]
+    assert "bodies" not in said[0]
+    assert "No bodies stand in each other in 3 variants." in said[1]

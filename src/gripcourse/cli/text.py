@@ -141,7 +141,7 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
                 count=sum(bool(one.edges) for one in found.variants)),
         message("{count} are too near to another variant.",
                 count=sum(one.above for one in found.variants)),
-        *_overlap_lines(found),
+        *_overlap_lines(found, audited.tested),
         message("At most {share} % of the points of computed quantities are shared.",
                 share=round(100 * share, 1)),
         message("The longest assignment has {ratio} times as many answers as the shortest.",
@@ -156,14 +156,14 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
     return "\n".join([*(words.say(one) for one in (*said, verdict)), *map(str, audited.written)])
 
 
-def _overlap_lines(found: "VariantAudit") -> Iterator[Message]:
+def _overlap_lines(found: "VariantAudit", tested: int) -> Iterator[Message]:
     from gripcourse.variants.overlaps import overlap_text
 
-    if found.overlaps is None:
+    if found.overlaps is None or not tested:
         return
     if not found.overlaps:
         yield message("No bodies stand in each other in {count} variants.",
-                      count=len(found.variants))  # fmt: skip
+                      count=tested)  # fmt: skip
         return
     yield message("{count} have bodies that stand in each other:", count=found.overlaps)
     worst = [(one.variant.id, one.overlap) for one in found.variants if one.overlap is not None]

@@ -6,7 +6,7 @@ heading such as `size [mm],mass [kg]`, then the rows.
 """
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -22,13 +22,19 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 _REMARKS = ("source", "mark")
 
 
-def read_catalogue(path: Path, root: Path, problems: list[Problem]) -> Catalogue | None:
-    """Read a catalogue; None (and problems) where not even its columns are known."""
+def read_catalogue(
+    path: Path, root: Path, problems: list[Problem], languages: Sequence[str] = LANGUAGES
+) -> Catalogue | None:
+    """Read a catalogue; None (and problems) where not even its columns are known.
+
+    What students call it and its columns must be written in all `languages` of the course.
+    """
     file = str(path.relative_to(root))
     lines = _lines(path, file, problems)
     if lines is None:
         return None
     remarks = _remarks(file, lines, problems)
+    problems += _untranslated(file, remarks, languages)
     rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     before = len(problems)
     units = _header(file, rows, problems)
@@ -77,6 +83,30 @@ def _written(remarks: Mapping[str, str], name: str) -> Texts | None:
     if not remarks.get(name):
         return None
     return Texts({one: remarks.get(f"{name}.{one}", remarks[name]) for one in LANGUAGES})
+
+
+def _untranslated(
+    file: str, remarks: Mapping[str, str], languages: Sequence[str]
+) -> Iterator[Problem]:
+    """Yield a problem for each text that students read and that lacks a language of the course.
+
+    The line without a language serves one: English, or the first where the course has no English.
+    A heading may be a symbol and serve all: only one that is partly translated lacks something.
+    """
+    plain = "en" if "en" in languages else languages[0]
+    for name in remarks:
+        missing = [one for one in languages if not remarks.get(f"{name}.{one}")]
+        is_heading = name.startswith("column.") and name.count(".") == 1
+        if name != "title" and not (is_heading and len(missing) < len(languages)):
+            continue
+        served = plain if plain in missing else next(iter(missing), plain)
+        for language in missing:
+            if remarks[name] and language != served:
+                key = f"{name}.{language}"
+                what = message("The text in this language is missing.")
+                yield _problem(
+                    file, key, what, message("Write a line '# {name}: …' on top.", name=key)
+                )
 
 
 def columns_of(catalogues: Mapping[str, Catalogue]) -> dict[str, Column]:

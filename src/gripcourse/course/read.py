@@ -60,7 +60,7 @@ def read_course(root: Path) -> tuple[Course | None, list[Problem]]:
             constants=_quantities(table.named_tables("constant"), constant=True),
             parts=parts,
             schemes=_schemes(folder, root, raw, languages, problems),
-            catalogues=_catalogues(folder / "catalogues", root, problems),
+            catalogues=_catalogues(folder / "catalogues", root, languages, problems),
             convention=_convention(table, errata),
             positions=read_positions(table),
             notes=read_notes(table),
@@ -163,8 +163,11 @@ def _symbols(
     return {name: None if table is None else read_elements(table) for name, table in found}
 
 
-def _catalogues(folder: Path, root: Path, problems: list[Problem]) -> dict[str, Catalogue]:
-    found = (read_catalogue(path, root, problems) for path in sorted(folder.glob("*.csv")))
+def _catalogues(
+    folder: Path, root: Path, languages: Sequence[str], problems: list[Problem]
+) -> dict[str, Catalogue]:
+    paths = sorted(folder.glob("*.csv"))
+    found = (read_catalogue(path, root, problems, languages) for path in paths)
     return {catalogue.id: catalogue for catalogue in found if catalogue is not None}
 
 

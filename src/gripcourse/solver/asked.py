@@ -15,6 +15,9 @@ from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Message, Words, message
 
+NOTED: Final = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
+"""Kinds of answers that the note of the source stands beside without being asked for."""
+
 # Whoever reads a table by its first column needs to be told which, not how a program writes it.
 _READINGS: Final = frozenset({"lookup", "at_least", "nearest", "interpolate"})
 _TABLE: Final = re.compile(r"T(\d+)")
@@ -42,8 +45,8 @@ def _parts(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     if quantity.decides is not None:
         yield quantity.decides.of(words.language)
     note = quantity.source.note
-    of_series = quantity.kind in {Kind.CHOICE, Kind.PICK}
-    if note is not None and (of_series or quantity.note_decides):
+    by_itself = quantity.kind in NOTED
+    if note is not None and (by_itself or quantity.note_decides):
         yield note.of(words.language)
     formula = plan.reference_formula(quantity.id)
     if quantity.formula_decides and formula is not None:
@@ -65,7 +68,9 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     elif choice.rounding is Rounding.NEAREST and not choice.steps:
         yield words.say(message("the size of the series nearest to {needed}", needed=needed))
     elif choice.rounding is Rounding.NEAREST:
-        yield words.say(message("{sizes} nearest to {needed}", sizes=sizes, needed=needed))
+        yield words.say(message(
+            "the size of the series nearest to {needed}, or one within ±{count} places of it",
+            needed=needed, count=choice.steps))  # fmt: skip
     else:
         yield words.say(message("{sizes} not below {needed}", sizes=sizes, needed=needed))
     if choice.condition is not None and not _reads_table(choice.condition):

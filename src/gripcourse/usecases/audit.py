@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Course
+from gripcourse.documents.report.certificate_checks import tested_for_bodies
 from gripcourse.exports.audit_tables import audit_tables
 from gripcourse.machine.content import Readable, content_of, pure_path, shown_name
 from gripcourse.machine.files import expect_folder, write_bytes
@@ -27,11 +28,15 @@ DRAWN = "drawn.csv"
 
 @dataclass(frozen=True, slots=True)
 class WrittenAudit:
-    """What was found out about a table, and where it was written."""
+    """What was found out about a table, and where it was written.
+
+    `tested` variants had bodies to look at: those of schemes whose view shows bodies.
+    """
 
     table: str
     audit: VariantAudit
     written: tuple[Path, ...]
+    tested: int
 
 
 def audit_table(
@@ -72,9 +77,8 @@ def audit_table(
         bodies_check(course),
         workers,
     )
-    return WrittenAudit(
-        shown_name(table), found, _written(course, found, source, out, words, today)
-    )
+    files = _written(course, found, source, out, words, today)
+    return WrittenAudit(shown_name(table), found, files, tested_for_bodies(found, course))
 
 
 def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goes)
@@ -116,7 +120,7 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
         course, load_policy(course), variants, load_spaces(course), bodies_check(course), workers
     )
     files = _written(course, found, source, out, words, today)
-    return WrittenAudit(str(path), found, (path, *files))
+    return WrittenAudit(str(path), found, (path, *files), tested_for_bodies(found, course))
 
 
 def _written(

@@ -58,7 +58,7 @@ def check_lines(audit: VariantAudit, tested: int, words: Words) -> Iterator[Cert
                 share=percent_text(rules.step_margin, words)),
         "0", variants(edges), not edges,
     )  # fmt: skip
-    if audit.overlaps is not None:
+    if audit.overlaps is not None and tested:
         yield CertificateLine(
             message("Variants with bodies that stand in each other, open and with the greatest and"
                     " the smallest object"),
@@ -82,6 +82,6 @@ def check_lines(audit: VariantAudit, tested: int, words: Words) -> Iterator[Cert
 
 
 def _interference(overlaps: int, tested: int, words: Words) -> str:
-    if overlaps or not tested:
+    if overlaps:
         return words.say(message("{count} of {all}", count=overlaps, all=tested))
     return words.say(message("no interference in {count} variants", count=tested))

@@ -106,7 +106,7 @@ def alternative_text(plan: Plan, layout: DiagramLayout, words: Words) -> str:
         )
     else:
         said = message(
-            "Kinematic diagram of the scheme: {scheme}. Thick lines: {thick}; thin lines: {thin}. "
+            "Diagram of the scheme: {scheme}. Thick lines: {thick}; thin lines: {thin}. "
             "Symbols: {symbols}.",
             scheme=plan.scheme.title,
             thick=lines[0],
