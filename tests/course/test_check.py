@@ -81,7 +81,8 @@ def test_faults_that_hide_nothing_are_one_problem_each_all_at_once(draft: "Draft
 
 
 def _shuffle(draft: "Draft") -> None:
-    heads = "# title: made up\n# column.size: size\n# column.mass: mass\n"
+    titles = "# title: made up\n# title.ru: так\n# title.uk: так\n"
+    heads = f"{titles}# column.size: size\n# column.mass: mass\n"
     text = f"# source: made up\n# mark: made up\n{heads}size [mm],mass [kg]\n10,30\n20,10\n"
     draft.put("variants/catalogues/shuffled.csv", text.encode())
 

@@ -208,7 +208,7 @@ def test_it_shows_the_diagram_with_a_text_for_who_does_not_see_it(
 ) -> None:
     values = sheet_values(issued, plan, policy, course, ENGLISH)
     page = render_html(Document(TEMPLATE, (), values), course.root / "templates", ENGLISH)
-    assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Kinematic')[2]
+    assert plan.scheme.title.of("en") in html.unescape(page).partition('alt="Diagram')[2]
     assert "The diagram shows the type of the mechanism" in page
 
 

@@ -106,7 +106,7 @@ def test_values_are_escaped_and_formulas_are_not(templates: Path, document: Docu
     named = Document(document.template, (), {**document.values, "name": "<b>&"})
     html = render_html(named, templates, Words("en"))
     assert "&lt;b&gt;&amp;" in html
-    assert '<span class="formula">' in html
+    assert '<span class="formula f-slanted">' in html
 
 
 def test_numbers_are_written_for_the_reader(templates: Path, document: Document) -> None:
