@@ -1,6 +1,6 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import islice
@@ -31,10 +31,15 @@ from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.check_lists import list_problems
-from gripcourse.usecases.judged_before import unless_sound
+from gripcourse.usecases.judged_before import found_before, unless_sound
 from gripcourse.usecases.samples import samples
 from gripcourse.usecases.styles import style_problems
-from gripcourse.usecases.templates import Read, filling_problems, read_templates, sample_documents
+from gripcourse.usecases.templates import (
+    Templates,
+    all_templates,
+    filling_problems,
+    sample_documents,
+)
 from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.space import Space, load_spaces
@@ -69,12 +74,20 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     # adds noise.
     is_sound = not problems
     templates = course.root / TEMPLATES
-    read, unread = read_templates(templates)
-    problems += [*unread, *style_problems(templates)]
+    told = partial(all_templates, templates, course.language)
+    own_templates = template_folders(templates)
+    read = found_before(
+        f"templates in {course.language}",
+        root,
+        own_templates,
+        told,
+        lambda one: not one.problems,
+    )
+    problems += [*read.problems, *style_problems(templates)]
     if is_sound:
         own = [root / name for name in REQUIRED_FOLDERS]
         problems += unless_sound("numbers", root, own, partial(_number_problems, course))
-        all_read = [*own, *template_folders(templates)]
+        all_read = [*own, *own_templates]
         filled = partial(_template_problems, course, templates, read)
         problems += unless_sound("templates", root, all_read, filled)
     return [*problems, *_machine_problems(root)]
@@ -97,13 +110,14 @@ def _number_problems(course: Course) -> list[Problem]:
     return [*problems, *_table_problems(course, load_policy(course))]
 
 
-def _template_problems(course: Course, templates: Path, read: Mapping[str, Read]) -> list[Problem]:
+def _template_problems(course: Course, templates: Path, read: Templates) -> list[Problem]:
     """Fill the documents of one worked example; return what is wrong with their templates."""
     words, (spaces, _) = Words(course.language), _spaces(course)
+    read.tell(templates, course.language)
     problems: list[Problem] = []
     for sample in islice(samples(course, load_policy(course), spaces, words), 1):
         documents, hindered = sample_documents(sample)
-        problems += [*hindered, *filling_problems(documents, templates, words, read)]
+        problems += [*hindered, *filling_problems(documents, templates, words, read.read)]
     return problems
 
 
