@@ -58,14 +58,14 @@ def found_before(
     return found
 
 
-def _installed() -> list[str]:
+def installed() -> list[str]:
     """Name the packages that are installed, with their versions: others may judge otherwise."""
     return sorted(one.name for place in sys.path for one in Path(place).glob("*.dist-info"))
 
 
 def _digest(subject: str, root: Path, folders: Iterable[Path]) -> str | None:
     """Digest every file of some folders; None: some cannot be read, or a folder is a link."""
-    found = hashlib.sha256("\0".join([subject, *_installed()]).encode())
+    found = hashlib.sha256("\0".join([subject, *installed()]).encode())
     try:
         for folder in folders:
             below = [folder, *folder.rglob("*")]
