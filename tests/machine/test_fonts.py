@@ -14,7 +14,7 @@ assert fonts.pango is load_pango()[1].pango, "the libraries were loaded twice"
 
 
 def test_asking_for_a_font_imports_the_libraries_only_and_documents_use_the_same() -> None:
-    done = subprocess.run(
+    done = subprocess.run(  # noqa: S603 (our own text)
         [sys.executable, "-c", PROGRAM], capture_output=True, text=True, check=False, timeout=120
     )
     assert (done.returncode, done.stderr) == (0, "")

@@ -20,7 +20,14 @@ from gripcourse.course.check_series import check_series
 from gripcourse.course.check_symbols import check_symbols
 from gripcourse.course.check_view import check_view
 from gripcourse.course.columns_read import check_titles
-from gripcourse.course.compose import all_part_ids, compose, declaring_files, of_schemes, part_ids, used_names
+from gripcourse.course.compose import (
+    all_part_ids,
+    compose,
+    declaring_files,
+    of_schemes,
+    part_ids,
+    used_names,
+)
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
@@ -90,7 +97,7 @@ class _Tables:
         return _Tables(columns_of(course.catalogues), dimensions)
 
 
-def _check_scheme(  # noqa: PLR0913 (what is known of the course, and of what was seen of it)
+def _check_scheme(
     course: Course,
     scheme: Scheme,
     tables: _Tables,

@@ -31,7 +31,9 @@ def scheme_digests(root: Path, not_read: Collection[str] = NOT_READ) -> dict[str
     below = [path for one in REQUIRED_FOLDERS for path in (root / one).rglob("*")]
     if any(path.is_symlink() and path.is_dir() for path in below):
         return {}
-    own: dict[str, list[Path]] = {one.name: [] for one in below if one.parent == home and one.is_dir()}
+    own: dict[str, list[Path]] = {
+        one.name: [] for one in below if one.parent == home and one.is_dir()
+    }
     shared: list[Path] = []
     for path in below:
         if not path.is_file() or any(path.is_relative_to(one) for one in left_out):

@@ -33,9 +33,10 @@ def trial_problems(
     spaces = _spaces(course)
     example = next((one.id for one in course.schemes.values() if one.example is not None), "")
     drawn = [one for one in spaces if one.scheme == example] or spaces[:1]
-    shown = {example, *(one.scheme for one in drawn), *atlas_schemes(course.root)} & {*course.schemes}
+    shown = {example, *(one.scheme for one in drawn), *atlas_schemes(course.root)} & {
+        *course.schemes
+    }
     trial = partial(_problems, course, shown, drawn, templates, read)
-    folders = template_folders(templates)
     if not shown <= digests.keys():
         return trial()
     told = " ".join(digests[one] for one in sorted(shown))
