@@ -33,9 +33,8 @@ def trial_problems(
     spaces = _spaces(course)
     example = next((one.id for one in course.schemes.values() if one.example is not None), "")
     drawn = [one for one in spaces if one.scheme == example] or spaces[:1]
-    shown = {example, *(one.scheme for one in drawn), *atlas_schemes(course.root)} & {
-        *course.schemes
-    }
+    named = {example, *(one.scheme for one in drawn), *atlas_schemes(course.root)}
+    shown = named & course.schemes.keys()
     trial = partial(_problems, course, shown, drawn, templates, read)
     if not shown <= digests.keys():
         return trial()
