@@ -203,5 +203,8 @@ def _table_problems(course: Course, policy: Policy) -> list[Problem]:
         try:
             problems += paying_rules(course, policy, read_table(path, course))
         except GripcourseError as error:
-            problems += error.problems
+            name = path.relative_to(course.root).as_posix()
+            problems += [
+                replace(one, file=name) if one.file == str(path) else one for one in error.problems
+            ]
     return problems
