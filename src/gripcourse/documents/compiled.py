@@ -2,6 +2,7 @@
 
 import marshal
 from collections.abc import Mapping
+from io import StringIO
 from types import CodeType
 from typing import TypeAlias
 
@@ -43,8 +44,8 @@ class CompiledBefore(BytecodeCache):
 class _Asking(CodeGenerator):
     """Notes which names a template takes from outside, as `jinja2.meta` does, while compiling."""
 
-    def __init__(self, environment: Environment, name: str, file: str) -> None:
-        super().__init__(environment, name, file, optimized=environment.optimized)
+    def __init__(self, environment: Environment, name: str, file: str, stream: StringIO) -> None:
+        super().__init__(environment, name, file, stream, optimized=environment.optimized)
         self.asked: set[str] = set()
 
     def enter_frame(self, frame: Frame) -> None:
@@ -81,9 +82,10 @@ def compile_template(
     Raises:
         TemplateSyntaxError: what is written makes no template, two blocks of one name for example.
     """
-    generator = _Asking(environment, name, file)
+    written = StringIO()
+    generator = _Asking(environment, name, file, written)
     generator.visit(tree)
     if isinstance(environment.bytecode_cache, CompiledBefore):
-        code = compile(generator.stream.getvalue(), file, "exec")
+        code = compile(written.getvalue(), file, "exec")
         environment.bytecode_cache.add(name, file, source, code)
     return generator.asked

@@ -81,7 +81,7 @@ class _Pickler(pickle.Pickler):
 
     def reducer_override(self, value: object) -> Any:  # noqa: ANN401 (as the library has it)
         """Return how a value is made again."""
-        names = _field_names(type(value))
+        names = _field_names(type(value))  # type: ignore[arg-type] # a class has a hash
         if names is None:
             return NotImplemented
         return type(value), tuple([getattr(value, name) for name in names])
