@@ -57,6 +57,23 @@ def test_a_catalogue_without_sizes_is_empty(draft: "Draft", rows: str) -> None:
     assert (problem.file, str(problem.what)) == (PIN, "The catalogue is empty.")
 
 
+def test_texts_may_all_be_written_with_their_language(draft: "Draft") -> None:
+    for name in ("title", "source", "mark"):
+        draft.edit(PIN, f"# {name}:", f"# {name}.en:")
+    catalogue = draft.load().catalogues["pin"]
+    assert catalogue.title is not None
+    assert catalogue.title.of("en") != catalogue.title.of("ru") != catalogue.title.of("uk")
+    assert catalogue.source.of("en")
+
+
+def test_a_text_with_languages_only_lacks_each_that_is_not_written(draft: "Draft") -> None:
+    problem = (
+        draft.edit(PIN, "# title:", "# title.en:").edit(PIN, "# title.ru:", "# name:").problem()
+    )
+    assert (problem.file, str(problem.key)) == (PIN, "title.ru")
+    assert "'# title.ru: …'" in str(problem.remedy)
+
+
 def test_blank_lines_are_no_rows(draft: "Draft") -> None:
     draft.edit(PIN, "\n3\n4\n", "\n\n3\n\n4\n").append(PIN, "")
     assert draft.problems() == ()

@@ -1,4 +1,5 @@
 import os
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
@@ -126,3 +127,42 @@ def test_a_value_is_written_for_its_owner_and_only_believed_whole(tmp_path: Path
     assert path.stat().st_mode & 0o077 == path.parent.stat().st_mode & 0o077 == 0
     path.parent.chmod(0o777)
     assert read_value(path) is None
+
+
+@dataclass(frozen=True, slots=True)
+class Plain:
+    name: str
+    sizes: tuple[float, ...] = ()
+    below: "Plain | None" = None
+
+
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """What more than its fields makes: it must not be made again by them."""
+
+    name: str
+    length: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "length", len(self.name))
+
+
+@dataclass(slots=True)
+class Changed:
+    name: str
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        Plain("rod", (1.0, 2.0), Plain("pin")),
+        Counted("rod"),
+        Changed("rod"),
+        {"a": [Plain("rod"), Counted("pin")]},
+        (Plain, Counted),
+    ],
+)
+def test_a_value_comes_back_as_it_was(tmp_path: Path, value: object) -> None:
+    path = tmp_path / "private" / "value"
+    write_value(path, value)
+    assert read_value(path) == value

@@ -6,9 +6,10 @@ import pytest
 
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Convention
+from gripcourse.course.read import read_course
 from gripcourse.errors import UsageError
 from gripcourse.issuing.signature import key_path, read_key
-from gripcourse.machine.resources import COURSE_FOLDERS, course_root
+from gripcourse.machine.resources import COURSE_FOLDERS, course_root, skeleton_root
 from gripcourse.policy.load import read_policy
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
@@ -56,6 +57,11 @@ def test_nobody_elses_students_are_taken_over(tmp_path: Path) -> None:
     assert [name for name, content in mine.items() if b"Anna" in content] == []
     assert read_key(key_path(tmp_path / "mine")) == SECRET
     assert {name for name in theirs if name.endswith(".toml")} < mine.keys()
+
+
+def test_what_an_empty_course_is_made_of_is_a_course_itself() -> None:
+    course, problems = read_course(skeleton_root())
+    assert (course is not None, problems) == (True, [])
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

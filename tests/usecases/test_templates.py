@@ -3,11 +3,10 @@
 import re
 import shutil
 from collections.abc import Callable, Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
-from jinja2 import Environment, meta, nodes
+from jinja2 import Environment, nodes
 
 from gripcourse.course.model import Course
 from gripcourse.documents.pdf import Document
@@ -45,7 +44,6 @@ def _read_once() -> Iterator[None]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Environment, "parse", parsed)
-        patch.setattr(meta, "find_undeclared_variables", cache(meta.find_undeclared_variables))
         yield
 
 

@@ -91,7 +91,7 @@ def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[...,
     (tables / "spare.csv").write_text("variant,scheme\n001,rack\n", encoding="utf-8")
     found = all_problems(root)
     assert found
-    assert {Path(one.file).name for one in found} == {"spare.csv"}
+    assert {one.file for one in found} == {"variants/tables/spare.csv"}
 
 
 @pytest.mark.parametrize(
@@ -114,6 +114,54 @@ def test_a_fault_is_found_after_the_course_was_found_sound(
     assert Path(file).name in {Path(one.file).name for one in all_problems(root)}
     path.write_text(sound, encoding="utf-8")
     assert all_problems(root) == []
+
+
+# One of each kind of file that a course has, its tables apart: see above.
+MISTAKES = [
+    ("variants/course.toml", 'id = "', 'id = 7 # "'),
+    ("variants/sections/open_belt.toml", "asin((large_diameter", "asin(2*(large_diameter"),
+    ("variants/schemes/flat_belt/worked_example.toml", "[49.7359,", "[94.7359,"),
+    ("variants/schemes/v_belt/scheme.toml", "40*cbrt(torque_small)", "40*cbrt(torque_smal)"),
+    ("variants/schemes/v_belt/drawing.toml", "v_belt.height", "v_belt.hight"),
+    ("variants/published_cases.toml", "27320", "23720"),
+    ("variants/proofs.toml", "torque_large*driven_speed", "torque_large*driven_sped"),
+    ("variants/diagram/open_belt.toml", '"small_diameter"', '"smal_diameter"'),
+    ("variants/drawing/drive.toml", "small_diameter/2", "smal_diameter/2"),
+    ("variants/options/tensioning.toml", '["screw_tensioning"]', '["screw_tension"]'),
+    ("variants/equilibrium/motor_base.toml", "hinge_arm_required", "hinge_arm_require"),
+    ("variants/catalogues/v_belt.csv", "# source:", "# from:"),
+    (SPACE, "[given.power]", "[given.powr]"),
+    ("grader/policy.toml", "total = 100", "total = 99"),
+]
+
+
+@pytest.mark.parametrize(("file", "old", "new"), MISTAKES, ids=[file for file, _, _ in MISTAKES])
+def test_a_mistake_is_told_alike_whatever_was_found_sound_before(
+    broken: Callable[..., Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    file: str,
+    old: str,
+    new: str,
+) -> None:
+    assert all_problems(COURSE) == []
+    root = broken((file, old, new))
+    after = all_problems(root)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "nothing"))
+    assert after
+    assert after == all_problems(root)
+
+
+def test_what_a_scheme_leaves_behind_is_told_though_all_others_are_sound(
+    broken: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert all_problems(COURSE) == []
+    root = broken()
+    shutil.rmtree(root / "variants" / "schemes" / "v_belt")
+    after = all_problems(root)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "nothing"))
+    assert "There is no 'belt_power' in the course." in {str(one.what) for one in after}
+    assert after == all_problems(root)
 
 
 def test_a_template_is_judged_after_all_were_found_sound(broken: Callable[..., Path]) -> None:

@@ -124,6 +124,14 @@ def load_atlas(root: Path, identifier: str, schemes: Collection[str]) -> Atlas:
     return atlas
 
 
+def atlas_schemes(root: Path) -> frozenset[str]:
+    """Return the schemes that the atlases of a course are about, as far as they can be read."""
+    paths = (root / "variants" / "atlas").glob("*.toml")
+    tables = (read_toml(path, root, [], ATLAS) for path in paths)
+    named = (table.values.get("scheme") for table in tables if table is not None)
+    return frozenset(one for one in named if isinstance(one, str))
+
+
 def _figure(table: Table) -> AtlasFigure:
     table.known_keys()
     return AtlasFigure(

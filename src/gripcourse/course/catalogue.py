@@ -2,7 +2,7 @@
 
 Two lines `# source: …` and `# mark: …`, in other languages too if somebody translated them
 (`# source.ru: …`); what students call it, `# title: …`, and its columns, `# column.mass: …`; a
-heading such as `size [mm],mass [kg]`, then the rows.
+heading such as `size [mm],mass [kg]`, then the rows. `# title.en: …` is as good as `# title: …`.
 """
 
 import csv
@@ -33,8 +33,9 @@ def read_catalogue(
     lines = _lines(path, file, problems)
     if lines is None:
         return None
-    remarks = _remarks(file, lines, problems)
-    problems += _untranslated(file, remarks, languages)
+    written = _remarks(lines)
+    remarks = _served(written, languages)
+    problems += [*_sourceless(file, remarks), *_untranslated(file, written, languages)]
     rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     before = len(problems)
     units = _header(file, rows, problems)
@@ -86,22 +87,22 @@ def _written(remarks: Mapping[str, str], name: str) -> Texts | None:
 
 
 def _untranslated(
-    file: str, remarks: Mapping[str, str], languages: Sequence[str]
+    file: str, written: Mapping[str, str], languages: Sequence[str]
 ) -> Iterator[Problem]:
     """Yield a problem for each text that students read and that lacks a language of the course.
 
     The line without a language serves one: English, or the first where the course has no English.
     A heading may be a symbol and serve all: only one that is partly translated lacks something.
     """
-    plain = "en" if "en" in languages else languages[0]
-    for name in remarks:
-        missing = [one for one in languages if not remarks.get(f"{name}.{one}")]
+    plain = _plain(languages)
+    for name, text in _served(written, languages).items():
+        missing = [one for one in languages if not written.get(f"{name}.{one}")]
         is_heading = name.startswith("column.") and name.count(".") == 1
         if name != "title" and not (is_heading and len(missing) < len(languages)):
             continue
         served = plain if plain in missing else next(iter(missing), plain)
         for language in missing:
-            if remarks[name] and language != served:
+            if text and (language != served or name not in written):
                 key = f"{name}.{language}"
                 what = message("The text in this language is missing.")
                 yield _problem(
@@ -124,23 +125,35 @@ _SAVE = message(
 _DIVIDE = message("Write commas between columns and points in numbers: '6.3,10', not '6,3;10'.")
 
 
-def _remarks(file: str, lines: list[str], problems: list[Problem]) -> dict[str, str]:
-    found: dict[str, str] = {}
+def _remarks(lines: Sequence[str]) -> dict[str, str]:
+    """Return what the lines on top say, by name."""
+    found: dict[str, str] = dict.fromkeys(_REMARKS, "")
     for line in lines:
         name, colon, text = line.removeprefix("#").partition(":")
         if line.startswith("#") and colon:
             found[name.strip()] = text.strip()
-    problems += [
-        _problem(
-            file,
-            name,
-            message("The catalogue does not say where its numbers come from."),
-            message("Write a line '# {name}: …' on top.", name=name),
-        )
-        for name in _REMARKS
-        if not found.get(name)
-    ]
-    return dict.fromkeys(_REMARKS, "") | found
+    return found
+
+
+def _served(written: Mapping[str, str], languages: Sequence[str]) -> dict[str, str]:
+    """Add the line without a language where there is one in the language that it would serve."""
+    ending = f".{_plain(languages)}"
+    named = {name.removesuffix(ending): one for name, one in written.items()
+             if name.endswith(ending)}  # fmt: skip
+    return named | {name: one for name, one in written.items() if one or name not in named}
+
+
+def _plain(languages: Sequence[str]) -> str:
+    """Return the language of a line without one: English, or the first of a course without it."""
+    return "en" if "en" in languages else languages[0]
+
+
+def _sourceless(file: str, remarks: Mapping[str, str]) -> Iterator[Problem]:
+    for name in _REMARKS:
+        if not remarks[name]:
+            what = message("The catalogue does not say where its numbers come from.")
+            remedy = message("Write a line '# {name}: …' on top.", name=name)
+            yield _problem(file, name, what, remedy)
 
 
 def _header(file: str, rows: list[list[str]], problems: list[Problem]) -> dict[str, str]:

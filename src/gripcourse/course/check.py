@@ -20,7 +20,14 @@ from gripcourse.course.check_series import check_series
 from gripcourse.course.check_symbols import check_symbols
 from gripcourse.course.check_view import check_view
 from gripcourse.course.columns_read import check_titles
-from gripcourse.course.compose import all_part_ids, compose, declaring_files, part_ids, used_names
+from gripcourse.course.compose import (
+    all_part_ids,
+    compose,
+    declaring_files,
+    of_schemes,
+    part_ids,
+    used_names,
+)
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
@@ -33,7 +40,11 @@ from gripcourse.text.words import message
 
 
 def check_course(
-    course: Course, *, thorough: bool = False, whole: Course | None = None
+    course: Course,
+    *,
+    thorough: bool = False,
+    whole: Course | None = None,
+    only: Collection[str] | None = None,
 ) -> list[Problem]:
     """Return every problem that shows only when the files of a course are put together.
 
@@ -42,18 +53,23 @@ def check_course(
         thorough: look at every combination of options, which takes seconds, and not only at enough
             of them for any two choices to occur together.
         whole: the course with all its schemes, where this one has a few of them only.
+        only: the schemes that are looked at by themselves; the others are known to be sound. What
+            schemes are to each other is looked at in any case. None for all.
     """
+    # What is found out about a scheme must not depend on another one: it is remembered.
+    alone = course if only is None else of_schemes(course, only)
+    drawn = view_parts(course)
     tables = _Tables.of(course)
     found: list[Problem] = []
     seen: set[object] = set()
     unknown = list(check_option_names(course, whole or course))
     found += unknown
-    for scheme in course.schemes.values():
-        found += [] if unknown else check_option_rules(course, scheme)
-        found += _check_parts(course, scheme)
-        if all_part_ids(scheme).keys() <= course.parts.keys():
+    for scheme in alone.schemes.values():
+        found += [] if unknown else check_option_rules(alone, scheme)
+        found += _check_parts(alone, scheme)
+        if all_part_ids(scheme).keys() <= alone.parts.keys():
             # else all that uses the missing part would be reported too
-            found += _check_scheme(course, scheme, tables, seen, thorough=thorough)
+            found += _check_scheme(alone, scheme, tables, drawn, seen, thorough=thorough)
     found += _check_used_parts(course)
     found += _check_columns(course)
     found += check_titles(course)
@@ -82,7 +98,13 @@ class _Tables:
 
 
 def _check_scheme(
-    course: Course, scheme: Scheme, tables: _Tables, seen: set[object], *, thorough: bool
+    course: Course,
+    scheme: Scheme,
+    tables: _Tables,
+    drawn: Collection[str],
+    seen: set[object],
+    *,
+    thorough: bool,
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme in the combinations of its options that are looked at."""
     circular = circular_names(course, scheme)
@@ -103,11 +125,11 @@ def _check_scheme(
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
     yield from check_diagram_use(scheme, every)
     if _units_known(every.values()):
-        yield from check_view(scheme, every, tables.dimensions, _view_parts(course))
+        yield from check_view(scheme, every, tables.dimensions, drawn)
     yield from check_example(course, scheme)
 
 
-def _view_parts(course: Course) -> set[str]:
+def view_parts(course: Course) -> set[str]:
     """Return the ids of the parts of all general views."""
     views = (scheme.view for scheme in course.schemes.values() if scheme.view is not None)
     return {part.id for view in views for part in view.parts}

@@ -1,6 +1,7 @@
 """Checking every formula of a composed scheme: names, dimensions, conditions, slips."""
 
 from collections.abc import Collection, Iterator, Mapping
+from typing import Final
 
 import numpy as np
 
@@ -19,6 +20,12 @@ from gripcourse.text.words import Message, message
 
 _COMPARISONS = {"<", "<=", ">", ">=", "==", "and"}
 _FORMULA_KEY = {Kind.CHOICE: "at_least", Kind.VERDICT: "condition"}
+
+
+_SEARCHED: Final[Mapping[str, Message]] = {
+    "at_least": message("Only a growing column can be searched for the next larger value."),
+    "nearest": message("Only a growing column can be searched for the nearest value."),
+}
 
 
 def check_formulas(
@@ -136,12 +143,14 @@ def _name_faults(
                     did_you_mean(column, columns),
                     caret(formula.text, span),
                 )
-            case Call("at_least" | "nearest", _, str(column), span) if not _grows(columns[column]):
+            case Call("at_least" | "nearest" as function, _, str(column), span) if not _grows(
+                columns[column]
+            ):
                 yield Problem(
                     one.file,
                     place,
                     message("The column '{name}' does not grow from row to row.", name=column),
-                    message("Only a growing column can be searched for the next larger value."),
+                    _SEARCHED[function],
                     caret(formula.text, span),
                 )
 

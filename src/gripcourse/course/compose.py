@@ -1,6 +1,6 @@
 """Composing a scheme: its parts and those of a variant's options, with the scheme's own changes."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 
 from gripcourse.course.composition import Composition
@@ -46,6 +46,11 @@ def compose(course: Course, scheme: Scheme, options: Mapping[str, str]) -> dict[
     used = used_names(declared.values())
     constants = {name: one for name, one in course.constants.items() if name in used}
     return constants | declared
+
+
+def of_schemes(course: Course, ids: Collection[str]) -> Course:
+    """Return the course with some of its schemes only, and with all that schemes may share."""
+    return replace(course, schemes={id_: one for id_, one in course.schemes.items() if id_ in ids})
 
 
 def inherited(course: Course) -> Course:

@@ -236,11 +236,13 @@ def _language(table: Table) -> str:
     language = table.text("language")
     if language in table.languages:
         return language
-    table.add(
-        "language",
-        message("This is no language of the course."),
-        did_you_mean(language, table.languages),
+    what = (
+        message("This is no language of the course.")
+        if language in LANGUAGES
+        else message("There is no language '{language}'.", language=language)
     )
+    if language:  # else the key is missing, which is said
+        table.add("language", what, did_you_mean(language, table.languages))
     return table.languages[0]
 
 

@@ -7,7 +7,7 @@ from gripcourse.course.model import Course, Section
 from gripcourse.course.quantity import Kind, Quantity, Tolerance
 from gripcourse.documents.appendix import appendix_of, cited_tables
 from gripcourse.documents.assignment_rules import course_notes, hand_in, judging_rules
-from gripcourse.documents.pdf import Document, picture, render_pdf
+from gripcourse.documents.pdf import Chart, Document, picture, render_pdf
 from gripcourse.drawing.diagram.kinematic_diagram import kinematic_diagram, line_titles
 from gripcourse.drawing.diagram.layout import WIDEST
 from gripcourse.drawing.diagram.nominal import nominal_values
@@ -59,14 +59,14 @@ class SheetDiagram:
     """A diagram for a page.
 
     Attributes:
-        address: of the picture.
+        address: of the picture, which is drawn when a page shows it.
         text: what it shows, for a reader who does not see it.
         width, height: mm.
         beside: whether it is narrow enough for text beside it.
         lines: what thick lines show and what thin ones do; None where one position is shown.
     """
 
-    address: str
+    address: Chart
     text: str
     width: float
     height: float
@@ -221,7 +221,7 @@ def drawn_diagram(
     if diagram is None:
         return None
     return SheetDiagram(
-        address=picture(diagram.svg()),
+        address=Chart(diagram.svg),
         text=diagram.title,
         width=round(diagram.width, 2),
         height=round(diagram.height, 2),

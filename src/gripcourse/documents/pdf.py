@@ -257,6 +257,7 @@ def template_environment(
     """Return what every template of a folder gets whatever the document: see the list above."""
     from jinja2 import FileSystemLoader, StrictUndefined
 
+    from gripcourse.documents.compiled import CompiledBefore
     from gripcourse.documents.sandbox import WIDENING_FILTERS, TemplateSandbox
 
     words = Words(language)
@@ -267,6 +268,7 @@ def template_environment(
         finalize=_seen if with_charts else _without_charts,
         trim_blocks=True,
         lstrip_blocks=True,
+        bytecode_cache=CompiledBefore(),
     )
     for name in WIDENING_FILTERS:
         del environment.filters[name]

@@ -3,10 +3,15 @@
 Whoever asks for a font that is not there silently gets another one, or none.
 """
 
+import sys
 from collections.abc import Iterable
 from contextlib import redirect_stdout
+from importlib import import_module
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from io import BytesIO, StringIO
-from typing import Any
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Final
 
 from gripcourse.machine.process_wide import libraries_by_full_name, without_warnings
 from gripcourse.text.words import Message, message
@@ -22,6 +27,7 @@ FONT_PACKAGES = {
 }
 
 
+_BINDINGS: Final = "weasyprint.text.ffi"
 _GREEK = "αβγδηθλμπρστφψωΔΣ"
 
 
@@ -65,11 +71,25 @@ def load_pango() -> tuple[str, Any]:
     try:
         # WeasyPrint prints advice of its own on standard output and warns; the check says it all.
         with libraries_by_full_name(), without_warnings(), redirect_stdout(StringIO()):
-            # 450 ms that no other command should pay for.
-            from weasyprint.text import ffi  # noqa: PLC0415
+            return "", _bindings()
     except OSError as error:
         return str(error), None
-    return "", ffi
+
+
+def _bindings() -> ModuleType:
+    """Import the one module of WeasyPrint that loads libraries: all of it takes 350 ms longer.
+
+    It needs nothing of the rest, which finds it imported when a document is made.
+    """
+    package = find_spec(_BINDINGS.partition(".")[0])
+    path = None if package is None or package.origin is None else Path(package.origin).parent
+    spec = None if path is None else spec_from_file_location(_BINDINGS, path / "text" / "ffi.py")
+    if _BINDINGS in sys.modules or spec is None or spec.loader is None:
+        return import_module(_BINDINGS)
+    found = module_from_spec(spec)
+    spec.loader.exec_module(found)
+    sys.modules[_BINDINGS] = found
+    return found
 
 
 def _family_used(library: Any, family: str) -> str:  # noqa: ANN401 - WeasyPrint ships no types

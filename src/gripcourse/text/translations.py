@@ -8,6 +8,7 @@ import gettext
 import io
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib.resources import files
 from string import Formatter
 from typing import TYPE_CHECKING, Literal
@@ -62,13 +63,21 @@ def read_translations(source: "Traversable", language: str) -> Translations:
         source: a `.po` file.
         language: whose plural forms the catalogue must have.
     """
+    try:
+        return _parsed(source.read_bytes(), language)
+    except OSError as error:
+        return _unreadable(error)
+
+
+# Whoever checks a machine reads what its sentences are printed with.
+@lru_cache(maxsize=4)
+def _parsed(written: bytes, language: str) -> Translations:
     from babel.messages.mofile import write_mo
     from babel.messages.pofile import PoFileError, read_po
 
     compiled = io.BytesIO()
     try:
-        with source.open("rb") as stream:
-            catalogue = read_po(stream, locale=language, abort_invalid=True)
+        catalogue = read_po(io.BytesIO(written), locale=language, abort_invalid=True)
         faults = (
             *_plural_faults(catalogue, language),
             *_leave_out(catalogue),
@@ -78,8 +87,12 @@ def read_translations(source: "Traversable", language: str) -> Translations:
         compiled.seek(0)
         return Translations(gettext.GNUTranslations(compiled), faults)
     except (PoFileError, ValueError, LookupError, OSError) as error:
-        fault = TranslationFault("unreadable", 0, str(error).rstrip("."))
-        return Translations(gettext.NullTranslations(), (fault,))
+        return _unreadable(error)
+
+
+def _unreadable(error: Exception) -> Translations:
+    fault = TranslationFault("unreadable", 0, str(error).rstrip("."))
+    return Translations(gettext.NullTranslations(), (fault,))
 
 
 def places(text: str) -> frozenset[str] | None:

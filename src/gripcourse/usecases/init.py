@@ -23,7 +23,7 @@ LeftOut: TypeAlias = Callable[[str, list[str]], Iterable[str]]
 
 _TABLES: Final = (".csv", ".xlsx", ".ods", ".tsv")
 _COMMENT: Final = re.compile(r"\s*#(en|ru|uk) ")
-_LANGUAGE: Final = "{language}"
+_LANGUAGE: Final = 'language = "{}"\n'  # the line that the skeleton has in English
 _IGNORED = """\
 # the key that signs workbooks, the register and the gradebook never leave your machine
 private/
@@ -131,7 +131,7 @@ def _lines(text: str, language: str) -> Iterator[str]:
     for line in text.splitlines(keepends=True):
         comment = _COMMENT.match(line)
         if comment is None:
-            yield line.replace(_LANGUAGE, language)
+            yield _LANGUAGE.format(language) if line == _LANGUAGE.format("en") else line
         elif comment[1] == language:
             yield f"# {line[comment.end() :]}"
 

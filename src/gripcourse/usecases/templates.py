@@ -43,6 +43,27 @@ class Read:
 
 
 @dataclass(frozen=True, slots=True)
+class Templates:
+    """All templates of a course, read and compiled for one language.
+
+    Attributes:
+        read: those that could be read, by name.
+        problems: what is wrong with the others.
+        compiled: their code, for whoever fills them with the same program.
+    """
+
+    read: Mapping[str, Read]
+    problems: tuple[Problem, ...]
+    compiled: Mapping[tuple[str, str], bytes]
+
+    def tell(self, templates: Path, language: str) -> None:
+        """Spare who fills them in this process the time to compile them again."""
+        from gripcourse.documents.compiled import tell_compiled
+
+        tell_compiled(template_environment(templates, language, with_charts=False), self.compiled)
+
+
+@dataclass(frozen=True, slots=True)
 class _Within:
     """All nodes of a template, outer ones first: its tree is gone through once."""
 
@@ -53,10 +74,11 @@ class _Within:
         return (one for one in self.nodes if isinstance(one, kinds))
 
 
-def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
+def read_templates(templates: Path, language: str = "en") -> tuple[dict[str, Read], list[Problem]]:
     """Read every template of a course, whether a document uses it or not.
 
-    Those that the course's folder lacks are the engine's.
+    Those that the course's folder lacks are the engine's. What is read is compiled, too, for who
+    fills documents in this language without charts.
 
     Returns:
         The templates that could be read by their names, and what is wrong with the others.
@@ -64,26 +86,38 @@ def read_templates(templates: Path) -> tuple[dict[str, Read], list[Problem]]:
     from jinja2 import TemplateSyntaxError
     from jinja2.nodes import Node
 
-    environment = template_environment(templates, "en")
+    from gripcourse.documents.compiled import compile_template
+
+    environment = template_environment(templates, language, with_charts=False)
     read: dict[str, Read] = {}
     problems: list[Problem] = []
     files = _files(templates)
     known = files.keys()
     for name, path in files.items():
         try:
-            tree = environment.parse(path.read_text(encoding="utf-8"), name, str(path))
+            source = path.read_text(encoding="utf-8")
+            tree = environment.parse(source, name, str(path))
+            within = _Within(tuple(tree.find_all(Node)))
+            unknown = [*_unknown_filters(within, name, environment)]
+            problems += [*unknown, *_unknown_parts(within, name, known)]
+            if not unknown:
+                asked = compile_template(environment, tree, source, name, str(path))
+                read[name] = _read(tree, within, name, asked)
         except TemplateSyntaxError as error:
             problems.append(template_problem(error, name, templates))
         except UnicodeDecodeError:
             what = message("The file is not text in UTF-8.")
             problems.append(Problem(f"templates/{name}", "", what, message("Save it as UTF-8.")))
-        else:
-            within = _Within(tuple(tree.find_all(Node)))
-            unknown = [*_unknown_filters(within, name, environment)]
-            problems += [*unknown, *_unknown_parts(within, name, known)]
-            if not unknown:
-                read[name] = _read(tree, within, name)
     return read, problems
+
+
+def all_templates(templates: Path, language: str) -> Templates:
+    """Read every template of a course as `read_templates` does, to be kept with its code."""
+    from gripcourse.documents.compiled import compiled_for
+
+    read, problems = read_templates(templates, language)
+    environment = template_environment(templates, language, with_charts=False)
+    return Templates(read, tuple(problems), compiled_for(environment))
 
 
 def _files(templates: Path) -> dict[str, Path]:
@@ -144,10 +178,10 @@ def _failures(document: Document, templates: Path, words: Words) -> list[Problem
     return []
 
 
-def _read(tree: "nodes.Template", within: _Within, name: str) -> Read:
-    from jinja2 import meta, nodes
+def _read(tree: "nodes.Template", within: _Within, name: str, from_outside: set[str]) -> Read:
+    from jinja2 import nodes
 
-    undeclared = meta.find_undeclared_variables(tree) - _own(tree, within)
+    undeclared = from_outside - _own(tree, within)
     asked: dict[str, int] = {}
     for one in within.all_of(nodes.Name):
         if one.ctx == "load" and one.name in undeclared:

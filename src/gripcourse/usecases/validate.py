@@ -1,18 +1,18 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
-from itertools import islice
 from pathlib import Path
 
 from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
-from gripcourse.course.compose import all_part_ids
+from gripcourse.course.compose import all_part_ids, of_schemes
 from gripcourse.course.load import judge_course, kept_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
 from gripcourse.course.read import read_course
+from gripcourse.course.sound_schemes import not_found_sound, remember_sound, scheme_digests
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
@@ -29,17 +29,19 @@ from gripcourse.proofs.model import ProofKind
 from gripcourse.proofs.published_cases import read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
-from gripcourse.text.words import Words, message
+from gripcourse.text.words import message
 from gripcourse.usecases.check_lists import list_problems
-from gripcourse.usecases.judged_before import unless_sound
-from gripcourse.usecases.samples import samples
+from gripcourse.usecases.judged_before import found_before, installed, unless_sound
 from gripcourse.usecases.styles import style_problems
-from gripcourse.usecases.templates import Read, filling_problems, read_templates, sample_documents
+from gripcourse.usecases.template_trial import trial_problems
+from gripcourse.usecases.templates import all_templates
 from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 
+# What below `variants` no scheme is judged from, and no document of a sample filled with.
+NOT_JUDGED = ("tables", "roster.csv")
 # What every document of every course needs of a machine; its fonts are asked for by the course.
 _NEEDED = ("pango", "harfbuzz-subset", "translation")
 
@@ -58,6 +60,8 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
 
 
 def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
+    # Of what schemes are judged from, and documents are filled with: taken before it is read.
+    digests = scheme_digests(root, NOT_JUDGED)
     course, problems = _judged(root, thorough=thorough)
     if course is None:
         return problems
@@ -69,14 +73,21 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
     # adds noise.
     is_sound = not problems
     templates = course.root / TEMPLATES
-    read, unread = read_templates(templates)
-    problems += [*unread, *style_problems(templates)]
+    told = partial(all_templates, templates, course.language)
+    own_templates = template_folders(templates)
+    read = found_before(
+        f"templates in {course.language}",
+        root,
+        own_templates,
+        told,
+        lambda one: not one.problems,
+    )
+    problems += [*read.problems, *style_problems(templates)]
     if is_sound:
         own = [root / name for name in REQUIRED_FOLDERS]
-        problems += unless_sound("numbers", root, own, partial(_number_problems, course))
-        all_read = [*own, *template_folders(templates)]
-        filled = partial(_template_problems, course, templates, read)
-        problems += unless_sound("templates", root, all_read, filled)
+        problems += unless_sound("numbers", root, own, partial(_number_problems, course, digests))
+        filled = partial(trial_problems, course, digests, templates, read)
+        problems += unless_sound("templates", root, [*own, *own_templates], filled)
     return [*problems, *_machine_problems(root)]
 
 
@@ -89,22 +100,17 @@ def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]
     return course, problems if course is None else [*problems, *check_course(course, thorough=True)]
 
 
-def _number_problems(course: Course) -> list[Problem]:
+def _number_problems(course: Course, digests: Mapping[str, str]) -> list[Problem]:
     """Return the problems of all that a sound course prints, draws and lists."""
-    problems = _printed_problems(course)
+    subject = f"numbers with {installed()}"
+    waiting = not_found_sound(digests, subject, course.schemes)
+    problems = _printed_problems(course, waiting)
     spaces, found = _spaces(course)
-    problems += [*found, *nothing_left(course, spaces)]
+    left = nothing_left(course, [one for one in spaces if one.scheme in waiting])
+    problems += [*found, *left]
+    if not problems:
+        remember_sound(digests, subject, course.root, NOT_JUDGED)
     return [*problems, *_table_problems(course, load_policy(course))]
-
-
-def _template_problems(course: Course, templates: Path, read: Mapping[str, Read]) -> list[Problem]:
-    """Fill the documents of one worked example; return what is wrong with their templates."""
-    words, (spaces, _) = Words(course.language), _spaces(course)
-    problems: list[Problem] = []
-    for sample in islice(samples(course, load_policy(course), spaces, words), 1):
-        documents, hindered = sample_documents(sample)
-        problems += [*hindered, *filling_problems(documents, templates, words, read)]
-    return problems
 
 
 def scheme_problems(root: Path, scheme: str) -> list[Problem]:
@@ -121,13 +127,13 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
     if course is not None:  # every scheme of it was checked
         with_scheme(course, scheme)
         own = [root / name for name in REQUIRED_FOLDERS]
-        printed = partial(_printed_problems, course, scheme)
+        printed = partial(_printed_problems, course, {scheme})
         return unless_sound(f"numbers of {scheme}", root, own, printed)
     course, problems = read_course(root)
     if course is None:
         return problems
     problems += check_course(with_scheme(course, scheme), whole=course)
-    return problems or _printed_problems(course, scheme)
+    return problems or _printed_problems(course, {scheme})
 
 
 def with_scheme(course: Course, scheme: str) -> Course:
@@ -146,14 +152,20 @@ def with_scheme(course: Course, scheme: str) -> Course:
     return replace(course, schemes={scheme: one}, parts=parts, notes=())
 
 
-def _printed_problems(course: Course, scheme: str | None = None) -> list[Problem]:
-    """Compute every worked example and published case, and check what the course declares."""
+def _printed_problems(course: Course, only: Collection[str]) -> list[Problem]:
+    """Check what the course declares; compute the worked examples and published cases of schemes.
+
+    Args:
+        course: with all schemes: what is declared may be about several of them.
+        only: ids of those that are computed.
+    """
     cases, problems = read_published_cases(course)
     declared, found = read_declared_proofs(course)
     problems += [*found, *check_declared(course, declared)]
     mechanisms, found = read_mechanisms(course)
     problems += [*found, *check_mechanisms(course, mechanisms)]
-    for one in calculations(course, cases, scheme):
+    own_cases = [one for one in cases if one.scheme in only]
+    for one in calculations(of_schemes(course, only), own_cases):
         problems += differences(one)
         if one.kind is ProofKind.EXAMPLE and one.plan.convention is Convention.CORRECTED:
             problems += crossed_in_example(one)
@@ -191,5 +203,8 @@ def _table_problems(course: Course, policy: Policy) -> list[Problem]:
         try:
             problems += paying_rules(course, policy, read_table(path, course))
         except GripcourseError as error:
-            problems += error.problems
+            name = path.relative_to(course.root).as_posix()
+            problems += [
+                replace(one, file=name) if one.file == str(path) else one for one in error.problems
+            ]
     return problems

@@ -11,13 +11,14 @@ from gripcourse.course.option_sets import broken_rules
 from gripcourse.course.quantity import Quantity
 from gripcourse.errors import Problem
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
+from gripcourse.solver.family import families_of
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.explain import broken_option_rule, explain, with_unit
-from gripcourse.variants.feasible import reasons_infeasible
+from gripcourse.variants.feasible import judge
 from gripcourse.variants.headings import TableColumn, plain
 from gripcourse.variants.model import Variant
 from gripcourse.variants.row_faults import CellFault, problems_of
@@ -226,23 +227,22 @@ class RowReader:
                 )  # fmt: skip
 
     def _refuse_infeasible(self, rows: list[tuple[SheetRow, Variant]]) -> None:
-        groups: dict[Composition, list[tuple[SheetRow, Variant]]] = {}
-        for row, variant in rows:
-            groups.setdefault(variant.composition, []).append((row, variant))
+        # Where a column is missing altogether, that is said elsewhere.
+        whole = [one for one in rows if self._is_whole(one[1])]
         found: list[tuple[int, Problem]] = []
-        for composition, group in groups.items():
-            plan = self.plans[composition]
+        for places, family in families_of(self.course, [one.composition for _, one in whole]):
+            own = [whole[place] for place in places]
             given = {
-                quantity.id: np.array([variant.given[quantity.id] for _, variant in group])
-                for quantity in plan.givens
-                if all(quantity.id in variant.given for _, variant in group)
+                one.quantity.id: np.array(
+                    [variant.given.get(one.quantity.id, np.nan) for _, variant in own]
+                )
+                for one in family.givens
             }
-            if len(given) < len(plan.givens):
-                continue  # a column is missing altogether, which is said elsewhere
-            feasibility = reasons_infeasible(plan, given)
+            feasibility = judge(family, given)
             for reason, refused in feasibility.refused.items():
                 for place in np.flatnonzero(refused):
-                    row = group[place][0]
+                    row, variant = own[place]
+                    plan = self.plans[variant.composition]
                     what = explain(plan, feasibility, reason, int(place))
                     remedy = message("Change the numbers that it comes from.")
                     problem = Problem(
@@ -250,6 +250,10 @@ class RowReader:
                     )
                     found.append((row.number, problem))
         self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
+
+    def _is_whole(self, variant: Variant) -> bool:
+        """Tell whether a variant has all numbers that its scheme needs."""
+        return all(one.id in variant.given for one in self.plans[variant.composition].givens)
 
     def _cell(self, row: SheetRow, id_: str) -> str:
         column = self.columns.get(id_)
