@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
+import pytest
 
 from gripcourse.cli.text import audit_text
 from gripcourse.course.model import Course
@@ -40,6 +41,7 @@ def test_candidates_with_overlapping_bodies_are_not_drawn(course: Course, policy
     assert told.count > 0
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_an_audit_names_the_worst_pair_of_bodies(course: Course, policy: Policy) -> None:
     spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
     variants = draw(course, spaces, 12, 5).variants
@@ -52,6 +54,7 @@ def test_an_audit_names_the_worst_pair_of_bodies(course: Course, policy: Policy)
     assert audit(course, policy, variants, spaces).overlaps is None
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_of_bodies_the_audit_speaks_only_where_some_were_looked_at(
     course: Course, policy: Policy
 ) -> None:
