@@ -274,7 +274,7 @@ def variants_of(
 
     @cache
     def drawn(scheme: str) -> tuple[Variant, ...]:
-        """Draw what the table lacks of all combinations that are tried, those of a space at once."""
+        """Draw what the table lacks of all tried combinations, those of a space at once."""
         found: list[Variant] = []
         for space in (one for one in spaces if one.scheme == scheme):
             there = [space.cases.with_options(one) for one in covering_sets(scheme)]

@@ -17,6 +17,7 @@ from gripcourse.variants.overlaps import Overlap
 from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import load_spaces
 
+HEAVY = 20.0  # kg
 OPEN = Texts(dict.fromkeys(LANGUAGES, "open"))
 WEDGE, OBJECT = (Texts(dict.fromkeys(LANGUAGES, one)) for one in ("wedge", "object"))
 
@@ -26,7 +27,7 @@ def deep(scheme: str, values: Mapping[str, Array]) -> list[Overlap | None]:
     assert scheme == "screw"
     assert np.isfinite(values["mass"]).all()
     return [
-        Overlap((WEDGE, OBJECT), OPEN, float(one) / 10) if one > 15 else None
+        Overlap((WEDGE, OBJECT), OPEN, float(one) / 10) if one > HEAVY else None
         for one in values["mass"]
     ]
 
@@ -34,7 +35,7 @@ def deep(scheme: str, values: Mapping[str, Array]) -> list[Overlap | None]:
 def test_candidates_with_overlapping_bodies_are_not_drawn(course: Course, policy: Policy) -> None:
     spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
     drawn = draw(course, spaces, 6, 5, sifter(policy, len(course.sections), deep))
-    assert all(one.given["mass"] <= 15 for one in drawn.variants)
+    assert all(one.given["mass"] <= HEAVY for one in drawn.variants)
     (tally,) = drawn.tallies
     (told,) = (one for one in tally.set_aside if "wedge" in str(one.what))
     assert str(told.what) == "wedge and object stand in each other"
@@ -46,7 +47,7 @@ def test_an_audit_names_the_worst_pair_of_bodies(course: Course, policy: Policy)
     spaces = [one for one in load_spaces(course) if one.scheme == "screw"]
     variants = draw(course, spaces, 12, 5).variants
     found = audit(course, policy, variants, spaces, deep)
-    heavy = [one for one in found.variants if one.variant.given["mass"] > 15]
+    heavy = [one for one in found.variants if one.variant.given["mass"] > HEAVY]
     assert heavy
     assert [one for one in found.variants if one.overlap is not None] == heavy
     assert not any(one.passed for one in heavy)
