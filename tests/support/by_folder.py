@@ -5,7 +5,7 @@ with a long folder when the others have nothing to do. Where nothing is compiled
 clone, one process reads the tests before the others do: each would compile all of them.
 """
 
-import fcntl
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -55,7 +55,8 @@ def is_shared(config: pytest.Config) -> bool:
 
 def tell_whether_fresh(node: WorkerController) -> None:
     """Tell a process that is about to start whether the tests were ever read here."""
-    node.workerinput[FRESH] = not any(TESTS.glob("*/__pycache__/test_*.pyc"))
+    compiled = TESTS.glob("*/__pycache__/test_*.pyc")
+    node.workerinput[FRESH] = sys.platform != "win32" and not any(compiled)
 
 
 @contextmanager
@@ -64,6 +65,8 @@ def one_before_the_others(config: pytest.Config) -> Iterator[None]:
     if not (is_shared(config) and config.workerinput[FRESH]):
         yield
         return
+    import fcntl  # noqa: PLC0415 (not everywhere)
+
     with Path(__file__).open("rb") as shared:
         try:
             fcntl.flock(shared, fcntl.LOCK_EX | fcntl.LOCK_NB)
