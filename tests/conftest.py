@@ -4,18 +4,25 @@ import gc
 import os
 import re
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from xdist.workermanage import WorkerController
 
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course, WorkedExample
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import Plan, make_plan
-from support.by_folder import ByFolder, dear_first, is_shared
+from support.by_folder import (
+    ByFolder,
+    dear_first,
+    is_shared,
+    one_before_the_others,
+    tell_whether_fresh,
+)
 from support.classroom import classroom, issued
 
 REPOSITORY = Path(__file__).parents[1]
@@ -49,6 +56,19 @@ def pytest_xdist_auto_num_workers() -> int:
 def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> ByFolder | None:
     """Give each process whole folders, where files were asked for."""
     return ByFolder(config, log) if config.getoption("dist") == "loadfile" else None
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: WorkerController) -> None:
+    """Prepare a process that shares the tests with others."""
+    tell_whether_fresh(node)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
+    """Read the tests; in a fresh clone one process before the others."""
+    with one_before_the_others(session.config):
+        return (yield)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

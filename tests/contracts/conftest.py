@@ -31,7 +31,7 @@ from gripcourse.proofs.samples import SampleSource, Trial
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.variants.cases import Cases
-from gripcourse.variants.draw import draw
+from gripcourse.variants.draw import DrawingOrder, draw, draw_space
 from gripcourse.variants.model import Variant
 from gripcourse.variants.screening import sifter
 from gripcourse.variants.space import Space, load_spaces
@@ -268,20 +268,36 @@ def variants_of(
     near = replace(policy.variants, shared_points=1.0, shared_section_points=1.0)
     rules = replace(policy, variants=near)
 
+    def tabled(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
+        found = (one for one in issued if one.scheme == scheme and one.options == options)
+        return tuple(found)[:DRAWN]
+
+    @cache
+    def drawn(scheme: str) -> tuple[Variant, ...]:
+        """Draw what the table lacks of all tried combinations, those of a space at once."""
+        found: list[Variant] = []
+        for space in (one for one in spaces if one.scheme == scheme):
+            there = [space.cases.with_options(one) for one in covering_sets(scheme)]
+            cases = [one for one in there if one is not None]
+            wanted = {
+                place: DRAWN - len(tabled(scheme, case.options)) for place, case in enumerate(cases)
+            }
+            order = DrawingOrder(scheme, wanted, np.random.SeedSequence(SEED))
+            only = replace(space, cases=Cases.of(cases))
+            rows = draw_space(course, only, order, sifter(rules, len(course.sections))).rows
+            assert all(
+                sum(options == case.options for options, _ in rows) == wanted[place]
+                for place, case in enumerate(cases)
+            )
+            found += (
+                Variant(f"{number:03d}", scheme, *row) for number, row in enumerate(rows, start=1)
+            )
+        return tuple(found)
+
     def find(scheme: str, options: Mapping[str, str]) -> tuple[Variant, ...]:
-        tabled = tuple(one for one in issued if one.scheme == scheme and one.options == options)
-        if len(tabled) >= DRAWN:
-            return tabled[:DRAWN]
-        cases = [
-            Space(scheme, 1, Cases.of([case]), space.constraints, space.file)
-            for space in spaces
-            if space.scheme == scheme and (case := space.cases.with_options(options)) is not None
-        ]
-        missing = DRAWN - len(tabled)
-        if not cases:
-            return tabled
-        sound = sifter(rules, len(course.sections))
-        return (*tabled, *draw(course, cases, missing, SEED, sound).variants)
+        assert options in covering_sets(scheme)
+        known = tabled(scheme, options)
+        return (*known, *(one for one in drawn(scheme) if one.options == options))
 
     return find
 

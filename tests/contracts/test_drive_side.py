@@ -3,11 +3,12 @@
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 import pytest
 
 from gripcourse.course.diagram import Element
-from gripcourse.course.model import Course
+from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention
 from gripcourse.drawing.diagram.contacts import contact
 from gripcourse.drawing.diagram.drives import cylinder, floating_cylinder
@@ -55,15 +56,27 @@ class Case:
         return shape_of(element, self.plan, self.stops, position, 1.0, "en")
 
 
+@pytest.fixture(scope="module")
+def cases_of(
+    course: Course, drawn_of: Callable[[str, int], tuple[Variant, ...]]
+) -> Callable[[str], tuple[Case, ...]]:
+    """Make the cases of a scheme, once."""
+    return cache(lambda scheme_id: drives_of(course, course.schemes[scheme_id], drawn_of))
+
+
 @pytest.fixture
-def cases(
-    course: Course, scheme_id: str, drawn_of: Callable[[str, int], tuple[Variant, ...]]
-) -> tuple[Case, ...]:
+def cases(scheme_id: str, cases_of: Callable[[str], tuple[Case, ...]]) -> tuple[Case, ...]:
     """Drawn variants of a scheme, one at least for each drive; none where nothing moves."""
-    scheme = course.schemes[scheme_id]
+    return cases_of(scheme_id)
+
+
+def drives_of(
+    course: Course, scheme: Scheme, drawn_of: Callable[[str, int], tuple[Variant, ...]]
+) -> tuple[Case, ...]:
+    """Draw variants of a scheme, and let them have each of its drives."""
     if scheme.kinematics is None:
         return ()
-    drawn = drawn_of(scheme_id, DRAWN)
+    drawn = drawn_of(scheme.id, DRAWN)
     found = [case(course, one, dict(one.options)) for one in drawn]
     for option in scheme.options:
         for choice in option.choices if option.id == "drive" else ():

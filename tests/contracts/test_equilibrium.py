@@ -13,19 +13,10 @@ from gripcourse.proofs.equilibrium.check import load_mechanisms
 from gripcourse.proofs.equilibrium.model import Mechanism
 from gripcourse.proofs.equilibrium.trials import prove_equilibrium
 from gripcourse.proofs.model import Verdict
-from gripcourse.proofs.published_cases import load_published_cases
-from gripcourse.proofs.samples import SampleSource
+from gripcourse.proofs.prove import Subject
 from gripcourse.text.words import Words
-from gripcourse.variants.space import Space
 
 FOLDER = Path(__file__).parents[2] / "variants" / "equilibrium"
-COUNT, SEED = 2, 26063  # variants of each combination of options
-
-
-@pytest.fixture(scope="module")
-def source(course: Course, spaces: tuple[Space, ...]) -> SampleSource:
-    """Few variants, drawn once for all bodies."""
-    return SampleSource(course, spaces, COUNT, SEED, load_published_cases(course))
 
 
 @pytest.fixture(scope="module")
@@ -36,8 +27,8 @@ def mechanisms(course: Course) -> dict[str, Mechanism]:
 
 @pytest.mark.parametrize("name", [path.stem for path in sorted(FOLDER.glob("*.toml"))])
 def test_the_course_computes_what_equilibrium_gives(
-    source: SampleSource, mechanisms: dict[str, Mechanism], name: str
+    subject: Subject, mechanisms: dict[str, Mechanism], name: str
 ) -> None:
-    result = prove_equilibrium(mechanisms[name], source, None, most=1)
+    result = prove_equilibrium(mechanisms[name], subject.source, None, most=1)
     words = Words("en")
     assert result.verdict is Verdict.HOLDS, "\n".join(one.say(words) for one in result.problems)

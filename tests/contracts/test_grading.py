@@ -85,11 +85,8 @@ def moved_alone(
         values = solve_variant(plan, {**given, one.id: value})
         if any(values[name] != right[name] for name in verdicts):
             return other_side
-    known = {
-        name: v * factor(plan.quantities[name].unit)
-        for name, v in solve_variant(plan, given).items()
-    }
     for reading in one.alternatives:
+        known = composition.example.values
         meant = float(evaluate(reading.formula, one.unit, known, plan.columns)) / factor(one.unit)
         if abs(value - meant) <= band(one, meant, policy):
             return other_side

@@ -1,5 +1,7 @@
 """Plain numbers and arrays are two ways through the same plan, and come to the same."""
 
+from collections.abc import Mapping
+
 import numpy as np
 import pytest
 
@@ -11,16 +13,22 @@ from gripcourse.solver.numbers import evaluate_numbers
 from gripcourse.solver.plan import plan_of
 from gripcourse.solver.solve import evaluate
 from gripcourse.text.units import factor
+from gripcourse.variants.model import Issued
 
 STUDENTS = 40
 
 
+@pytest.fixture(scope="module")
+def register(course: Course, policy: Policy) -> Mapping[str, Issued]:
+    """What virtual students were issued."""
+    return make_classroom(course, policy, load_mix(course), STUDENTS, 5).context.register
+
+
 @pytest.mark.parametrize("misread", [1.0, 1.37, 0.0])
 def test_plain_numbers_come_to_what_arrays_come_to(
-    course: Course, policy: Policy, misread: float
+    course: Course, register: Mapping[str, Issued], misread: float
 ) -> None:
-    room = make_classroom(course, policy, load_mix(course), STUDENTS, 5)
-    for issued in room.context.register.values():
+    for issued in register.values():
         plan = plan_of(course, issued.variant.composition)
         known = {
             name: value * factor(plan.quantities[name].unit) * misread

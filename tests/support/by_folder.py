@@ -1,11 +1,21 @@
 """Who runs what where several processes run the tests: whole folders, and dear ones first.
 
 What the tests of a folder share is then made once and not in every process, and no process is left
-with a long folder when the others have nothing to do.
+with a long folder when the others have nothing to do. Where nothing is compiled yet, as in a fresh
+clone, one process reads the tests before the others do: each would compile all of them.
 """
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 from xdist.scheduler import LoadScopeScheduling
+from xdist.workermanage import WorkerController
+
+TESTS = Path(__file__).parents[1]
+FRESH = "nothing is compiled"
 
 # By the seconds of the processor that they took, longest first; the rest is short.
 DEAR = (
@@ -41,3 +51,25 @@ class ByFolder(LoadScopeScheduling):
 def is_shared(config: pytest.Config) -> bool:
     """Tell whether this process is one of several that run the tests."""
     return hasattr(config, "workerinput")
+
+
+def tell_whether_fresh(node: WorkerController) -> None:
+    """Tell a process that is about to start whether the tests were ever read here."""
+    compiled = TESTS.glob("*/__pycache__/test_*.pyc")
+    node.workerinput[FRESH] = sys.platform != "win32" and not any(compiled)
+
+
+@contextmanager
+def one_before_the_others(config: pytest.Config) -> Iterator[None]:
+    """Let the other processes wait for the first, where all would do the same."""
+    if not (is_shared(config) and config.workerinput[FRESH]):
+        yield
+        return
+    import fcntl  # noqa: PLC0415 (not everywhere)
+
+    with Path(__file__).open("rb") as shared:
+        try:
+            fcntl.flock(shared, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            fcntl.flock(shared, fcntl.LOCK_SH)
+        yield

@@ -1,6 +1,8 @@
 """What two variants share, against the plain comparison of every variant with every other."""
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 import pytest
@@ -13,7 +15,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.policy.bands import band, within
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
-from gripcourse.solver.plan import make_plan
+from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor
 from gripcourse.variants.answers import AnswerItem, items_of, section_totals, solve_groups
@@ -24,6 +26,7 @@ from gripcourse.variants.space import load_spaces
 
 SECTIONS = 3
 LIMITS = ApartLimits(0.1, 0.5)
+Solved: TypeAlias = tuple[Plan, Mapping[str, float], Mapping[str, float]]
 
 
 def item(quantity: str, values: list[float], width: float, section: int = 0) -> AnswerItem:
@@ -137,12 +140,16 @@ def drawn(course: Course, count: int) -> tuple[Variant, ...]:
     return draw(course, load_spaces(course), count, 7).variants
 
 
-def by_hand(course: Course, policy: Policy, own: Variant, other: Variant) -> float:
+def solved(course: Course, policy: Policy, variant: Variant) -> Solved:
+    """Solve a variant with the scalar functions that grading uses; with the points of its items."""
+    plan = make_plan(course, variant.scheme, variant.options)
+    return plan, solve_variant(plan, variant.given), points_of(plan, policy)
+
+
+def by_hand(policy: Policy, own: Solved, other: Solved) -> float:
     """Compute the share of one pair with the scalar functions that grading uses."""
-    plan = make_plan(course, own.scheme, own.options)
-    values, points = solve_variant(plan, own.given), points_of(plan, policy)
-    other_plan = make_plan(course, other.scheme, other.options)
-    others = solve_variant(other_plan, other.given)
+    plan, values, points = own
+    other_plan, others, _ = other
     got = total = 0.0
     for quantity in plan.answered:
         if quantity.kind is not Kind.FORMULA:
@@ -168,10 +175,11 @@ def test_shares_across_schemes_and_options_are_those_of_the_grader(
     ])  # fmt: skip
     shares = shared / totals.sum(axis=1)[:, None]
     assert len({variant.scheme for variant in variants}) == len(course.schemes)
+    alone = [solved(course, policy, variant) for variant in variants]
     for own in range(len(variants)):
         for other in range(own % 3, len(variants), 3):
             if own != other:
-                expected = by_hand(course, policy, variants[own], variants[other])
+                expected = by_hand(policy, alone[own], alone[other])
                 assert shares[own, other] == pytest.approx(expected), (own, other)
 
 

@@ -69,6 +69,7 @@ def needing(plan: Plan, wanted: str) -> set[str]:
     return found
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_a_planted_near_duplicate_is_found(
     course: Course, policy: Policy, spaces: tuple[Space, ...], sound: tuple[Variant, ...]
 ) -> None:
@@ -83,6 +84,7 @@ def test_a_planted_near_duplicate_is_found(
     assert "lifting_load" in worst.equal
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_without_it_nothing_is_to_be_looked_at(
     course: Course, policy: Policy, spaces: tuple[Space, ...], sound: tuple[Variant, ...]
 ) -> None:
@@ -93,6 +95,7 @@ def test_without_it_nothing_is_to_be_looked_at(
     assert all(one.share <= policy.variants.shared_points for one in found.pairs)
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_an_identical_variant_shares_everything(
     course: Course, policy: Policy, sound: tuple[Variant, ...]
 ) -> None:
@@ -103,6 +106,7 @@ def test_an_identical_variant_shares_everything(
     assert worst.sections == pytest.approx((1.0,) * len(worst.sections))
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_a_single_variant_has_nobody_to_share_with(
     course: Course, policy: Policy, sound: tuple[Variant, ...]
 ) -> None:
@@ -112,6 +116,7 @@ def test_a_single_variant_has_nobody_to_share_with(
     assert found.variants[0].nearest is None
 
 
+@pytest.mark.usefixtures("few_slips_counted")
 def test_a_variant_outside_its_space_is_named(
     course: Course, policy: Policy, spaces: tuple[Space, ...], sound: tuple[Variant, ...]
 ) -> None:

@@ -113,6 +113,8 @@ def _views(answer: ScoredAnswer) -> tuple[float, float]:
 
 
 def _correlation(group: "pd.DataFrame", view: str) -> float | None:
+    if len(group) < FEWEST:
+        return None
     pair = group[[view, f"rest_{view}"]].dropna()
     spread = pair.max() - pair.min()
     if len(pair) < FEWEST or (spread < 1e-9).any():  # noqa: PLR2004 (but for the last bits)

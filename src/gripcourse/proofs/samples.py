@@ -21,7 +21,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate
 from gripcourse.text.units import factor
 from gripcourse.variants.cases import Cases
-from gripcourse.variants.draw import draw
+from gripcourse.variants.draw import DrawingOrder, draw_space
 from gripcourse.variants.model import Variant
 from gripcourse.variants.space import Space
 
@@ -77,6 +77,11 @@ class Mixed:
     options: Mapping[str, str]
     names: frozenset[str]
 
+    @property
+    def composition(self) -> Composition:
+        """Its scheme with these options."""
+        return Composition.of(self.space.scheme, self.options)
+
 
 @dataclass(frozen=True, slots=True)
 class Trial:
@@ -123,13 +128,11 @@ def trials_of(source: SampleSource, scheme: Scheme) -> Iterator[Trial]:
     used = () if example is None else (example.options,)
     if example is not None:
         same = next((one for one in mixed if one.options == example.options), None)
-        drawn = None if same is None else _drawn(source, same)
+        (drawn,) = (None,) if same is None else _drawn(source, [same])
         variants = (example, *(() if drawn is None else drawn.variants))
         yield make_trial(_plan(source.course, example), variants)
-    for one in _covering(mixed, scheme, used):
-        drawn = _drawn(source, one)
-        if drawn is not None:
-            yield drawn
+    covering = tuple(_covering(mixed, scheme, used))
+    yield from (one for one in _drawn(source, covering) if one is not None)
 
 
 def trials_with(
@@ -167,10 +170,8 @@ def trials_with(
     # Neighbours in the list differ in the last option only: some from all over it, and not all of
     # them at the same place of what repeats.
     step = max(1, len(suited) // most)
-    for one in [one for turn in range(most) for one in suited[turn * (step + 1) :][:1]]:
-        drawn = _drawn(source, one)
-        if drawn is not None:
-            yield drawn
+    some = [one for turn in range(most) for one in suited[turn * (step + 1) :][:1]]
+    yield from (one for one in _drawn(source, some) if one is not None)
 
 
 def _published(
@@ -188,7 +189,7 @@ def redrawn(source: SampleSource, trial: Trial, count: int) -> Trial | None:
     """Draw more variants of the composition of a trial; None where there is no range for it."""
     for one in source.mixed(trial.plan.scheme.id):
         if one.options == trial.plan.options:
-            return _drawn(replace(source, count=count, drawn={}), one)
+            return _drawn(replace(source, count=count, drawn={}), [one])[0]
     return None
 
 
@@ -247,17 +248,39 @@ def _covering(
         tried.update(best.options.items())
 
 
-def _drawn(source: SampleSource, mixed: Mixed) -> Trial | None:
-    """Draw variants of one combination; None where the ranges leave no solution."""
-    space = mixed.space
-    composition = Composition.of(space.scheme, mixed.options)
-    if composition not in source.drawn:
-        only = replace(space, weight=1.0, cases=Cases.of([space.cases[mixed.place]]))
-        try:
-            variants = draw(source.course, [only], source.count, source.seed).variants
-        except TableError:
-            variants = ()  # whoever draws variants is told; here there is nothing to try
-        source.drawn[composition] = (
-            make_trial(_plan(source.course, variants[0]), variants) if variants else None
-        )
-    return source.drawn[composition]
+def _drawn(source: SampleSource, mixed: Sequence[Mixed]) -> tuple[Trial | None, ...]:
+    """Draw variants of each of some combinations; None where the ranges leave no solution.
+
+    Those of one space are drawn together, which takes little more than one of them.
+    """
+    missing: dict[int, list[Mixed]] = {}
+    for one in mixed:
+        if one.composition not in source.drawn:
+            missing.setdefault(id(one.space), []).append(one)
+    for own in missing.values():
+        variants = _variants_of(source, own)
+        for one in own:
+            suited = tuple(
+                replace(variant, id=f"{number:03d}")
+                for number, variant in enumerate(
+                    (two for two in variants if two.options == one.options), start=1
+                )
+            )
+            source.drawn[one.composition] = (
+                make_trial(_plan(source.course, suited[0]), suited) if suited else None
+            )
+    return tuple(source.drawn[one.composition] for one in mixed)
+
+
+def _variants_of(source: SampleSource, own: Sequence[Mixed]) -> tuple[Variant, ...]:
+    """Draw variants of combinations of one space; none of those that cannot be solved."""
+    space = own[0].space
+    only = replace(space, cases=Cases.of([space.cases[one.place] for one in own]))
+    wanted = dict.fromkeys(range(len(own)), source.count)
+    order = DrawingOrder(space.scheme, wanted, np.random.SeedSequence(source.seed))
+    try:
+        rows = draw_space(source.course, only, order, None).rows
+    except TableError:  # whoever draws variants is told; here there is nothing to try
+        alone = (_variants_of(source, [one]) for one in own if len(own) > 1)
+        return tuple(variant for found in alone for variant in found)
+    return tuple(Variant("", space.scheme, *row) for row in rows)

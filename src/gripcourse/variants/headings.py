@@ -24,6 +24,7 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
+_REMEMBERED: Final = 4  # courses
 _SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
@@ -132,7 +133,8 @@ def given_quantities(course: Course) -> dict[str, Quantity]:
     return {id_: declared[0] for id_, declared in _declarations(course).items()}
 
 
-def _declarations(course: Course) -> dict[str, list[Quantity]]:
+@lru_cache(_REMEMBERED)
+def _declarations(course: Course) -> Mapping[str, tuple[Quantity, ...]]:
     """Return every declaration of each given, by id, in the order of schemes."""
     found: dict[str, dict[int, Quantity]] = {}
     for scheme in course.schemes.values():
@@ -140,7 +142,7 @@ def _declarations(course: Course) -> dict[str, list[Quantity]]:
             for quantity in compose(course, scheme, options).values():
                 if quantity.kind is Kind.GIVEN:
                     found.setdefault(quantity.id, {}).setdefault(id(quantity), quantity)
-    return {id_: list(declared.values()) for id_, declared in found.items()}
+    return {id_: tuple(declared.values()) for id_, declared in found.items()}
 
 
 def words_vocabulary(
