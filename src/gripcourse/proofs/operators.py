@@ -31,7 +31,7 @@ from gripcourse.formula.tree import (
 )
 from gripcourse.proofs.calculations import PrintedCalculation, broken_by
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose, evaluate, reference_rounding, to_si
+from gripcourse.solver.solve import choose, evaluate, to_si
 from gripcourse.text.units import dimension
 
 Columns: TypeAlias = Mapping[str, ColumnDimensions]
@@ -157,9 +157,7 @@ def noticed_by(
     changed: dict[str, list[float]] = {}
     for one in flipped:
         result = evaluate_formula(one.wrong, one.quantity.unit, values, plan.columns)
-        if one.quantity.choice is not None:
-            rounding = reference_rounding(one.quantity, plan.convention)
-            result = choose(result, one.quantity.choice, rounding, plan)
+        result = choose(plan, one.quantity, result, values)
         changed.setdefault(one.quantity.id, []).append(float(np.asarray(result)))
     found = {name: iter(flags) for name, flags in broken_by(calculation, changed).items()}
     return tuple(next(found[one.quantity.id]) for one in flipped)
