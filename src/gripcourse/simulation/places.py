@@ -11,8 +11,8 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
-from gripcourse.grading.size_condition import by_formulas
 from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.size_condition import by_formulas
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import PI, Hand

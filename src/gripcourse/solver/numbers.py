@@ -16,7 +16,12 @@ from gripcourse.course.compose import reference_formula
 from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, entry_of, reference_rounding
+from gripcourse.solver.solve import (
+    Evaluation,
+    entry_of,
+    reference_rounding,
+    reference_steps_up,
+)
 from gripcourse.text.units import factor
 
 _AS_COMPUTED: Final[Mapping[str, float]] = MappingProxyType({})
@@ -76,7 +81,7 @@ def _chosen(plan: Plan, quantity: Quantity, required: float, values: Mapping[str
         return required
     rounding = reference_rounding(quantity, plan.convention)
     first = entry_number(plan, quantity.choice, rounding, required)
-    if rounding is not Rounding.UP or not quantity.steps_up or math.isnan(first):
+    if math.isnan(first) or not reference_steps_up(quantity, plan.convention):
         return first
     sizes = plan.columns[quantity.choice.column].sizes
     larger = sizes[sizes.searchsorted(first) :].tolist()

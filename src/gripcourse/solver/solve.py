@@ -186,9 +186,8 @@ def choose(
     """
     if quantity.choice is None:
         return required
-    rounding = reference_rounding(quantity, plan.convention)
-    first = entry(plan, quantity.choice, rounding, required)
-    if rounding is Rounding.UP and quantity.steps_up:
+    first = entry(plan, quantity.choice, reference_rounding(quantity, plan.convention), required)
+    if reference_steps_up(quantity, plan.convention):
         return _stepped_up(plan, quantity, first, values)
     return first
 
@@ -232,11 +231,19 @@ def will_do(
     """
     if quantity.choice is None or quantity.choice.condition is None:
         return np.ones(size.shape, dtype=np.bool_)
+    trial = way_to_condition(plan, quantity, size, values)
+    met = evaluate_sound(quantity.choice.condition, "", trial, plan.columns)
+    return np.broadcast_to(met == 1.0, size.shape)
+
+
+def way_to_condition(
+    plan: Plan, quantity: Quantity, size: NDArray[np.float64], values: Values
+) -> dict[str, NDArray[np.float64]]:
+    """Return all that the condition needs, SI: what is computed from sizes too; see `will_do`."""
     trial = {**values, quantity.id: size}
     for name in plan.step_ups[quantity.id].between:
         trial[name] = compute(plan, plan.quantities[name], trial)
-    met = evaluate_sound(quantity.choice.condition, "", trial, plan.columns)
-    return np.broadcast_to(met == 1.0, size.shape)
+    return trial
 
 
 def _next_larger(plan: Plan, quantity: Quantity, size: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -259,6 +266,11 @@ def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:
     if convention is Convention.AS_PRINTED and printed:
         return printed[0]
     return quantity.choice.rounding if quantity.choice is not None else Rounding.UP
+
+
+def reference_steps_up(quantity: Quantity, convention: Convention) -> bool:
+    """Tell whether a convention takes a larger size where the first breaks its condition."""
+    return quantity.steps_up and reference_rounding(quantity, convention) is Rounding.UP
 
 
 def _tidy(value: float) -> float:

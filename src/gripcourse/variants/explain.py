@@ -210,7 +210,7 @@ def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int
 
 
 def _without_size(plan: Plan, quantity: Quantity, choice: Choice, needed: Array) -> Message | None:
-    """Say that no size that is large enough satisfies the condition; None where none is so large."""
+    """Say that no large enough size satisfies the condition; None where none is large enough."""
     first = entry(plan, choice, reference_rounding(quantity, plan.convention), needed)
     if choice.condition is None or not np.isfinite(first):
         return None

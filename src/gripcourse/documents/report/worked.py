@@ -38,8 +38,8 @@ def worked_line(
 
     Returns:
         `D = √(4P/(πpη)) = √(4·18 353 Н/(…)) = 60,08 мм`; for a choice
-        `D ≥ D_тр = 60,08 мм → 63 мм`, with the condition that it steps up by, if any; for a verdict `σ = 24,4 МПа ≤ [σ] = 80 МПа: да`; None for
-        what is not computed.
+        `D ≥ D_тр = 60,08 мм → 63 мм`, with the condition that it steps up by, if any; for a
+        verdict `σ = 24,4 МПа ≤ [σ] = 80 МПа: да`; None for what is not computed.
     """
     formula = plan.reference_formula(quantity.id)
     if formula is None:
