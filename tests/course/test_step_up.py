@@ -14,6 +14,9 @@ SCHEME = Path("variants") / "schemes" / "spring" / "scheme.toml"
 Edit = tuple[str, str]
 CONDITION = 'condition = "stress <= stress_allowed"'
 SLEEVE = 'at_least = "(index + 1)*wire"'
+WAITING_SLEEVE = """at_least = "10*wire_required"
+condition = "sleeve >= (index + 1)*wire"
+step_up = true"""
 
 
 @pytest.fixture
@@ -68,11 +71,7 @@ def problem_with(tmp_path: Path) -> Callable[..., Problem]:
         ),
         (
             [
-                (
-                    SLEEVE,
-                    'at_least = "10*wire_required"\ncondition = "sleeve >= (index + 1)*wire"\n'
-                    "step_up = true",
-                ),
+                (SLEEVE, WAITING_SLEEVE),
                 (CONDITION, 'condition = "index*wire >= sleeve/2"'),
             ],
             "quantity.sleeve.condition",
