@@ -6,6 +6,7 @@ allowed are 0.4 of the strength: 760, 740, 720 and 700 MPa, or 0.36 where the wi
 """
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +15,14 @@ import pytest
 from gripcourse.course.composition import Composition
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
+from gripcourse.formula.parse import formula_of
+from gripcourse.solver.asked import deciding
+from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.family import evaluate_family, families_of
 from gripcourse.solver.numbers import evaluate_numbers
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import evaluate, solve_variant, to_si
+from gripcourse.text.words import Words
 from gripcourse.variants.explain import why_infeasible
 
 SPRINGS = Path(__file__).parents[1] / "support" / "spring_course"
@@ -125,3 +130,25 @@ def test_without_a_missing_number_no_size_is_taken(plan: Plan) -> None:
     known = to_si(plan, {**USUAL, "wire_required": 1.5}) | {"force": math.nan}
     assert math.isnan(evaluate(plan, known).values["wire"])
     assert math.isnan(evaluate_numbers(plan, known).values["wire"])
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "the first size not below d_req for which τ ≤ [τ]"),
+        ("ru", "первое значение ряда не менее d_тр из тех, для которых τ ≤ [τ]"),
+        ("uk", "перше значення ряду не менше ніж d_потр з тих, для яких τ ≤ [τ]"),
+    ],
+)
+def test_the_sheet_says_for_which_sizes_the_condition_holds(
+    plan: Plan, language: str, said: str
+) -> None:
+    assert deciding(plan.quantities["wire"], plan, Words(language)) == said
+
+
+def test_a_strength_that_is_read_from_a_table_is_written_with_its_symbol(plan: Plan) -> None:
+    wire = plan.quantities["wire"]
+    assert wire.choice is not None
+    condition = formula_of('stress <= 0.4*lookup("wire.strength", wire)', {})
+    reading = replace(wire, choice=replace(wire.choice, condition=condition))
+    assert condition_text(reading, plan, "en") == "τ ≤ 0.4 · σ_u(d)"

@@ -17,6 +17,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Variant
 from gripcourse.workbook.key import key_workbook
+from gripcourse.workbook.key_text import formula_text
 
 SPRINGS = Path(__file__).parents[1] / "support" / "spring_course"
 BELTS = Path(__file__).parents[2] / "examples" / "belt_drive"
@@ -68,6 +69,12 @@ def test_all_of_it_is_computed_there(spring_key: bytes) -> None:
     sheet = sizes_of(spring_key, results=False)
     cells = [cell.value for row in sheet.iter_rows(min_row=6, max_row=12) for cell in row]
     assert all(str(one).startswith("=") for one in cells)
+
+
+def test_the_key_says_that_the_smallest_is_taken(springs: Course) -> None:
+    plan = make_plan(springs, "spring", {"wire": "bright"})
+    said = formula_text(plan.quantities["wire"], plan, ENGLISH)
+    assert said == "d ≥ d_req, from wire.diameter: the smallest for which τ ≤ [τ]"
 
 
 def test_a_key_without_such_a_choice_has_no_such_sheet(plan: Plan, variant: Variant) -> None:

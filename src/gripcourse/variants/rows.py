@@ -242,12 +242,11 @@ class RowReader:
             feasibility = reasons_infeasible(plan, given)
             for reason, refused in feasibility.refused.items():
                 for place in np.flatnonzero(refused):
-                    row = group[place][0]
+                    row, variant = group[place]
                     what = explain(plan, feasibility, reason, int(place))
                     remedy = message("Change the numbers that it comes from.")
-                    problem = Problem(
-                        self.sheet.file, message("row {row}", row=row.number), what, remedy
-                    )
+                    at = message("row {row}, variant {variant}", row=row.number, variant=variant.id)
+                    problem = Problem(self.sheet.file, at, what, remedy)
                     found.append((row.number, problem))
         self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
 
