@@ -19,7 +19,7 @@ from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.survivors import ProofGround, prove_operators
 from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.solver.solve import Values, choose, reference_rounding
+from gripcourse.solver.solve import Values, choose
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -92,9 +92,7 @@ def is_seen(plan: Plan, flipped: FlippedFormula, values: Values, policy: Policy)
         evaluate(formula, one.unit, values, plan.columns)
         for formula in (flipped.right, flipped.wrong)
     )
-    if one.choice is not None:
-        rounding = reference_rounding(one, plan.convention)
-        right, wrong = (choose(side, one.choice, rounding, plan) for side in (right, wrong))
+    right, wrong = (choose(plan, one, side, values) for side in (right, wrong))
     near = np.abs(wrong - right) <= bands(one, right, policy) * (1 + 1e-9)
     return bool((np.isfinite(right) & ~near).any())
 

@@ -11,7 +11,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.wrong_methods import prove_wrong_methods
-from gripcourse.solver.solve import choose
+from gripcourse.solver.solve import entry
 from gripcourse.text.units import factor
 from support.each import each
 
@@ -66,7 +66,7 @@ def wrong_values(plan: "Plan", reference: "Reference") -> Iterator[Wrong]:
             if printed.rounding is None or one.choice is None or one.formula is None:
                 continue
             required = evaluate(one.formula, one.unit, reference.values, plan.columns)
-            value = choose(required, one.choice, printed.rounding, plan)
+            value = entry(plan, one.choice, printed.rounding, required)
             yield Wrong(f"{one.id}: {printed.erratum}", one, float(value) / size, right)
 
 

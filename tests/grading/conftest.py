@@ -4,16 +4,19 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import cache
+from pathlib import Path
 from typing import TypeAlias
 
 import pytest
 
+from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.grading.diagnose import CandidatesOf
 from gripcourse.grading.judge import judge
 from gripcourse.grading.model import Finding, Report
 from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.solver.plan import Plan, make_plan
@@ -26,6 +29,7 @@ from gripcourse.variants.space import load_spaces
 from support.issued_table import issued_table
 
 SIGNATURE = "a1" * 32
+BELTS = Path(__file__).parents[2] / "examples" / "belt_drive"
 
 Written: TypeAlias = float | str | Answer | None
 """What stands in an answer cell: a number, text that is none, nothing; or an answer as read."""
@@ -207,6 +211,17 @@ def hydraulic(plan: Plan, policy: Policy) -> Case:
     assert plan.scheme.example is not None
     given = {one.id: plan.scheme.example.given[one.id] for one in plan.givens}
     return make_case(plan, given, policy)
+
+
+@pytest.fixture(scope="session")
+def flat_belt() -> Case:
+    """The worked example of a flat belt that slips at the first width that is wide enough."""
+    belts = load_course(BELTS)
+    scheme = belts.schemes["flat_belt"]
+    assert scheme.example is not None
+    plan = make_plan(belts, scheme.id, scheme.example.options)
+    given = {one.id: scheme.example.given[one.id] for one in plan.givens}
+    return make_case(plan, given, load_policy(belts))
 
 
 @pytest.fixture(scope="session")

@@ -13,7 +13,7 @@ from gripcourse.course.model import Course, WorkedExample
 from gripcourse.course.quantity import Convention, Kind, Rounding
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import (
-    choose,
+    entry,
     evaluate,
     from_si,
     reference_rounding,
@@ -167,7 +167,7 @@ def series(plan: Plan) -> NDArray[np.float64]:
 def test_a_chosen_size_is_the_smallest_that_suffices(plan: Plan, required: float) -> None:
     choice = plan.quantities["bore"].choice
     assert choice is not None
-    chosen = float(choose(np.array(required), choice, Rounding.UP, plan))
+    chosen = float(entry(plan, choice, Rounding.UP, np.array(required)))
     assert chosen >= required * (1 - 1e-9)
     assert not any(required <= size < chosen for size in series(plan))
 
@@ -176,7 +176,7 @@ def test_a_chosen_size_is_the_smallest_that_suffices(plan: Plan, required: float
 def test_the_nearest_size_has_no_nearer_neighbour(plan: Plan, required: float) -> None:
     choice = plan.quantities["bore"].choice
     assert choice is not None
-    chosen = float(choose(np.array(required), choice, Rounding.NEAREST, plan))
+    chosen = float(entry(plan, choice, Rounding.NEAREST, np.array(required)))
     distances = np.abs(series(plan) - required)
     assert abs(chosen - required) <= distances.min() + 1e-9 * required
 

@@ -161,10 +161,14 @@ def test_a_blank_cell_is_fine_where_the_options_do_not_need_it(
         ({"variant": ""}, "row 2, column variant", "no name"),
         ({"noise": "3"}, "row 2, column noise", "does not use this"),
         ({"fluid": "air", "pressure": "0.5"}, "row 2, column noise", "missing"),
-        ({"friction": "0"}, "row 2", "force (force) has no value"),
-        ({"travel": "150"}, "row 2", "angle (angle) has no value"),
-        ({"pressure": "16"}, "row 2", "pressure <= pressure_limit does not hold"),
-        ({"mass": "5000", "pressure": "0.1"}, "row 2", "the catalogue bore.bore has no entry"),
+        ({"friction": "0"}, "row 2, variant 1", "force (force) has no value"),
+        ({"travel": "150"}, "row 2, variant 1", "angle (angle) has no value"),
+        ({"pressure": "16"}, "row 2, variant 1", "pressure <= pressure_limit does not hold"),
+        (
+            {"mass": "5000", "pressure": "0.1"},
+            "row 2, variant 1",
+            "the catalogue bore.bore has no entry",
+        ),
     ],
 )
 def test_a_wrong_cell_is_named_by_row_and_column(
@@ -196,7 +200,7 @@ def test_all_problems_are_told_at_once(tmp_path: Path, small_course: Course) -> 
         "row 2, column teeth",
         "row 3, column scheme",
         "row 6, column mass [kg]",
-        "row 4",
+        "row 4, variant 3",
     ]
 
 

@@ -17,6 +17,7 @@ from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_one_end import check_one_end
 from gripcourse.course.check_options import check_option_names, check_option_rules
 from gripcourse.course.check_series import check_series
+from gripcourse.course.check_step_up import check_step_up
 from gripcourse.course.check_symbols import check_symbols
 from gripcourse.course.check_view import check_view
 from gripcourse.course.columns_read import check_titles
@@ -118,6 +119,7 @@ def _check_scheme(
         yield from check_formulas(new, quantities, tables.columns, tables.dimensions, elsewhere)
         if not circular:  # else what stands in the circle would seem to be without use
             yield from _check_use(course, quantities)
+            yield from check_step_up(quantities)
         elif _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
             yield from check_graph(scheme, quantities)
         yield from check_series(new, tables.columns, tables.dimensions)

@@ -14,6 +14,10 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import Texts, message
 
 _TAKE_SERIES = message("Write the catalogue and column whose sizes are chosen from: 'rod.size'.")
+_WRITE_CONDITION = message("Write the condition that the size must satisfy, or leave step_up out.")
+_ROUND_UP = message(
+    "Leave rounding out: the first size is the next one above, or leave step_up out."
+)
 
 
 def optional_formula(table: Table, name: str) -> Formula | None:
@@ -51,12 +55,18 @@ def read_choice(table: Table) -> Choice:
         )
     if not table.has("series"):
         table.add("series", message("This key is missing."), _TAKE_SERIES)
+    rounding, step_up = _rounding(table), table.flag("step_up")
+    if step_up and not table.has("condition"):
+        table.add("step_up", message("There is no condition to step up by."), _WRITE_CONDITION)
+    if step_up and rounding is Rounding.NEAREST:
+        table.add("step_up", message("The nearest size does not step up."), _ROUND_UP)
     return Choice(
         column=table.text("series") if table.has("series") else "",
         also=table.strings("also"),
-        rounding=_rounding(table),
+        rounding=rounding,
         condition=optional_formula(table, "condition"),
         steps=None if steps is None else int(steps),
+        step_up=step_up,
     )
 
 

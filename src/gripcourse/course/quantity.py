@@ -138,6 +138,8 @@ class Choice:
         condition: what the chosen value must also satisfy, None for nothing more.
         steps: how many entries of the preferred series above the smallest admissible one are still
             not wasteful; None for no limit.
+        step_up: whether the reference is the smallest size that satisfies the condition too; else
+            the condition only checks the size that the rounding takes.
     """
 
     column: str
@@ -145,6 +147,7 @@ class Choice:
     rounding: Rounding
     condition: Formula | None
     steps: int | None
+    step_up: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,6 +235,12 @@ class Quantity:
         if self.kind is Kind.PICK:
             return self.formula is not None and is_entry(self.formula.tree)
         return self.kind in {Kind.CHOICE, Kind.VERDICT}
+
+    @property
+    def steps_up(self) -> bool:
+        """Whether a larger size is taken where the first does not satisfy its condition."""
+        choice = self.choice
+        return choice is not None and choice.step_up and choice.condition is not None
 
     def formulas(self) -> Iterator[Formula]:
         """Yield every formula that the declaration holds."""

@@ -148,6 +148,10 @@ _CHOICE: Final = {
         "What the chosen value must also satisfy: a check. The reference stays the first size of "
         "`at_least`; variants in which that one fails are refused."
     ),
+    "step_up": flag(
+        "Whether the reference is the smallest size not below `at_least` for which the condition "
+        "holds, and what is computed from it on the way there; refused where no size will do."
+    ),
     "at_most_steps": number("How many entries above the smallest admissible are not wasteful."),
     "rounding": _ROUNDING,
 }

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final, SupportsFloat, TypeAlias
+from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.comparison import Comparison
-from gripcourse.solver.numbers import choose_number
+from gripcourse.grading.size_condition import Satisfies, conditions_at_own
+from gripcourse.solver.condition_text import condition_text
+from gripcourse.solver.numbers import entry_number
 from gripcourse.solver.plan import Plan
-from gripcourse.text.words import Message, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -35,7 +37,7 @@ def judge_choice(
     quantity: Quantity,
     chosen: float,
     required: float,
-    values: Mapping[str, SupportsFloat],
+    satisfies: Satisfies,
 ) -> ChoiceVerdict:
     """Judge a decision against the rule of its quantity.
 
@@ -44,7 +46,7 @@ def judge_choice(
         quantity: a choice.
         chosen: the student's value, SI.
         required: what the chosen entry must not be below, or be near to, SI.
-        values: the numbers that the rule's condition is judged with, SI.
+        satisfies: tells of a size whether it satisfies the rule's condition.
     """
     choice = quantity.choice
     if choice is None or not math.isfinite(required):
@@ -52,15 +54,24 @@ def judge_choice(
     if not _in_series(plan, choice, chosen):
         return ChoiceVerdict(sound=False, fault=message("This size is not in the series."))
     entries = plan.columns[choice.column].sizes
-    fault = _FAULTS[choice.rounding](entries, choice, chosen, required)
+    fault = _FAULTS[choice.rounding](entries, choice, chosen, required, satisfies)
     if fault is not None:
         return ChoiceVerdict(sound=False, fault=fault)
-    if not _condition_holds(plan, quantity, chosen, values):
-        return ChoiceVerdict(
-            sound=False,
-            fault=message("The size does not satisfy the condition of the rule."),
-        )
+    if not satisfies(chosen):
+        return ChoiceVerdict(sound=False, fault=_unsatisfied(plan, quantity))
     return ChoiceVerdict(sound=True, fault=None)
+
+
+def _unsatisfied(plan: Plan, quantity: Quantity) -> Message:
+    """Say that a size does not satisfy the condition, and what to do where the choice steps up."""
+    if not quantity.steps_up:
+        return message("The size does not satisfy the condition of the rule.")
+    condition = {one: condition_text(quantity, plan, one) for one in LANGUAGES}
+    return message(
+        "The size is not below the required value, but it does not satisfy {condition}: step up to "
+        "the next size that does.",
+        condition=Texts(condition),
+    )
 
 
 def sound_sizes(comparison: Comparison, name: str) -> list[float]:
@@ -75,6 +86,7 @@ def sound_sizes(comparison: Comparison, name: str) -> list[float]:
     entries = np.unique(np.concatenate([comparison.plan.columns[one].sizes for one in columns]))
     # A last digit of what is required may decide between two neighbours.
     margin = comparison.policy.tolerance.relative
+    satisfied = conditions_at_own(comparison.plan, quantity, comparison.follow_through.numbers)
     ends = [required * (1 - margin)]
     if quantity.choice.rounding is Rounding.NEAREST:
         ends.append(required * (1 + margin))
@@ -82,7 +94,9 @@ def sound_sizes(comparison: Comparison, name: str) -> list[float]:
         float(entry)
         for entry in entries
         if any(
-            judge_choice(comparison.plan, quantity, float(entry), end, values).sound for end in ends
+            judge_choice(comparison.plan, quantity, float(entry), end, satisfies).sound
+            for end in ends
+            for satisfies in satisfied
         )
     ]
 
@@ -93,7 +107,7 @@ def printed_choice(plan: Plan, quantity: Quantity, required: float) -> float | N
     rounding = next((one.rounding for one in quantity.as_printed if one.rounding), None)
     if choice is None or rounding is None:
         return None
-    return choose_number(required, choice, Rounding(rounding), plan)
+    return entry_number(plan, choice, Rounding(rounding), required)
 
 
 def same_size(one: float, other: float) -> bool:
@@ -106,13 +120,18 @@ def _in_series(plan: Plan, choice: Choice, chosen: float) -> bool:
     return bool(np.any(np.abs(entries - chosen) <= _SAME * abs(chosen)))
 
 
-def _fault_up(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
+def _fault_up(
+    series: Array, choice: Choice, chosen: float, required: float, satisfies: Satisfies
+) -> Message | None:
     """Say what is wrong with a size that must not be below the required value."""
     if chosen < required * (1 - _SLACK):
         return message("The size is below the required value.")
     if choice.steps is None:
         return None
     first = int(np.searchsorted(series, required * (1 - _SLACK)))
+    if choice.step_up:
+        larger = range(first, len(series))
+        first = next((place for place in larger if satisfies(float(series[place]))), first)
     largest = float(series[min(first + choice.steps, len(series) - 1)])
     if chosen <= largest * (1 + _SAME):
         return None
@@ -122,7 +141,9 @@ def _fault_up(series: Array, choice: Choice, chosen: float, required: float) -> 
     )
 
 
-def _fault_nearest(series: Array, choice: Choice, chosen: float, required: float) -> Message | None:
+def _fault_nearest(
+    series: Array, choice: Choice, chosen: float, required: float, _: Satisfies
+) -> Message | None:
     """Say what is wrong with a size that must be near the required value, on either side of it."""
     distances = np.abs(series - required)
     steps, place = choice.steps or 0, int(np.argmin(distances))
@@ -140,18 +161,8 @@ def _fault_nearest(series: Array, choice: Choice, chosen: float, required: float
     )
 
 
-_Fault: TypeAlias = Callable[[Array, Choice, float, float], Message | None]
+_Fault: TypeAlias = Callable[[Array, Choice, float, float, Satisfies], Message | None]
 _FAULTS: Final[Mapping[Rounding, _Fault]] = {
     Rounding.UP: _fault_up,
     Rounding.NEAREST: _fault_nearest,
 }
-
-
-def _condition_holds(
-    plan: Plan, quantity: Quantity, chosen: float, values: Mapping[str, SupportsFloat]
-) -> bool:
-    if quantity.choice is None or quantity.choice.condition is None:
-        return True
-    condition = quantity.choice.condition
-    known = {name: float(values[name]) for name in condition.names if name != quantity.id}
-    return evaluate_number(condition, "", {**known, quantity.id: chosen}, plan.columns) == 1.0

@@ -26,7 +26,7 @@ from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.solve import choose, reference_rounding
+from gripcourse.solver.solve import choose
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 
@@ -103,8 +103,8 @@ def _with_wrong_rule(
         return judgement
     scale = factor(comparison.quantity.unit)
     needed = np.array([comparison.at_own(one.formula).value for one in candidates]) * scale
-    rounding = reference_rounding(comparison.quantity, comparison.plan.convention)
-    taken = choose(needed, choice, rounding, comparison.plan).tolist()
+    own = comparison.follow_through.evaluation.values
+    taken = choose(comparison.plan, comparison.quantity, needed, own).tolist()
     met = [
         one
         for one, size in zip(candidates, taken, strict=True)

@@ -1,6 +1,9 @@
 """Judging a design decision against the required value, the reference's or the student's own."""
 
 import math
+from collections.abc import Iterator
+
+import numpy as np
 
 from gripcourse.formula.tree import Name
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
@@ -8,6 +11,7 @@ from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import cuts_off, figure_half_unit
+from gripcourse.grading.size_condition import Satisfies, by_formulas, conditions_at_own
 from gripcourse.text.units import factor
 from gripcourse.text.words import message
 
@@ -34,8 +38,9 @@ def _judge_size(comparison: Comparison) -> Judgement:
     scale = factor(comparison.quantity.unit)
     chosen = comparison.value * scale
     required = comparison.at_reference(formula) * scale
-    reference = comparison.reference_values
-    if judge_choice(comparison.plan, comparison.quantity, chosen, required, reference).sound:
+    plan, quantity = comparison.plan, comparison.quantity
+    reference = by_formulas(plan, quantity, comparison.reference_values)
+    if judge_choice(plan, quantity, chosen, required, reference).sound:
         said = message("A sound decision.")
         return conclude(comparison, Outcome.CORRECT, Against.REFERENCE, 1.0, said)
     own_required = comparison.at_own(formula)
@@ -43,18 +48,13 @@ def _judge_size(comparison: Comparison) -> Judgement:
     written = () if is_answer else _as_written(own_required.value, comparison)
     # What is needed is known as finely as the earlier numbers were typed.
     verdicts = [
-        judge_choice(
-            comparison.plan,
-            comparison.quantity,
-            chosen,
-            end * scale,
-            comparison.follow_through.numbers.values,
-        )
+        judge_choice(plan, quantity, chosen, end * scale, satisfies)
+        for satisfies in _own_conditions(comparison, own_required.value)
         for end in (own_required.value, own_required.low, own_required.high, *written)
     ]
     follow_through = verdicts[0]
     # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
-    picked = same_size(chosen, comparison.expected * scale)
+    picked = any(same_size(chosen, one) for one in _by_the_rule(comparison))
     if picked or any(verdict.sound for verdict in verdicts):
         said = message("A sound decision for your own earlier numbers.")
         credit = comparison.policy.carried_credit
@@ -69,6 +69,33 @@ def _judge_size(comparison: Comparison) -> Judgement:
         0.0,
         follow_through.fault or message("The required value cannot be told from your numbers."),
     )
+
+
+def _by_the_rule(comparison: Comparison) -> Iterator[float]:
+    """Yield what the rule takes at the student's own numbers, SI.
+
+    A size may be stepped up to, or not, for a last digit that was not typed.
+    """
+    yield comparison.expected * factor(comparison.quantity.unit)
+    if comparison.quantity.steps_up:
+        moved = comparison.follow_through.moved.computed[comparison.quantity.id]
+        yield from np.unique(moved).tolist()
+
+
+def _own_conditions(comparison: Comparison, required: float) -> tuple[Satisfies, ...]:
+    """Return the ways in which the size may satisfy its condition at the student's own numbers.
+
+    Where no size of the series does, after a slip, nobody can step up to one: the first will do.
+    """
+    plan, quantity, numbers = (
+        comparison.plan,
+        comparison.quantity,
+        comparison.follow_through.numbers,
+    )
+    without = math.isnan(numbers.computed[quantity.id]) and math.isfinite(required)
+    if quantity.steps_up and without:
+        return (lambda _: True,)
+    return conditions_at_own(plan, quantity, numbers)
 
 
 def _as_written(required: float, comparison: Comparison) -> tuple[float, ...]:
@@ -87,16 +114,18 @@ def _as_written(required: float, comparison: Comparison) -> tuple[float, ...]:
 def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | None:
     """Judge a size by the other readings of what is required, at the reference and at own."""
     scale = factor(comparison.quantity.unit)
-    reference = comparison.reference_values
-    own = comparison.follow_through.numbers.values
+    plan, quantity = comparison.plan, comparison.quantity
+    reference = (by_formulas(plan, quantity, comparison.reference_values),)
+    own = conditions_at_own(plan, quantity, comparison.follow_through.numbers)
     for other in comparison.quantity.alternatives:
         required = (
             (comparison.at_reference(other.formula), reference),
             (comparison.at_own(other.formula).value, own),
         )
         if any(
-            judge_choice(comparison.plan, comparison.quantity, chosen, value * scale, values).sound
-            for value, values in required
+            judge_choice(plan, quantity, chosen, value * scale, satisfies).sound
+            for value, conditions in required
+            for satisfies in conditions
         ):
             return conclude(
                 comparison,

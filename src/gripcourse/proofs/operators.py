@@ -15,7 +15,6 @@ import numpy as np
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention, Kind, Quantity
 from gripcourse.formula.dimension import check_dimension
-from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.parse import FormulaFault
 from gripcourse.formula.rules import ColumnDimensions
 from gripcourse.formula.tree import (
@@ -31,7 +30,7 @@ from gripcourse.formula.tree import (
 )
 from gripcourse.proofs.calculations import PrintedCalculation, broken_by
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose, evaluate, reference_rounding, to_si
+from gripcourse.solver.solve import compute, evaluate, reference_steps_up, to_si
 from gripcourse.text.units import dimension
 
 Columns: TypeAlias = Mapping[str, ColumnDimensions]
@@ -79,6 +78,7 @@ class FlippedFormula:
         right, wrong: its formula, and what was made of it.
         operator, span: what was flipped, and where in the text.
         convention: whose reference the formula is.
+        steps_up: whether it is the condition that a choice steps up by, and no formula of a value.
     """
 
     quantity: Quantity
@@ -87,6 +87,7 @@ class FlippedFormula:
     operator: str
     span: Span
     convention: Convention
+    steps_up: bool = False
 
     @property
     def key(self) -> tuple[str, str, str, Span]:
@@ -125,22 +126,45 @@ def _with_children(node: Node, below: tuple[Node, ...]) -> Node:
 def flipped_formulas(plan: Plan) -> Iterator[FlippedFormula]:
     """Yield every flipped operator of every reference formula of a plan.
 
-    Of a verdict only the comparisons: what is compared seldom decides it.
+    Of a verdict, and of what a choice steps up by, only the comparisons: what is compared seldom
+    decides it.
     """
     for one in plan.answered:
-        formula = plan.reference_formula(one.id)
-        if formula is None:
-            continue
-        for mutant in mutants(formula.tree):
-            if one.kind is Kind.VERDICT and mutant.operator not in _CONDITIONS:
-                continue
-            wrong = dataclasses.replace(formula, tree=mutant.tree)
-            yield FlippedFormula(one, formula, wrong, mutant.operator, mutant.span, plan.convention)
+        for formula, steps_up in _deciding(one, plan):
+            for mutant in mutants(formula.tree):
+                compares = one.kind is Kind.VERDICT or steps_up
+                if compares and mutant.operator not in _CONDITIONS:
+                    continue
+                wrong = dataclasses.replace(formula, tree=mutant.tree)
+                place = (mutant.operator, mutant.span)
+                yield FlippedFormula(one, formula, wrong, *place, plan.convention, steps_up)
+
+
+def _deciding(one: Quantity, plan: Plan) -> Iterator[tuple[Formula, bool]]:
+    """Yield the formulas that decide a value, and whether each is one that a choice steps up by."""
+    formula = plan.reference_formula(one.id)
+    if formula is not None:
+        yield formula, False
+    condition = None if one.choice is None else one.choice.condition
+    if condition is not None and reference_steps_up(one, plan.convention):
+        yield condition, True
+
+
+def is_formula_of(flipped: FlippedFormula, plan: Plan) -> bool:
+    """Tell whether a plan computes with the very formula before it was flipped."""
+    one = plan.quantities.get(flipped.quantity.id)
+    if one is None or one.file != flipped.quantity.file:
+        return False
+    return (flipped.right, flipped.steps_up) in _deciding(one, plan)
 
 
 def with_formula(plan: Plan, flipped: FlippedFormula) -> Plan:
     """Return a plan in which a quantity has the flipped formula."""
     one = plan.quantities[flipped.quantity.id]
+    if flipped.steps_up and one.choice is not None:
+        choice = dataclasses.replace(one.choice, condition=flipped.wrong)
+        changed = dataclasses.replace(one, choice=choice)
+        return dataclasses.replace(plan, quantities={**plan.quantities, one.id: changed})
     printed = one.as_printed
     if plan.convention is Convention.AS_PRINTED:
         printed = tuple(dataclasses.replace(p, formula=None) for p in printed)
@@ -156,10 +180,8 @@ def noticed_by(
     values = evaluate(plan, to_si(plan, calculation.known)).values
     changed: dict[str, list[float]] = {}
     for one in flipped:
-        result = evaluate_formula(one.wrong, one.quantity.unit, values, plan.columns)
-        if one.quantity.choice is not None:
-            rounding = reference_rounding(one.quantity, plan.convention)
-            result = choose(result, one.quantity.choice, rounding, plan)
+        flipped_plan = with_formula(plan, one)
+        result = compute(flipped_plan, flipped_plan.quantities[one.quantity.id], values)
         changed.setdefault(one.quantity.id, []).append(float(np.asarray(result)))
     found = {name: iter(flags) for name, flags in broken_by(calculation, changed).items()}
     return tuple(next(found[one.quantity.id]) for one in flipped)
@@ -168,7 +190,8 @@ def noticed_by(
 def is_measurable(flipped: FlippedFormula, plan: Plan, columns: Columns) -> bool:
     """Tell whether a flipped formula still measures what its quantity does."""
     known = {name: dimension(plan.quantities[name].unit) for name in flipped.wrong.names}
-    unit = "" if flipped.quantity.kind is Kind.VERDICT else flipped.quantity.unit
+    compares = flipped.quantity.kind is Kind.VERDICT or flipped.steps_up
+    unit = "" if compares else flipped.quantity.unit
     try:
         check_dimension(flipped.wrong, unit, known, columns)
     except FormulaFault:

@@ -20,6 +20,7 @@ from gripcourse.proofs.operators import (
     Noticed,
     column_dimensions,
     flipped_formulas,
+    is_formula_of,
     is_measurable,
     noticed_by,
     with_formula,
@@ -141,7 +142,9 @@ def _noticed(
         return Noticed.DIMENSION
     # Proofs are about what is right, not about what a source prints.
     is_right = one.formula.convention is Convention.CORRECTED
-    own = [trial for trial in ground.trials if is_right and _has(trial.plan, one.formula)][:_TRIED]
+    own = [trial for trial in ground.trials if is_right and is_formula_of(one.formula, trial.plan)][
+        :_TRIED
+    ]
     if any(_breaks_motion(trial, one.formula) for trial in own) or (
         is_right and _breaks_declared(one.formula, proofs)
     ):
@@ -155,13 +158,6 @@ def _noticed(
 
 def _is_about(reason: Unshown, formula: FlippedFormula) -> bool:
     return (reason.quantity, reason.operator) == (formula.quantity.id, formula.operator)
-
-
-def _has(plan: Plan, formula: FlippedFormula) -> bool:
-    """Tell whether a plan computes with the very formula."""
-    one = plan.quantities.get(formula.quantity.id)
-    right = None if one is None else plan.reference_formula(one.id)
-    return one is not None and one.file == formula.quantity.file and right == formula.right
 
 
 def _breaks_motion(trial: Trial, formula: FlippedFormula) -> bool:
@@ -181,7 +177,7 @@ def _breaks_declared(
         fitting = [
             trial
             for trial in trials
-            if _has(trial.plan, formula)
+            if is_formula_of(formula, trial.plan)
             and formula.quantity.id in _upstream(trial.plan, names_used(proof))
         ]
         for trial in fitting[:_TRIED_BY_PROOF]:

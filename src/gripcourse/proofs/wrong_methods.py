@@ -24,7 +24,7 @@ from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, conc
 from gripcourse.proofs.samples import SampleSource, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
-from gripcourse.solver.solve import choose, reference_rounding
+from gripcourse.solver.solve import choose, entry
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
@@ -211,9 +211,7 @@ def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, MethodSort
 
     def result(formula: Formula) -> Array:
         found = evaluate(formula, one.unit, trial.values, plan.columns)
-        if one.choice is not None:
-            return choose(found, one.choice, reference_rounding(one, plan.convention), plan)
-        return found
+        return choose(plan, one, found, trial.values)
 
     for slip in one.slips:
         yield slip.id, f"slip.{slip.id}", MethodSort.SLIP, result(slip.formula)
@@ -226,7 +224,7 @@ def _methods(trial: Trial, one: Quantity) -> Iterator[tuple[str, str, MethodSort
             yield printed.erratum, key, MethodSort.ERRATUM, result(printed.formula)
         elif printed.rounding is not None and one.choice is not None and one.formula is not None:
             required = evaluate(one.formula, one.unit, trial.values, plan.columns)
-            taken = choose(required, one.choice, printed.rounding, plan)
+            taken = entry(plan, one.choice, printed.rounding, required)
             yield printed.erratum, key, MethodSort.ERRATUM, taken
 
 

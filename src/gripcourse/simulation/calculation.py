@@ -15,7 +15,7 @@ from gripcourse.simulation.arithmetic import PI, Array, Hand, with_own_pi
 from gripcourse.simulation.model import ActionKind
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose, reference_rounding
+from gripcourse.solver.solve import choose
 from gripcourse.text.units import factor
 
 # Of a declared unit: what floating point leaves where equal numbers were subtracted is written 0.
@@ -101,9 +101,8 @@ def by_formula(
     result = np.where(np.abs(exact) < _NOTHING, 0.0, exact)
     if quantity.choice is None:
         return result
-    rounding = reference_rounding(quantity, plan.convention)
     required = hand.going_on_with(result, hand.written(result)) * scale
-    return choose(required, quantity.choice, rounding, plan) / scale
+    return choose(plan, quantity, required, values) / scale
 
 
 def _order(plan: Plan, deviations: Mapping[str, Deviation]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.diagnose import CandidatesOf
+from gripcourse.grading.size_condition import by_formulas
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.arithmetic import PI, Hand
@@ -159,7 +160,9 @@ def _is_accepted_size(ground: Ground, quantity: Quantity, size: float, done: Cal
         printed = printed_choice(plan, quantity, required)
         if printed is not None and same_size(printed, chosen):
             return True
-        if judge_choice(plan, quantity, chosen, required, values).sound:
+        if judge_choice(
+            plan, quantity, chosen, required, by_formulas(plan, quantity, values)
+        ).sound:
             return True
     return False
 

@@ -12,6 +12,7 @@ from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Call, Formula, walk
 from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Message, Words, message
 
@@ -72,9 +73,27 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
             "the size of the series nearest to {needed}, or one within ±{count} places of it",
             needed=needed, count=choice.steps))  # fmt: skip
     else:
-        yield words.say(message("{sizes} not below {needed}", sizes=sizes, needed=needed))
-    if choice.condition is not None and not _reads_table(choice.condition):
+        yield words.say(_from_needed_up(quantity, sizes, needed, plan, words))
+        if quantity.steps_up:
+            return
+    if quantity.steps_up:
+        yield condition_text(quantity, plan, words.language)
+    elif choice.condition is not None and not _reads_table(choice.condition):
         yield _written(choice.condition, plan, words.language)
+
+
+def _from_needed_up(
+    quantity: Quantity, sizes: Message, needed: str, plan: Plan, words: Words
+) -> Message:
+    """Say from where on sizes are sound; and for which of them a condition holds that counts."""
+    if not quantity.steps_up:
+        return message("{sizes} not below {needed}", sizes=sizes, needed=needed)
+    return message(
+        "{sizes} not below {needed} for which {condition}",
+        sizes=sizes,
+        needed=needed,
+        condition=condition_text(quantity, plan, words.language),
+    )
 
 
 def _sizes(choice: Choice) -> Message:

@@ -8,15 +8,16 @@ have it.
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from heapq import heapify, heappop, heappush
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.course.compose import compose, direct_inputs
+from gripcourse.course.compose import compose
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity
+from gripcourse.course.step_up import inputs_of, step_ups
 from gripcourse.formula.evaluate import finite
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import Evaluation, compute
@@ -24,6 +25,8 @@ from gripcourse.solver.solve import Evaluation, compute
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 Number = TypeVar("Number", bound=np.generic)
+Key: TypeAlias = int | tuple[int, ...]
+"""What tells a declaration from all others: itself, and what else its value is computed by."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -197,18 +200,21 @@ def _families(
 
 def _family(course: Course, compositions: tuple[Composition, ...], numbers: Rows) -> Family | None:
     """Make a family; None where its compositions have no order of calculation in common."""
-    having: dict[int, tuple[Quantity, list[int]]] = {}
-    before: dict[int, set[int]] = {}
-    inputs: dict[int, tuple[str, ...]] = {}
+    having: dict[Key, tuple[Quantity, list[int]]] = {}
+    before: dict[Key, set[Key]] = {}
+    inputs: dict[Key, tuple[str, ...]] = {}
     for number, composition in enumerate(compositions):
         declared = compose(course, course.schemes[composition.scheme], composition.options)
-        keys = {name: id(one) for name, one in declared.items()}
-        for one in declared.values():
-            key = id(one)
+        ups = step_ups(declared, course.convention)
+        keys: dict[str, Key] = {name: id(one) for name, one in declared.items()}
+        for name, up in ups.items():  # what is computed from the size decides about it too
+            keys[name] = (id(declared[name]), *(id(declared[one]) for one in up.between))
+        for name, one in declared.items():
+            key = keys[name]
             if key not in having:
                 having[key] = (one, [])
                 before[key] = set()
-                inputs[key] = direct_inputs(one, course.convention)
+                inputs[key] = inputs_of(one, course.convention, ups)
             having[key][1].append(number)
             before[key].update(keys[name] for name in inputs[key])
     order = _order(before)
@@ -224,10 +230,10 @@ def _family(course: Course, compositions: tuple[Composition, ...], numbers: Rows
     return Family(compositions, numbers, tuple(members))
 
 
-def _order(before: Mapping[int, Iterable[int]]) -> list[int] | None:
+def _order(before: Mapping[Key, Iterable[Key]]) -> list[Key] | None:
     """Order keys so that each comes after those before it; None where they go in a circle."""
     rank = {key: place for place, key in enumerate(before)}
-    after: dict[int, list[int]] = {key: [] for key in before}
+    after: dict[Key, list[Key]] = {key: [] for key in before}
     missing = dict.fromkeys(before, 0)
     for key, earlier in before.items():
         for one in earlier:
@@ -236,7 +242,7 @@ def _order(before: Mapping[int, Iterable[int]]) -> list[int] | None:
     keys = list(before)
     ready = [rank[key] for key in keys if not missing[key]]
     heapify(ready)
-    ordered: list[int] = []
+    ordered: list[Key] = []
     while ready:
         key = keys[heappop(ready)]
         ordered.append(key)

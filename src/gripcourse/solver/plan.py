@@ -9,12 +9,12 @@ from gripcourse.course.catalogue import columns_of
 from gripcourse.course.compose import (
     compose,
     default_values,
-    direct_inputs,
     reference_formula,
 )
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention, Kind, Quantity
+from gripcourse.course.step_up import StepUp, inputs_of, step_ups
 from gripcourse.errors import Problem, UsageError
 from gripcourse.formula.evaluate import Column
 from gripcourse.formula.tree import Formula
@@ -35,7 +35,8 @@ class Plan:
         options: what the variant chose.
         convention: whose version of a formula is the reference.
         quantities: every quantity by id, in order of calculation: inputs before what needs them.
-        inputs: ids that the formula of each quantity uses directly.
+        inputs: ids that the value of each quantity is computed from directly.
+        step_ups: the choices that step up, by id, with what decides whether a size will do.
         columns: catalogue columns in SI, by `catalogue.column`.
         answered, givens, manual: quantities in the order of the assignment: by section, inside a
             section in order of calculation.
@@ -48,6 +49,7 @@ class Plan:
     convention: Convention
     quantities: Mapping[str, Quantity]
     inputs: Mapping[str, tuple[str, ...]]
+    step_ups: Mapping[str, StepUp]
     columns: Mapping[str, Column]
     answered: tuple[Quantity, ...]
     givens: tuple[Quantity, ...]
@@ -94,7 +96,8 @@ def plan_of(course: Course, composition: Composition, convention: Convention | N
     convention = convention or course.convention
     _check_convention(course, convention)
     declared = compose(course, scheme, options)
-    inputs = {name: direct_inputs(one, convention) for name, one in declared.items()}
+    ups = step_ups(declared, convention)
+    inputs = {name: inputs_of(one, convention, ups) for name, one in declared.items()}
     order = _stable_order(inputs)
     used = {name for one in inputs.values() for name in one}
     ranks = {section.id: rank for rank, section in enumerate(course.sections)}
@@ -110,6 +113,7 @@ def plan_of(course: Course, composition: Composition, convention: Convention | N
         convention=convention,
         quantities={name: declared[name] for name in order},
         inputs=inputs,
+        step_ups=ups,
         columns=_columns(course),
         answered=of_kind(*(kind for kind in Kind if kind.answered)),
         givens=of_kind(Kind.GIVEN),

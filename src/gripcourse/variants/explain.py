@@ -7,10 +7,12 @@ import numpy as np
 
 from gripcourse.course.model import Option, Scheme
 from gripcourse.course.option_rule import OptionRule
-from gripcourse.course.quantity import Quantity
+from gripcourse.course.quantity import Choice, Quantity
+from gripcourse.formula.evaluate import Array
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import names
 from gripcourse.solver.plan import Plan
+from gripcourse.solver.solve import entry, reference_rounding
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.constraint import Constraint
@@ -133,6 +135,8 @@ def _choice(option: Option, id_: str) -> Texts:
 
 
 def _no_value_in_short(quantity: Quantity) -> Message:
+    if quantity.steps_up:
+        return message("no size of its series will do for {quantity}", quantity=_named(quantity))
     if quantity.choice is not None:
         return message("{quantity} is not in the catalogue", quantity=_named(quantity))
     return message("{quantity} has no value", quantity=_named(quantity))
@@ -188,12 +192,12 @@ def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int
         required = evaluate_formula(
             formula, quantity.unit, feasibility.evaluation.values, plan.columns
         )
-        required_in_unit = float(np.ravel(required)[_position(required, row)])
-        return message(
+        needed = np.ravel(required)[_position(required, row)]
+        return _without_size(plan, quantity, quantity.choice, needed) or message(
             "{quantity}: the catalogue {catalogue} has no entry for {required}.",
             quantity=_named(quantity),
             catalogue=quantity.choice.column,
-            required=with_unit(required_in_unit / factor(quantity.unit), quantity),
+            required=with_unit(float(needed) / factor(quantity.unit), quantity),
         )
     if not inputs:
         return message("{quantity} has no value.", quantity=_named(quantity))
@@ -202,6 +206,23 @@ def _no_value(plan: Plan, feasibility: Feasibility, quantity: Quantity, row: int
         quantity=_named(quantity),
         formula=formula.text if formula else "",
         values=_values(plan, feasibility, inputs, row),
+    )
+
+
+def _without_size(plan: Plan, quantity: Quantity, choice: Choice, needed: Array) -> Message | None:
+    """Say that no large enough size satisfies the condition; None where none is large enough."""
+    first = entry(plan, choice, reference_rounding(quantity, plan.convention), needed)
+    if choice.condition is None or not np.isfinite(first):
+        return None
+    scale, last = factor(quantity.unit), plan.columns[choice.column].sizes[-1]
+    return message(
+        "{quantity}: no size of {catalogue} from {first} up to the last one, {last}, satisfies "
+        "{condition}.",
+        quantity=_named(quantity),
+        catalogue=choice.column,
+        first=with_unit(float(first) / scale, quantity),
+        last=with_unit(float(last) / scale, quantity),
+        condition=choice.condition.text,
     )
 
 

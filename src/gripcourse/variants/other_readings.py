@@ -13,7 +13,7 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.policy.bands import bands
 from gripcourse.policy.model import Policy
 from gripcourse.solver.family import Member
-from gripcourse.solver.solve import choose, reference_rounding
+from gripcourse.solver.solve import choose
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
 
@@ -55,9 +55,7 @@ def count_readings(groups: Sequence[Group], policy: Policy) -> tuple[ReadingCoun
 
 def _value(member: Member, quantity: Quantity, other: Alternative, group: Group) -> Array:
     """Compute what a reading gives, SI, in every variant that has the quantity."""
-    values = {name: member.of(group.values[name]) for name in other.formula.names}
+    names = {*other.formula.names, *member.inputs}
+    values = {name: member.of(group.values[name]) for name in names}
     value = evaluate_formula(other.formula, quantity.unit, values, member.plan.columns)
-    if quantity.choice is not None:
-        rounding = reference_rounding(quantity, member.plan.convention)
-        value = choose(value, quantity.choice, rounding, member.plan)
-    return value
+    return choose(member.plan, quantity, value, values)

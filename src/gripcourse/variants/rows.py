@@ -245,9 +245,8 @@ class RowReader:
                     plan = self.plans[variant.composition]
                     what = explain(plan, feasibility, reason, int(place))
                     remedy = message("Change the numbers that it comes from.")
-                    problem = Problem(
-                        self.sheet.file, message("row {row}", row=row.number), what, remedy
-                    )
+                    at = message("row {row}, variant {variant}", row=row.number, variant=variant.id)
+                    problem = Problem(self.sheet.file, at, what, remedy)
                     found.append((row.number, problem))
         self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
 

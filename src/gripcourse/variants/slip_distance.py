@@ -17,7 +17,7 @@ from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.family import Family, Member, Rows
 from gripcourse.solver.plan import Plan, plan_of
-from gripcourse.solver.solve import choose, reference_rounding
+from gripcourse.solver.solve import choose
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array, Mask
 
@@ -163,8 +163,7 @@ def _of_kinds(made: tuple[Candidate, ...], kinds: Collection[str] | None) -> tup
 
 def _value(plan: Plan, quantity: Quantity, slip: Candidate, group: Group, at: Rows) -> Array:
     """Compute what a slip gives, SI, at some places of a group."""
-    values = {name: group.values[name][at] for name in slip.formula.names}
+    outside = plan.step_ups[quantity.id].outside if quantity.steps_up else ()
+    values = {name: group.values[name][at] for name in (*slip.formula.names, *outside)}
     value = evaluate_formula(slip.formula, quantity.unit, values, plan.columns)
-    if quantity.choice is not None:
-        value = choose(value, quantity.choice, reference_rounding(quantity, plan.convention), plan)
-    return np.broadcast_to(value, at.shape)
+    return np.broadcast_to(choose(plan, quantity, value, values), at.shape)

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from gripcourse.course.columns_read import columns_of_formula
 from gripcourse.course.model import Catalogue
 from gripcourse.formula.prose import without_looks
-from gripcourse.formula.tree import Call, walk
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
@@ -77,10 +77,8 @@ def _used(plan: Plan) -> Mapping[str, Catalogue]:
     for name, quantity in plan.quantities.items():
         if quantity.choice is not None:
             columns.append(quantity.choice.column)
-        formula = plan.reference_formula(name)
-        if formula is not None:
-            calls = (node for node in walk(formula.tree) if isinstance(node, Call))
-            columns += [call.column for call in calls if call.column is not None]
+            columns += columns_of_formula(quantity.choice.condition) if quantity.steps_up else ()
+        columns += columns_of_formula(plan.reference_formula(name))
     ids = dict.fromkeys(column.partition(".")[0] for column in columns)
     return {identifier: plan.course.catalogues[identifier] for identifier in ids}
 

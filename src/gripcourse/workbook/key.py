@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Final
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.machine.files import write_bytes
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import solve_variant
+from gripcourse.solver.solve import reference_steps_up, solve_variant
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Variant
 from gripcourse.workbook import names
 from gripcourse.workbook.catalogues import place_tables, write_tables
-from gripcourse.workbook.key_formulas import chosen_form, direct_form, required_value
+from gripcourse.workbook.key_formulas import direct_form, entry_form, required_value
 from gripcourse.workbook.key_layout import (
     KEY_HEADER,
     KeyBlock,
@@ -30,6 +30,7 @@ from gripcourse.workbook.key_layout import (
     KeyLine,
     key_layout,
 )
+from gripcourse.workbook.key_sizes import TriedSizes, place_sizes, write_sizes
 from gripcourse.workbook.key_text import cited_works, formula_text, source_text, tolerance_text
 from gripcourse.workbook.style import (
     Styles,
@@ -70,6 +71,7 @@ class _Key:
         values: the engine's, in declared units.
         given: of the variant, in declared units.
         columns: ranges of the catalogues.
+        tried: where the sizes of choices that step up are tried, by id.
     """
 
     plan: Plan
@@ -78,6 +80,7 @@ class _Key:
     values: Mapping[str, float]
     given: Mapping[str, float]
     columns: Mapping[str, tuple[str, str]]
+    tried: Mapping[str, TriedSizes]
 
 
 def write_key_workbook(path: Path, plan: Plan, variant: Variant, words: Words) -> None:
@@ -105,7 +108,7 @@ def key_workbook(plan: Plan, variant: Variant, words: Words) -> bytes:
     styles = make_styles(book)
     yes, no = words.say(message("yes")), words.say(message("no"))
     styles.verdict.set_num_format(f'[=1]"{yes}";[=0]"{no}";General')
-    tables = place_tables(plan, words)
+    tables, layout = place_tables(plan, words), key_layout(plan, words)
     key = _Key(
         plan=plan,
         words=words,
@@ -113,8 +116,10 @@ def key_workbook(plan: Plan, variant: Variant, words: Words) -> bytes:
         values=solve_variant(plan, variant.given),
         given=variant.given,
         columns=tables.ranges,
+        tried=place_sizes(plan, layout, tables.ranges, words),
     )
-    _write_sheet(book, key_layout(plan, words), key, variant)
+    _write_sheet(book, layout, key, variant)
+    write_sizes(book, key.tried, plan, key.values, words, styles)
     write_tables(book, tables, words, styles)
     title = words.say(message("Key of variant {variant}", variant=variant.id))
     book.set_properties({"title": title, "author": "gripcourse", "created": _NO_DAY})
@@ -261,7 +266,11 @@ def _write_required(sheet: "Worksheet", line: KeyLine, key: _Key) -> str | None:
     if required is not None:
         value = required_value(quantity, key.plan, key.values)
         _write_formula(sheet, place.row, place.column, f"={required}", value, key)
-    return None if required is None else chosen_form(quantity, key.plan, place.address, key.columns)
+    if quantity.id in key.tried:
+        return key.tried[quantity.id].chosen_form
+    if required is None or reference_steps_up(quantity, key.plan.convention):
+        return None
+    return entry_form(quantity, key.plan, place.address, key.columns)
 
 
 def _write_fixed(sheet: "Worksheet", line: KeyLine, value: float, key: _Key) -> None:

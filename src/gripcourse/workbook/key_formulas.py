@@ -1,6 +1,8 @@
 """Spreadsheet formulas of the key, in SI, over cells named `si.<id>`."""
 
 from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 
@@ -13,10 +15,19 @@ from gripcourse.solver.solve import reference_rounding, to_si
 from gripcourse.workbook.names import SI, cell_name
 
 Ranges = Mapping[str, tuple[str, str]]
+_NOWHERE: Final[Mapping[str, str]] = MappingProxyType({})
 
 
-def direct_form(quantity: Quantity, plan: Plan, columns: Ranges) -> str | None:
+def direct_form(
+    quantity: Quantity, plan: Plan, columns: Ranges, elsewhere: Mapping[str, str] = _NOWHERE
+) -> str | None:
     """Return the reference formula of a quantity; of a choice, what it must not be below.
+
+    Args:
+        quantity: what is computed.
+        plan: that it belongs to.
+        columns: ranges of the catalogues.
+        elsewhere: cells of values that do not stand where `si.<id>` does, by id.
 
     Returns:
         The text after the sign of equality; None where a spreadsheet cannot compute it.
@@ -24,12 +35,12 @@ def direct_form(quantity: Quantity, plan: Plan, columns: Ranges) -> str | None:
     formula = plan.reference_formula(quantity.id)
     if formula is None:
         return None
-    cells = {name: cell_name(SI, name) for name in names(formula.tree)}
+    cells = {name: elsewhere.get(name, cell_name(SI, name)) for name in names(formula.tree)}
     return excel_form(formula, quantity.unit, cells, columns)
 
 
-def chosen_form(quantity: Quantity, plan: Plan, required: str, columns: Ranges) -> str | None:
-    """Return the formula that takes the reference entry of a choice for the value in a cell."""
+def entry_form(quantity: Quantity, plan: Plan, required: str, columns: Ranges) -> str | None:
+    """Return the formula that takes the entry of a choice for the value in a cell."""
     if quantity.choice is None:
         return None
     up = reference_rounding(quantity, plan.convention) is Rounding.UP

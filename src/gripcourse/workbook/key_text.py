@@ -6,8 +6,9 @@ from gripcourse.formula.boxes import Box
 from gripcourse.formula.plain import text
 from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
+from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import reference_rounding
+from gripcourse.solver.solve import reference_rounding, reference_steps_up
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 
@@ -31,6 +32,9 @@ def formula_text(quantity: Quantity, plan: Plan, words: Words) -> str:
         rule = message(
             "{own} ≥ {required}, from {series}", own=own, required=written, series=_series(quantity)
         )
+    if reference_steps_up(quantity, plan.convention):
+        condition = condition_text(quantity, plan, words.language)
+        rule = message("{rule}: the smallest for which {condition}", rule=rule, condition=condition)
     return words.say(rule)
 
 

@@ -29,6 +29,9 @@ _ROUNDED: Final = {
     Rounding.UP: message("the smallest entry that is not below the required value"),
     Rounding.NEAREST: message("the entry nearest to the required value"),
 }
+_STEPPED_UP: Final = message(
+    "the smallest entry, not below the required value, for which the condition holds"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +287,7 @@ def _rule(quantity: Quantity, symbols: Symbols, words: Words) -> EntryRule | Non
     return EntryRule(
         choice.column,
         choice.also,
-        words.say(_ROUNDED[choice.rounding]),
+        words.say(_STEPPED_UP if quantity.steps_up else _ROUNDED[choice.rounding]),
         words.say(_accepted(choice)),
         _condition(choice.condition, symbols, words.language),
     )

@@ -15,6 +15,7 @@ from gripcourse.documents.report.angles import in_radians
 from gripcourse.formula.boxes import Box, Row, Text
 from gripcourse.formula.tree import Call, Formula, Name, Node, Operation, names, walk
 from gripcourse.formula.typeset import equation, number_box, symbol_box, typeset
+from gripcourse.solver.condition_text import condition_box
 from gripcourse.solver.plan import Plan
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
@@ -37,8 +38,8 @@ def worked_line(
 
     Returns:
         `D = √(4P/(πpη)) = √(4·18 353 Н/(…)) = 60,08 мм`; for a choice
-        `D ≥ D_тр = 60,08 мм → 63 мм`; for a verdict `σ = 24,4 МПа ≤ [σ] = 80 МПа: да`; None for
-        what is not computed.
+        `D ≥ D_тр = 60,08 мм → 63 мм`, with the condition that it steps up by, if any; for a
+        verdict `σ = 24,4 МПа ≤ [σ] = 80 МПа: да`; None for what is not computed.
     """
     formula = plan.reference_formula(quantity.id)
     if formula is None:
@@ -52,7 +53,7 @@ def worked_line(
     sides = _sides(formula.tree, symbols, numbers, words)
     own = _symbol(quantity, words)
     if quantity.kind is Kind.CHOICE:
-        return _choice(quantity, own, sides, result, words)
+        return _choice(quantity, own, sides, result, plan, words)
     if reads_value(formula.tree):
         own, *sides = sides  # `b(D) = b(63 мм)`: the table's column has the quantity's symbol
     if result is not None:
@@ -137,10 +138,13 @@ def _sides(
 
 
 def _choice(
-    quantity: Quantity, own: Box, sides: list[Box], result: float | None, words: Words
+    quantity: Quantity, own: Box, sides: list[Box], result: float | None, plan: Plan, words: Words
 ) -> Box:
     nearest = quantity.choice is not None and quantity.choice.rounding is Rounding.NEAREST
     items = [own, Text("relation", "≈" if nearest else "≥"), equation(sides)]
+    condition = condition_box(quantity, plan, words.language) if quantity.steps_up else None
+    if condition is not None:
+        items += [Text("mark", "; "), condition]
     if result is not None:
         items += [Text("relation", "→"), _value(result, quantity.unit, words)]
     return Row(tuple(items))

@@ -78,7 +78,7 @@ def calculate(
         if not quantity.kind.answered:
             held[name] = _taken(quantity, given, habits, wrong) * size
             continue
-        found[name] = _result(plan, quantity, held, wrong)
+        found[name] = _result(plan, quantity, held, done)
         text = _text(quantity, found[name], habits, rng)
         kept = found[name] if habits.keeps and not quantity.exact else float(text or "nan")
         if wrong is not None and wrong.kind in _OF_RESULTS:
@@ -100,12 +100,13 @@ def _taken(
     return habits.gravity if quantity.id == "gravity" else quantity.value
 
 
-def _result(plan: Plan, quantity: Quantity, held: Mapping[str, float], wrong: Done | None) -> float:
+def _result(plan: Plan, quantity: Quantity, held: Mapping[str, float], done: Done | None) -> float:
     """Return what a formula comes to, in the declared unit; NaN where it comes to nothing."""
     formula = plan.reference_formula(quantity.id)
     if formula is None:
         return math.nan
-    tree = parsed(formula.text) if wrong is None or wrong.tree is None else wrong.tree
+    wrong = None if done is None or done.root != quantity.id else done.tree
+    tree = parsed(formula.text) if wrong is None else wrong
     tables, size = tables_of(plan.course), size_of(quantity.unit)
     if formula.units:
         units = {**formula.units, "pi": ""}
@@ -114,11 +115,16 @@ def _result(plan: Plan, quantity: Quantity, held: Mapping[str, float], wrong: Do
     result = computed(tree, held, tables)
     if quantity.choice is None:
         return result / size
-    return _chosen(plan, quantity, quantity.choice, result, held) / size
+    return _chosen(plan, quantity, quantity.choice, result, held, done) / size
 
 
 def _chosen(
-    plan: Plan, quantity: Quantity, choice: Choice, required: float, held: Mapping[str, float]
+    plan: Plan,
+    quantity: Quantity,
+    choice: Choice,
+    required: float,
+    held: Mapping[str, float],
+    done: Done | None,
 ) -> float:
     """Take a size from a series: the first large enough that also meets its condition."""
     sizes = tables_of(plan.course)[choice.column].sizes
@@ -129,14 +135,25 @@ def _chosen(
     enough = [one for one in sizes if one >= required * (1 - _CLOSE)]
     if choice.condition is None or not enough:
         return enough[0] if enough else math.nan
-    tree = parsed(choice.condition.text)
-    tables = tables_of(plan.course)
+    tree, tables = parsed(choice.condition.text), tables_of(plan.course)
+    tried = enough if quantity.steps_up else enough[:_SIZES_TRIED]
     sound = (
         one
-        for one in enough[:_SIZES_TRIED]
-        if computed(tree, {**held, quantity.id: one}, tables) == 1.0
+        for one in tried
+        if computed(tree, _with_size(plan, quantity, one, held, done), tables) == 1.0
     )
     return next(sound, enough[0])
+
+
+def _with_size(
+    plan: Plan, quantity: Quantity, size: float, held: Mapping[str, float], done: Done | None
+) -> dict[str, float]:
+    """Return what a student has at hand who tries a size: what is computed from it too."""
+    tried = {**held, quantity.id: size}
+    for name in plan.step_ups[quantity.id].between if quantity.steps_up else ():
+        one = plan.quantities[name]
+        tried[name] = _result(plan, one, tried, done) * size_of(one.unit)
+    return tried
 
 
 def _text(quantity: Quantity, value: float, habits: Habits, rng: np.random.Generator) -> str:
