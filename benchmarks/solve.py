@@ -1,8 +1,12 @@
 """How long the solver takes for many variants, and for how long numpy would compute the same.
 
 The same formulas as a person would write them in numpy: line after line, whole columns, nothing
-checked and nothing replaced by known values. Each way runs in a process of its own
-(`solve.py own SCHEME`).
+checked and nothing replaced by known values; numpy's own operators, which write over what nobody
+needs any more, and `np.searchsorted` for tables. Both ways come to the same numbers, which is
+looked at before anything is timed.
+
+Both ways are timed in turn in one process, each of which first got memory of its own, so that a
+machine's other work disturbs both alike; `solve.py SCHEME ...` times some schemes only.
 """
 
 import operator
@@ -18,7 +22,7 @@ import numpy as np
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Rounding
 from gripcourse.formula.evaluate import Array
-from gripcourse.formula.functions import FUNCTIONS
+from gripcourse.formula.functions import FUNCTIONS, SLACK, Column
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import Plan, make_plan
@@ -30,14 +34,14 @@ COUNTS = (1_000, 10_000, 100_000)
 LARGEST = 1_000_000
 
 _PLAIN: Mapping[str, Callable[[Array, Array], Array]] = {
-    "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "**": operator.pow,
-    "<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal,
-    "==": np.equal, "and": np.multiply,
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+    "**": operator.pow, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
+    "==": operator.eq, "and": operator.and_,
 }  # fmt: skip
 _NUMPY: Mapping[str, Callable[..., Array]] = {
     "sqrt": np.sqrt, "cbrt": np.cbrt, "sin": np.sin, "cos": np.cos, "tan": np.tan,
     "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "abs": np.abs, "exp": np.exp,
-    "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
+    "log": np.log, "atan2": np.arctan2, "hypot": np.hypot, "exceeds": np.greater,
 }  # fmt: skip
 
 
@@ -94,9 +98,9 @@ def straight(plan: Plan, known: Values) -> dict[str, Array]:
                 found[name] = _in_units(formula, quantity.unit, plan, found)
                 if quantity.choice is not None:
                     rounding = reference_rounding(quantity, plan.convention)
-                    pick = FUNCTIONS["at_least" if rounding is Rounding.UP else "nearest"]
+                    pick = "at_least" if rounding is Rounding.UP else "nearest"
                     column = plan.columns[quantity.choice.column]
-                    found[name] = pick.compute((found[name],), column)
+                    found[name] = _read(pick, found[name], column)
     return found
 
 
@@ -114,7 +118,7 @@ def _plain(node: Node, plan: Plan, found: Values) -> Array:
         case Name(name):
             return cast("Array", np.pi) if name == "pi" else found[name]
         case Negation(operand):
-            return np.negative(_plain(operand, plan, found))
+            return operator.neg(_plain(operand, plan, found))
         case Operation(sign, left, right):
             return _PLAIN[sign](_plain(left, plan, found), _plain(right, plan, found))
         case Call():
@@ -129,8 +133,21 @@ def _called(call: Call, plan: Plan, found: Values) -> Array:
         return reduce(np.minimum if call.function == "min" else np.maximum, values)
     if call.function in _NUMPY:
         return _NUMPY[call.function](*values)
-    column = None if call.column is None else plan.columns[call.column]
-    return FUNCTIONS[call.function].compute(values, column)
+    if call.column is None:
+        return FUNCTIONS[call.function].compute(values, None)
+    return _read(call.function, values[0], plan.columns[call.column])
+
+
+def _read(function: str, number: Array, column: Column) -> Array:
+    """Read a table that has no row for what is above its last one."""
+    if function == "at_least":
+        row = np.searchsorted(column.values, number * (1 - SLACK))
+        return np.append(column.sizes, np.nan)[row]
+    if function == "lookup":
+        order = np.argsort(column.sizes)
+        row = np.searchsorted(column.sizes[order], number * (1 - SLACK))
+        return np.append(column.values[order], np.nan)[row]
+    return FUNCTIONS[function].compute((number,), column)
 
 
 def _known(plan: Plan, count: int) -> Values:

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gripcourse.course.compose import reference_formula
-from gripcourse.course.quantity import Choice, Kind, Quantity, Rounding
+from gripcourse.course.quantity import Choice, Rounding
 from gripcourse.formula.evaluate import evaluate_number
+from gripcourse.solver.evaluation import Evaluation
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import Evaluation, entry_of, reference_rounding
-from gripcourse.text.units import factor
+from gripcourse.solver.steps import entry_of, steps_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,29 +44,14 @@ def evaluate_numbers(plan: Plan, known: Mapping[str, float]) -> PlainNumbers:
     """
     values: dict[str, float] = {}
     computed: dict[str, float] = {}
-    for name, quantity in plan.quantities.items():
-        if quantity.kind is Kind.MANUAL:
-            continue
-        number = computed[name] = _computed(plan, quantity, values)
-        supplied = known.get(name, math.nan)
-        if not math.isnan(supplied):
-            number = float(supplied) if math.isfinite(supplied) else math.nan
-        values[name] = number
+    for step in steps_of(plan):
+        number = computed[step.name] = step.number(values)
+        if step.name in known:
+            supplied = known[step.name]
+            if not math.isnan(supplied):
+                number = float(supplied) if math.isfinite(supplied) else math.nan
+        values[step.name] = number
     return PlainNumbers(values, computed)
-
-
-def _computed(plan: Plan, quantity: Quantity, values: Mapping[str, float]) -> float:
-    if quantity.value is not None:
-        return quantity.value * factor(quantity.unit)
-    formula = reference_formula(quantity, plan.convention)
-    if formula is None:
-        return math.nan
-    result = evaluate_number(formula, quantity.unit, values, plan.columns)
-    if quantity.choice is None:
-        return result
-    return choose_number(
-        result, quantity.choice, reference_rounding(quantity, plan.convention), plan
-    )
 
 
 def choose_number(required: float, choice: Choice, rounding: Rounding, plan: Plan) -> float:

@@ -4,41 +4,27 @@
 All values are in SI; NaN means "not supplied" in `known` and "cannot be computed" in the result.
 """
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gripcourse.course.compose import reference_formula
-from gripcourse.course.quantity import Choice, Convention, Kind, Quantity, Rounding
+from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_sound, finite
-from gripcourse.formula.tree import Call, Formula, Name
+from gripcourse.solver.columns import evaluate_columns
+from gripcourse.solver.evaluation import Evaluation, Values
+from gripcourse.solver.numbers import evaluate_numbers
 from gripcourse.solver.plan import Plan
+from gripcourse.solver.steps import entry_of, reference_rounding
 from gripcourse.text.units import factor
 
+__all__ = [
+    "Evaluation", "Values", "choose", "compute", "evaluate", "from_si", "reference_rounding",
+    "solve_variant", "to_si",
+]  # fmt: skip
+
 _NOTHING = 1e-12  # of a declared unit: what is left where equal numbers were subtracted
-
-_SERIES = 256  # of catalogues, whose formulas are kept
-
-_TOGETHER = 16384  # variants computed at once: their columns stay in the processor's cache
-
-Values = Mapping[str, NDArray[np.float64]]
-
-
-@dataclass(frozen=True, slots=True)
-class Evaluation:
-    """The values of a plan in SI, by id.
-
-    Attributes:
-        values: what counts downstream: the known value where there is one, else the computed one.
-        computed: what each formula gives at these values of its direct inputs.
-    """
-
-    values: Values
-    computed: Values
 
 
 def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
@@ -55,72 +41,9 @@ def evaluate(plan: Plan, known: Mapping[str, ArrayLike]) -> Evaluation:
         outside a formula's domain.
     """
     supplied = {name: np.asarray(value, np.float64) for name, value in known.items()}
-    size = max((value.size for value in supplied.values()), default=1)
-    if size <= _TOGETHER:
-        return _evaluate(plan, supplied)
-    # What is known of all variants needs no copy.
-    whole = {name: one for name, one in supplied.items() if one.ndim and np.isfinite(one).all()}
-    values: dict[str, NDArray[np.float64]] = {}
-    computed: dict[str, NDArray[np.float64]] = {}
-    for start in range(0, size, _TOGETHER):
-        rows = slice(start, start + _TOGETHER)
-        part = _evaluate(plan, {name: _rows(one, rows) for name, one in supplied.items()})
-        for name, own in part.computed.items():
-            _put(computed, name, own, rows, size)
-            if name not in known:
-                values[name] = computed[name]
-            elif name in whole:
-                values[name] = whole[name]
-            else:
-                _put(values, name, part.values[name], rows, size)
-    return Evaluation(values, computed)
-
-
-def _rows(values: NDArray[np.float64], rows: slice) -> NDArray[np.float64]:
-    """Take some of the variants; one number is that of all."""
-    return values[rows] if values.ndim else values
-
-
-def _put(
-    table: dict[str, NDArray[np.float64]],
-    name: str,
-    part: NDArray[np.float64],
-    rows: slice,
-    size: int,
-) -> None:
-    """Put what some of the variants come to into a table of all; one number is that of all."""
-    if part.ndim == 0:
-        table[name] = part
-        return
-    if name not in table:
-        table[name] = np.empty(size)
-    table[name][rows] = part
-
-
-def _evaluate(plan: Plan, known: Values) -> Evaluation:
-    values: dict[str, NDArray[np.float64]] = {}
-    computed: dict[str, NDArray[np.float64]] = {}
-    for name, quantity in plan.quantities.items():
-        if quantity.kind is Kind.MANUAL:
-            continue
-        computed[name] = compute(plan, quantity, values)
-        if name in known:
-            values[name] = _supplied(known[name], computed[name])
-        else:
-            values[name] = computed[name]
-    return Evaluation(values, computed)
-
-
-def _supplied(known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Take what is known, and what is computed where nothing is; finite or NaN."""
-    if known.ndim == 0:  # one number: half of all the time of a solution otherwise
-        if math.isnan(known):
-            return computed
-        number = finite(known)
-        return np.full(computed.shape, number) if computed.ndim else number
-    if np.isfinite(known).all():
-        return known
-    return finite(np.where(np.isnan(known), computed, known))
+    if any(one.ndim for one in supplied.values()):
+        return evaluate_columns(plan, supplied)
+    return evaluate_numbers(plan, {name: float(one) for name, one in supplied.items()}).as_arrays()
 
 
 def solve_variant(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
@@ -134,7 +57,7 @@ def solve_variant(plan: Plan, given: Mapping[str, float]) -> dict[str, float]:
         The value of every quantity but the manual ones, in declared units; NaN where it cannot be
         computed.
     """
-    return from_si(plan, evaluate(plan, to_si(plan, given)).values)
+    return from_si(plan, evaluate_numbers(plan, to_si(plan, given)).values)
 
 
 def to_si(plan: Plan, values: Mapping[str, float]) -> dict[str, float]:
@@ -178,21 +101,6 @@ def choose(
     """Return the entry of a choice's series for a required value (SI, any shape)."""
     call = entry_of(choice.column, rounding)
     return evaluate_sound(call, "", {"required": finite(np.asarray(required))}, plan.columns)
-
-
-@lru_cache(maxsize=_SERIES)
-def entry_of(column: str, rounding: Rounding) -> Formula:
-    """Return the formula that takes an entry from a series; what is made of it stays with it."""
-    function = "at_least" if rounding is Rounding.UP else "nearest"
-    return Formula("", Call(function, (Name("required"),), column), {})
-
-
-def reference_rounding(quantity: Quantity, convention: Convention) -> Rounding:
-    """Return how a convention takes the entry of a choice from its series."""
-    printed = [one.rounding for one in quantity.as_printed if one.rounding is not None]
-    if convention is Convention.AS_PRINTED and printed:
-        return printed[0]
-    return quantity.choice.rounding if quantity.choice is not None else Rounding.UP
 
 
 def _tidy(value: float) -> float:
