@@ -30,8 +30,12 @@ def finite(value: Array) -> Array:
     """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
     if value.ndim == 0:  # a call of numpy on one number costs as much as on a thousand
         return value if math.isfinite(value) else np.asarray(np.nan)
-    known = np.isfinite(value)
-    return value if known.all() else np.where(known, value, np.nan)
+    return value if is_finite(value) else np.where(np.isfinite(value), value, np.nan)
+
+
+def is_finite(value: Array) -> bool:
+    """Tell whether all of an array are numbers."""
+    return bool(np.logical_and.reduce(np.isfinite(value), axis=None))
 
 
 def of_arrays(node: Node) -> OfArrays:
@@ -193,7 +197,8 @@ def _arithmetic(operation: np.ufunc, left: OfArrays, right: OfArrays) -> OfArray
 
     def arithmetic(values: Mapping[str, Array], columns: Columns, into: Array | None) -> Array:
         first, second = left(values, columns, into), right(values, columns, None)
-        return operation(first, second, into if first.ndim or second.ndim else None)
+        result: Array = operation(first, second, into if first.ndim or second.ndim else None)
+        return result
 
     return arithmetic
 

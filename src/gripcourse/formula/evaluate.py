@@ -14,14 +14,14 @@ from typing import TypeAlias
 
 import numpy as np
 
-from gripcourse.formula.compiled import finite, of_arrays, of_numbers
+from gripcourse.formula.compiled import finite, is_finite, of_arrays, of_numbers
 from gripcourse.formula.functions import Array, Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor
 
 __all__ = [
     "Array", "Column", "array_function", "evaluate", "evaluate_number", "evaluate_sound", "finite",
-    "number_function",
+    "is_finite", "number_function",
 ]  # fmt: skip
 
 OfKnown: TypeAlias = Callable[[Mapping[str, float]], float]
