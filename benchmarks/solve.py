@@ -5,16 +5,17 @@ checked and nothing replaced by known values; numpy's own operators, which write
 needs any more, and `np.searchsorted` for tables. Both ways come to the same numbers, which is
 looked at before anything is timed.
 
-Both ways are timed in turn in one process, each of which first got memory of its own, so that a
-machine's other work disturbs both alike; `solve.py SCHEME ...` times some schemes only.
+Both ways are timed in turn in one process, the least of several runs each: what else the machine
+does disturbs both alike. Counted is the processor's time in the program; the system's, which is for
+clearing pages of memory, is shown beside it. `solve.py SCHEME ...` times some schemes only.
 """
 
 import operator
-import subprocess
+import resource
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from functools import reduce
-from time import process_time
 from typing import assert_never, cast
 
 import numpy as np
@@ -29,7 +30,7 @@ from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import Values, evaluate, reference_rounding, to_si
 from gripcourse.text.units import factor
 
-RUNS = 2
+RUNS = 4
 COUNTS = (1_000, 10_000, 100_000)
 LARGEST = 1_000_000
 
@@ -45,43 +46,64 @@ _NUMPY: Mapping[str, Callable[..., Array]] = {
 }  # fmt: skip
 
 
+@dataclass(frozen=True, slots=True)
+class Seconds:
+    """Of the processor: in the program, and in the system for it."""
+
+    program: float
+    system: float
+
+    @property
+    def both(self) -> float:
+        """All of them."""
+        return self.program + self.system
+
+
 def main() -> None:
-    """Solve up to 10⁶ variants of every scheme in one call each."""
+    """Solve up to 10⁶ variants of every scheme, or of those that are named, in one call each."""
     course = load_course(course_root())
     ours, plain = 0.0, 0.0
     for scheme in course.schemes.values():
-        if scheme.example is None:
+        if scheme.example is None or (sys.argv[1:] and scheme.id not in sys.argv[1:]):
             continue
         plan = make_plan(course, scheme.id, scheme.example.options)
+        _look_whether_same(plan)
         each = []
         for count in COUNTS:
             known = _known(plan, count)
-            seconds = min(_timed(evaluate, plan, known) for _ in range(RUNS))
+            seconds = min(_timed(evaluate, plan, known).program for _ in range(RUNS))
             each.append(f"{seconds / count / len(plan.answered) * 1e9:4.0f}")
-        own, straightly = (_alone(way, scheme.id) for way in ("own", "straight"))
-        ours, plain = ours + own, plain + straightly
+        own, straightly = _in_turn(plan, _known(plan, LARGEST))
+        ours, plain = ours + own.program, plain + straightly.program
         print(
             f"{scheme.id:<20} {len(plan.answered):>3} quantities: {', '.join(each)} ns per value"
-            f" (10³, 10⁴, 10⁵ variants); 10⁶: {own:5.2f} s, {own / straightly:.2f} of numpy"
+            f" (10³, 10⁴, 10⁵ variants); 10⁶: {own.program:5.2f} s,"
+            f" {own.program / straightly.program:.2f} of numpy"
+            f" ({own.both / straightly.both:.2f} with the system's)",
+            flush=True,
         )
     print(f"all schemes, 10⁶ variants each: {ours:.1f} s, {ours / plain:.2f} of straight numpy")
 
 
-def _alone(way: str, scheme: str) -> float:
-    """Time one way in processes of its own: it must not get the memory that the other gave back."""
-    command = [sys.executable, __file__, way, scheme]
-    return min(
-        float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)  # noqa: S603
-        for _ in range(RUNS)
-    )
+def _look_whether_same(plan: Plan) -> None:
+    """Stop where the two ways differ in any bit: then it is not the same calculation."""
+    known = _known(plan, COUNTS[-1])
+    own, straightly = evaluate(plan, known).values, straight(plan, known)
+    for name, value in own.items():
+        there = np.isfinite(value)
+        if not np.array_equal(value[there], np.broadcast_to(straightly[name], value.shape)[there]):
+            raise SystemExit(f"{plan.scheme.id}: {name} is another number in plain numpy")
 
 
-def _timed_alone(way: str, scheme_id: str) -> float:
-    course = load_course(course_root())
-    example = course.schemes[scheme_id].example
-    plan = make_plan(course, scheme_id, {} if example is None else example.options)
-    known = _known(plan, LARGEST)
-    return _timed(evaluate if way == "own" else straight, plan, known)
+def _in_turn(plan: Plan, known: Values) -> tuple[Seconds, Seconds]:
+    """Time both ways in turn; the least of each."""
+    taken = [(_timed(evaluate, plan, known), _timed(straight, plan, known)) for _ in range(RUNS)]
+    own, straightly = zip(*taken, strict=True)
+    return _least(own), _least(straightly)
+
+
+def _least(taken: Iterable[Seconds]) -> Seconds:
+    return min(taken, key=lambda one: one.program)
 
 
 def straight(plan: Plan, known: Values) -> dict[str, Array]:
@@ -158,14 +180,12 @@ def _known(plan: Plan, count: int) -> Values:
     return {name: value * spread for name, value in to_si(plan, own).items()}
 
 
-def _timed(call: Callable[[Plan, Values], object], plan: Plan, known: Values) -> float:
-    start = process_time()
+def _timed(call: Callable[[Plan, Values], object], plan: Plan, known: Values) -> Seconds:
+    before = resource.getrusage(resource.RUSAGE_SELF)
     call(plan, known)
-    return process_time() - start
+    after = resource.getrusage(resource.RUSAGE_SELF)
+    return Seconds(after.ru_utime - before.ru_utime, after.ru_stime - before.ru_stime)
 
 
 if __name__ == "__main__":
-    if sys.argv[1:]:
-        print(_timed_alone(*sys.argv[1:]))
-    else:
-        main()
+    main()
