@@ -30,7 +30,9 @@ def finite(value: Array) -> Array:
     """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
     if value.ndim == 0:  # a call of numpy on one number costs as much as on a thousand
         return value if math.isfinite(value) else np.asarray(np.nan)
-    return value if is_finite(value) else np.where(np.isfinite(value), value, np.nan)
+    infinite = np.isinf(value)
+    there_are = np.logical_or.reduce(infinite, axis=None)
+    return np.where(infinite, np.nan, value) if there_are else value
 
 
 def is_finite(value: Array) -> bool:

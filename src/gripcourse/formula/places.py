@@ -11,10 +11,10 @@ _FEW = 40  # entries, each of which all numbers are compared with
 
 
 def places(series: Array, numbers: Array) -> Places:
-    """Return how many entries of a series are below each number; of NaN, all.
+    """Return how many entries of a series are below each number; NaN has some place, or none.
 
-    It is what `np.searchsorted` returns. Searching a series for each number by itself, the
-    processor cannot foresee where the search goes; comparing all numbers with one entry after
+    It is what `np.searchsorted` returns of numbers. Searching a series for each number by itself,
+    the processor cannot foresee where the search goes; comparing all numbers with one entry after
     another is many times as quick, and only entries between the least and the greatest count.
 
     Args:
@@ -23,9 +23,9 @@ def places(series: Array, numbers: Array) -> Places:
     """
     if numbers.size < _MANY:
         return np.asarray(series.searchsorted(numbers))
-    least = numbers.min()
-    first, last = series.searchsorted((least, numbers.max()))
-    if np.isnan(least) or last - first > _FEW:
+    ends = (np.fmin.reduce(numbers, axis=None), np.fmax.reduce(numbers, axis=None))
+    first, last = series.searchsorted(ends)
+    if last - first > _FEW:
         return np.asarray(series.searchsorted(numbers))
     below = np.zeros(numbers.shape, np.uint8)
     for entry in series[first:last]:
