@@ -1,16 +1,21 @@
 """How long the solver takes for many variants, and for how long numpy would compute the same.
 
 The same formulas as a person would write them in numpy: line after line, whole columns, nothing
-checked and nothing replaced by known values. Each way runs in a process of its own
-(`solve.py own SCHEME`).
+checked and nothing replaced by known values; numpy's own operators, which write over what nobody
+needs any more, and `np.searchsorted` for tables. Both ways come to the same numbers, which is
+looked at before anything is timed.
+
+Both ways are timed in turn in one process, the least of several runs each: what else the machine
+does disturbs both alike. Counted is the processor's time in the program; the system's, which is for
+clearing pages of memory, is shown beside it. `solve.py SCHEME ...` times some schemes only.
 """
 
 import operator
-import subprocess
+import resource
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from functools import reduce
-from time import process_time
 from typing import assert_never, cast
 
 import numpy as np
@@ -18,66 +23,85 @@ import numpy as np
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Rounding
 from gripcourse.formula.evaluate import Array
-from gripcourse.formula.functions import FUNCTIONS
+from gripcourse.formula.functions import FUNCTIONS, SLACK, Column
 from gripcourse.formula.tree import Call, Formula, Name, Negation, Node, Number, Operation
 from gripcourse.machine.resources import course_root
 from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.solver.solve import Values, evaluate, reference_rounding, to_si
+from gripcourse.solver.sizes import reference_rounding
+from gripcourse.solver.solve import Values, evaluate, to_si
 from gripcourse.text.units import factor
 
-RUNS = 2
+RUNS = 4
 COUNTS = (1_000, 10_000, 100_000)
 LARGEST = 1_000_000
+SPREAD = 0.05  # of each given number by itself: of more, many variants cannot be built
 
 _PLAIN: Mapping[str, Callable[[Array, Array], Array]] = {
-    "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "**": operator.pow,
-    "<": np.less, "<=": np.less_equal, ">": np.greater, ">=": np.greater_equal,
-    "==": np.equal, "and": np.multiply,
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+    "**": operator.pow, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
+    "==": operator.eq, "and": operator.and_,
 }  # fmt: skip
 _NUMPY: Mapping[str, Callable[..., Array]] = {
     "sqrt": np.sqrt, "cbrt": np.cbrt, "sin": np.sin, "cos": np.cos, "tan": np.tan,
     "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "abs": np.abs, "exp": np.exp,
-    "log": np.log, "atan2": np.arctan2, "hypot": np.hypot,
+    "log": np.log, "atan2": np.arctan2, "hypot": np.hypot, "exceeds": np.greater,
 }  # fmt: skip
 
 
+@dataclass(frozen=True, slots=True)
+class Seconds:
+    """Of the processor: in the program alone, and with what the system did for it."""
+
+    program: float
+    both: float
+
+
 def main() -> None:
-    """Solve up to 10⁶ variants of every scheme in one call each."""
+    """Solve up to 10⁶ variants of every scheme, or of those that are named, in one call each."""
     course = load_course(course_root())
     ours, plain = 0.0, 0.0
     for scheme in course.schemes.values():
-        if scheme.example is None:
+        if scheme.example is None or (sys.argv[1:] and scheme.id not in sys.argv[1:]):
             continue
         plan = make_plan(course, scheme.id, scheme.example.options)
+        _look_whether_same(plan)
         each = []
         for count in COUNTS:
             known = _known(plan, count)
-            seconds = min(_timed(evaluate, plan, known) for _ in range(RUNS))
+            seconds = min(_timed(evaluate, plan, known).program for _ in range(RUNS))
             each.append(f"{seconds / count / len(plan.answered) * 1e9:4.0f}")
-        own, straightly = (_alone(way, scheme.id) for way in ("own", "straight"))
-        ours, plain = ours + own, plain + straightly
+        own, straightly = _in_turn(plan, _known(plan, LARGEST))
+        ours, plain = ours + own.program, plain + straightly.program
         print(
             f"{scheme.id:<20} {len(plan.answered):>3} quantities: {', '.join(each)} ns per value"
-            f" (10³, 10⁴, 10⁵ variants); 10⁶: {own:5.2f} s, {own / straightly:.2f} of numpy"
+            f" (10³, 10⁴, 10⁵ variants); 10⁶: {own.program:5.2f} s,"
+            f" {own.program / straightly.program:.2f} of numpy"
+            f" ({own.both / straightly.both:.2f} with the system's)",
+            flush=True,
         )
     print(f"all schemes, 10⁶ variants each: {ours:.1f} s, {ours / plain:.2f} of straight numpy")
 
 
-def _alone(way: str, scheme: str) -> float:
-    """Time one way in processes of its own: it must not get the memory that the other gave back."""
-    command = [sys.executable, __file__, way, scheme]
-    return min(
-        float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)  # noqa: S603
-        for _ in range(RUNS)
-    )
+def _look_whether_same(plan: Plan) -> None:
+    """Stop where the two ways differ in any bit: then it is not the same calculation."""
+    known = _known(plan, COUNTS[-1])
+    own, straightly = evaluate(plan, known).values, straight(plan, known)
+    for name, value in own.items():
+        there = np.isfinite(value)
+        if not np.array_equal(value[there], np.broadcast_to(straightly[name], value.shape)[there]):
+            raise SystemExit(f"{plan.scheme.id}: {name} is another number in plain numpy")
 
 
-def _timed_alone(way: str, scheme_id: str) -> float:
-    course = load_course(course_root())
-    example = course.schemes[scheme_id].example
-    plan = make_plan(course, scheme_id, {} if example is None else example.options)
-    known = _known(plan, LARGEST)
-    return _timed(evaluate if way == "own" else straight, plan, known)
+def _in_turn(plan: Plan, known: Values) -> tuple[Seconds, Seconds]:
+    """Time both ways in turn; the least of each."""
+    taken = [(_timed(evaluate, plan, known), _timed(straight, plan, known)) for _ in range(RUNS)]
+    own, straightly = zip(*taken, strict=True)
+    return _least(own), _least(straightly)
+
+
+def _least(taken: Iterable[Seconds]) -> Seconds:
+    programs, both = zip(*((one.program, one.both) for one in taken), strict=True)
+    return Seconds(min(programs), min(both))
 
 
 def straight(plan: Plan, known: Values) -> dict[str, Array]:
@@ -94,9 +118,9 @@ def straight(plan: Plan, known: Values) -> dict[str, Array]:
                 found[name] = _in_units(formula, quantity.unit, plan, found)
                 if quantity.choice is not None:
                     rounding = reference_rounding(quantity, plan.convention)
-                    pick = FUNCTIONS["at_least" if rounding is Rounding.UP else "nearest"]
+                    pick = "at_least" if rounding is Rounding.UP else "nearest"
                     column = plan.columns[quantity.choice.column]
-                    found[name] = pick.compute((found[name],), column)
+                    found[name] = _read(pick, found[name], column)
     return found
 
 
@@ -114,7 +138,7 @@ def _plain(node: Node, plan: Plan, found: Values) -> Array:
         case Name(name):
             return cast("Array", np.pi) if name == "pi" else found[name]
         case Negation(operand):
-            return np.negative(_plain(operand, plan, found))
+            return operator.neg(_plain(operand, plan, found))
         case Operation(sign, left, right):
             return _PLAIN[sign](_plain(left, plan, found), _plain(right, plan, found))
         case Call():
@@ -129,26 +153,41 @@ def _called(call: Call, plan: Plan, found: Values) -> Array:
         return reduce(np.minimum if call.function == "min" else np.maximum, values)
     if call.function in _NUMPY:
         return _NUMPY[call.function](*values)
-    column = None if call.column is None else plan.columns[call.column]
-    return FUNCTIONS[call.function].compute(values, column)
+    if call.column is None:
+        return FUNCTIONS[call.function].compute(values, None)
+    return _read(call.function, values[0], plan.columns[call.column])
+
+
+def _read(function: str, number: Array, column: Column) -> Array:
+    """Read a table that has no row for what is above its last one."""
+    if function == "at_least":
+        row = np.searchsorted(column.values, number * (1 - SLACK))
+        return np.append(column.sizes, np.nan)[row]
+    if function == "lookup":
+        order = np.argsort(column.sizes)
+        row = np.searchsorted(column.sizes[order], number * (1 - SLACK))
+        return np.append(column.values[order], np.nan)[row]
+    return FUNCTIONS[function].compute((number,), column)
 
 
 def _known(plan: Plan, count: int) -> Values:
-    spread = np.random.default_rng(1).uniform(0.95, 1.05, count)
+    draw = np.random.default_rng(1)
     example = plan.scheme.example
     given = {} if example is None else example.given
     own = {name: value for name, value in given.items() if name in plan.quantities}
-    return {name: value * spread for name, value in to_si(plan, own).items()}
+    return {
+        name: value * draw.uniform(1 - SPREAD, 1 + SPREAD, count)
+        for name, value in to_si(plan, own).items()
+    }
 
 
-def _timed(call: Callable[[Plan, Values], object], plan: Plan, known: Values) -> float:
-    start = process_time()
+def _timed(call: Callable[[Plan, Values], object], plan: Plan, known: Values) -> Seconds:
+    before = resource.getrusage(resource.RUSAGE_SELF)
     call(plan, known)
-    return process_time() - start
+    after = resource.getrusage(resource.RUSAGE_SELF)
+    program = after.ru_utime - before.ru_utime
+    return Seconds(program, program + after.ru_stime - before.ru_stime)
 
 
 if __name__ == "__main__":
-    if sys.argv[1:]:
-        print(_timed_alone(*sys.argv[1:]))
-    else:
-        main()
+    main()

@@ -7,7 +7,7 @@ from gripcourse.course.compose import reference_formula
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import AsPrinted, Convention, Quantity
 from gripcourse.solver.plan import make_plan
-from gripcourse.solver.solve import reference_rounding
+from gripcourse.solver.sizes import reference_rounding
 from support.each import each
 
 if TYPE_CHECKING:

@@ -19,7 +19,8 @@ from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.survivors import ProofGround, prove_operators
 from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.solver.solve import Values, choose
+from gripcourse.solver.sizes import choose
+from gripcourse.solver.solve import Values
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -11,7 +11,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.proofs.prove import Subject
 from gripcourse.proofs.samples import Trial
 from gripcourse.proofs.wrong_methods import prove_wrong_methods
-from gripcourse.solver.solve import entry
+from gripcourse.solver.sizes import entry
 from gripcourse.text.units import factor
 from support.each import each
 

@@ -12,14 +12,8 @@ from numpy.typing import NDArray
 from gripcourse.course.model import Course, WorkedExample
 from gripcourse.course.quantity import Convention, Kind, Rounding
 from gripcourse.solver.plan import Plan, make_plan
-from gripcourse.solver.solve import (
-    entry,
-    evaluate,
-    from_si,
-    reference_rounding,
-    solve_variant,
-    to_si,
-)
+from gripcourse.solver.sizes import entry, reference_rounding
+from gripcourse.solver.solve import evaluate, from_si, solve_variant, to_si
 
 SCHEME = "rack_parallelogram"
 

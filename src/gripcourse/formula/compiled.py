@@ -16,7 +16,7 @@ from gripcourse.formula.single import SINGLE
 from gripcourse.formula.tree import Call, Name, Negation, Node, Number, Operation, Operator
 
 Columns: TypeAlias = Mapping[str, Column]
-OfArrays: TypeAlias = Callable[[Mapping[str, Array], Columns], Array]
+OfArrays: TypeAlias = Callable[[Mapping[str, Array], Columns, Array | None], Array]
 OfNumbers: TypeAlias = Callable[[Mapping[str, float], Columns], float]
 
 
@@ -30,12 +30,21 @@ def finite(value: Array) -> Array:
     """Make infinities NaN, so that none comes back as a number: arctan(1/0), 1/(1/0)."""
     if value.ndim == 0:  # a call of numpy on one number costs as much as on a thousand
         return value if math.isfinite(value) else np.asarray(np.nan)
-    known = np.isfinite(value)
-    return value if known.all() else np.where(known, value, np.nan)
+    infinite = np.isinf(value)
+    there_are = np.logical_or.reduce(infinite, axis=None)
+    return np.where(infinite, np.nan, value) if there_are else value
+
+
+def is_finite(value: Array) -> bool:
+    """Tell whether all of an array are numbers."""
+    return bool(np.logical_and.reduce(np.isfinite(value), axis=None))
 
 
 def of_arrays(node: Node) -> OfArrays:
-    """Make a function of arrays in SI, finite or NaN; so is what it returns."""
+    """Make a function of arrays in SI, finite or NaN; so is what it returns.
+
+    It may be given a column to put its result and what leads to it into; it need not use it.
+    """
     return _sound(_part(node))
 
 
@@ -61,12 +70,10 @@ def _part(node: Node) -> _Factor:
         case Name(id="pi"):
             return _Factor(_constant(np.asarray(np.pi)), overflows=False)
         case Name(name):
-            return _Factor(lambda values, _columns: values[name], overflows=False)
+            return _Factor(lambda values, _columns, _into: values[name], overflows=False)
         case Negation(operand):
             inner = _part(operand)
-            return _Factor(
-                lambda values, columns: np.negative(inner.compute(values, columns)), inner.overflows
-            )
+            return _Factor(_negative(inner.compute), inner.overflows)
         case Operation():
             return _operation_part(node)
         case Call(name, arguments, column):
@@ -80,10 +87,10 @@ def _operation_part(node: Operation) -> _Factor:
     match node:
         case Operation("+" | "-" | "*" as operator, left, right):
             first, second = _part(left).compute, _part(right).compute
-            return _Factor(_operation(_OF_ARRAYS[operator], first, second), overflows=True)
+            return _Factor(_arithmetic(_UFUNCS[operator], first, second), overflows=True)
         case Operation("/", left, right):
             first, second = _part(left).compute, of_arrays(right)
-            return _Factor(_operation(np.divide, first, second), overflows=True)
+            return _Factor(_arithmetic(np.divide, first, second), overflows=True)
         case Operation("**", base, Number(exponent)) if exponent:
             # NaN to a power that is a number, and not 0, is NaN without our doing.
             return _Factor(_power_of(of_arrays(base), exponent), overflows=True)
@@ -98,7 +105,7 @@ def _sound(part: _Factor) -> OfArrays:
     compute = part.compute
     if not part.overflows:
         return compute
-    return lambda values, columns: finite(compute(values, columns))
+    return lambda values, columns, into: finite(compute(values, columns, into))
 
 
 def of_numbers(node: Node) -> OfNumbers:
@@ -176,24 +183,45 @@ def _quotient(first: OfNumbers, second: OfNumbers) -> OfNumbers:
 
 
 def _constant(value: Array) -> OfArrays:
-    return lambda _values, _columns: value
+    return lambda _values, _columns, _into: value
+
+
+def _negative(operand: OfArrays) -> OfArrays:
+    def negative(values: Mapping[str, Array], columns: Columns, into: Array | None) -> Array:
+        value = operand(values, columns, into)
+        return np.asarray(np.negative(value, into if value.ndim else None))
+
+    return negative
+
+
+def _arithmetic(operation: np.ufunc, left: OfArrays, right: OfArrays) -> OfArrays:
+    """Make an operation of two parts; the first may lie where the result will."""
+
+    def arithmetic(values: Mapping[str, Array], columns: Columns, into: Array | None) -> Array:
+        first, second = left(values, columns, into), right(values, columns, None)
+        result: Array = operation(first, second, into if first.ndim or second.ndim else None)
+        return result
+
+    return arithmetic
 
 
 def _operation(
     operation: Callable[[Array, Array], Array], left: OfArrays, right: OfArrays
 ) -> OfArrays:
-    return lambda values, columns: operation(left(values, columns), right(values, columns))
+    return lambda values, columns, _into: operation(
+        left(values, columns, None), right(values, columns, None)
+    )
 
 
 def _power_of(base: OfArrays, exponent: float) -> OfArrays:
-    return lambda values, columns: np.asarray(base(values, columns) ** exponent)
+    return lambda values, columns, into: np.asarray(base(values, columns, into) ** exponent)
 
 
 def _call(name: str, arguments: tuple[OfArrays, ...], column: str | None) -> OfArrays:
     compute = FUNCTIONS[name].compute
 
-    def call(values: Mapping[str, Array], columns: Columns) -> Array:
-        found = tuple(one(values, columns) for one in arguments)
+    def call(values: Mapping[str, Array], columns: Columns, _into: Array | None) -> Array:
+        found = tuple(one(values, columns, None) for one in arguments)
         return compute(found, None if column is None else columns[column])
 
     return call
@@ -243,16 +271,10 @@ def _number_power(base: float, exponent: float) -> float:
         return math.nan
 
 
-def _slack(left: Array, right: Array) -> Array:
-    return SLACK * np.maximum(np.abs(left), np.abs(right))
-
-
-def _verdict(left: Array, right: Array, holds: Array) -> Array:
-    return np.where(np.isnan(left) | np.isnan(right), np.nan, holds)
-
-
 def _at_most(left: Array, right: Array) -> Array:
-    return _verdict(left, right, np.asarray(left <= right + _slack(left, right), np.float64))
+    bound = right + SLACK * np.maximum(np.abs(left), np.abs(right))
+    holds, unknown = np.asarray(left <= bound, np.float64), np.isnan(bound)
+    return np.where(unknown, np.nan, holds) if unknown.any() else holds
 
 
 def _number_at_most(left: float, right: float) -> float:
@@ -261,11 +283,8 @@ def _number_at_most(left: float, right: float) -> float:
     return float(left <= right + SLACK * max(abs(left), abs(right)))
 
 
+_UFUNCS: Final = {"+": np.add, "-": np.subtract, "*": np.multiply}
 _OF_ARRAYS: Final[Mapping[Operator, Callable[[Array, Array], Array]]] = {
-    "+": np.add,
-    "-": np.subtract,
-    "*": np.multiply,
-    "/": np.divide,
     "**": _power,
     "<": lambda left, right: 1.0 - _at_most(right, left),
     "<=": _at_most,

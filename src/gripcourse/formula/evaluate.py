@@ -9,16 +9,23 @@ billionth (`functions.SLACK`) are the same number that came by two routes: 24.4 
 however each side was computed, and exactly one of `a < b` and `a >= b` holds.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
 
 import numpy as np
 
-from gripcourse.formula.compiled import finite, of_arrays, of_numbers
+from gripcourse.formula.compiled import finite, is_finite, of_arrays, of_numbers
 from gripcourse.formula.functions import Array, Column
 from gripcourse.formula.tree import Formula
 from gripcourse.text.units import factor
 
-__all__ = ["Array", "Column", "evaluate", "evaluate_number", "evaluate_sound", "finite"]
+__all__ = [
+    "Array", "Column", "array_function", "evaluate", "evaluate_number", "evaluate_sound", "finite",
+    "is_finite", "number_function",
+]  # fmt: skip
+
+OfKnown: TypeAlias = Callable[[Mapping[str, float]], float]
+IntoColumn: TypeAlias = Callable[[Mapping[str, Array], Array | None], Array]
 
 
 def evaluate(
@@ -47,22 +54,11 @@ def evaluate_sound(
     formula: Formula, unit: str, values: Mapping[str, Array], columns: Mapping[str, Column]
 ) -> Array:
     """Compute a formula from float arrays that are finite or NaN already; see `evaluate`."""
-    used = {name: values[name] for name in formula.names}
-    back = factor(unit) if formula.units else 1.0
-    if all(value.ndim == 0 for value in used.values()):
-        known = {name: float(value) for name, value in used.items()}
-        if formula.units:
-            known = {name: one / factor(formula.units[name]) for name, one in known.items()}
-        if "numbers" not in formula.made:
-            formula.made["numbers"] = of_numbers(formula.tree)
-        return np.asarray(formula.made["numbers"](known, columns) * back, np.float64)
-    if "arrays" not in formula.made:
-        formula.made["arrays"] = of_arrays(formula.tree)
+    if all(values[name].ndim == 0 for name in formula.names):
+        known = {name: float(values[name]) for name in formula.names}
+        return np.asarray(evaluate_number(formula, unit, known, columns), np.float64)
     with np.errstate(all="ignore"):
-        if formula.units:
-            used = {name: one / factor(formula.units[name]) for name, one in used.items()}
-        result = formula.made["arrays"](used, columns)
-        return np.asarray(result * back if formula.units else result, np.float64)
+        return np.asarray(array_function(formula, unit, columns)(values, None), np.float64)
 
 
 def evaluate_number(
@@ -72,9 +68,48 @@ def evaluate_number(
 
     It is what `evaluate_sound` gives for them, without making an array of each number.
     """
+    if formula.units:
+        return number_function(formula, unit, columns)(values)
     if "numbers" not in formula.made:
         formula.made["numbers"] = of_numbers(formula.tree)
+    return float(formula.made["numbers"](values, columns))
+
+
+def number_function(formula: Formula, unit: str, columns: Mapping[str, Column]) -> OfKnown:
+    """Return what computes a formula from single numbers; see `evaluate_number`."""
+    if "numbers" not in formula.made:
+        formula.made["numbers"] = of_numbers(formula.tree)
+    compute = formula.made["numbers"]
     if not formula.units:
-        return float(formula.made["numbers"](values, columns))
-    known = {name: values[name] / factor(formula.units[name]) for name in formula.names}
-    return float(formula.made["numbers"](known, columns) * factor(unit))
+        return lambda values: float(compute(values, columns))
+    back, factors = factor(unit), _factors(formula)
+
+    def computed(values: Mapping[str, float]) -> float:
+        known = {name: values[name] / one for name, one in factors.items()}
+        return float(compute(known, columns) * back)
+
+    return computed
+
+
+def array_function(formula: Formula, unit: str, columns: Mapping[str, Column]) -> IntoColumn:
+    """Return what computes a formula from arrays that are finite or NaN already, not all single.
+
+    Whoever calls it keeps numpy's warnings away. It may be given a column for the result, which
+    need not be where the result is then.
+    """
+    if "arrays" not in formula.made:
+        formula.made["arrays"] = of_arrays(formula.tree)
+    compute = formula.made["arrays"]
+    if not formula.units:
+        return lambda values, into: compute(values, columns, into)
+    back, factors = factor(unit), _factors(formula)
+
+    def computed(values: Mapping[str, Array], into: Array | None) -> Array:
+        known = {name: values[name] / one for name, one in factors.items()}
+        return np.asarray(compute(known, columns, into) * back)
+
+    return computed
+
+
+def _factors(formula: Formula) -> dict[str, float]:
+    return {name: factor(formula.units[name]) for name in formula.names}

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gripcourse.formula import boxes, rules
 from gripcourse.formula.hertz import crossed_cylinders
+from gripcourse.formula.places import places
 from gripcourse.formula.tree import Call, Node, Number
 
 Array: TypeAlias = NDArray[np.float64]
@@ -102,7 +103,7 @@ def at_least(arguments: tuple[Array, ...], column: Column | None) -> Array:
     A value that is below the argument by less than `SLACK` counts as equal.
     """
     (wanted,), series = arguments, _needed(column)
-    row = np.searchsorted(series.values, wanted - SLACK * np.abs(wanted), side="left")
+    row = places(series.values, wanted - SLACK * np.abs(wanted))
     return _entry(series.sizes, row, np.isfinite(wanted) & (row < series.values.size))
 
 
@@ -121,10 +122,9 @@ def lookup(arguments: tuple[Array, ...], column: Column | None) -> Array:
     """Return the value of the first row whose size equals the argument within `SLACK`, else NaN."""
     (size,), series = arguments, _needed(column)
     order = np.argsort(series.sizes, kind="stable")
-    place = np.searchsorted(series.sizes, size - SLACK * np.abs(size), sorter=order)
-    row = order[np.minimum(place, order.size - 1)]
-    found = np.abs(series.sizes[row] - size) <= SLACK * np.abs(size)
-    return _entry(series.values, row, found)
+    slack = SLACK * np.abs(size)
+    row = order.take(places(series.sizes[order], size - slack), mode="clip")
+    return _entry(series.values, row, np.abs(series.sizes[row] - size) <= slack)
 
 
 def interpolate(arguments: tuple[Array, ...], column: Column | None) -> Array:
@@ -140,7 +140,8 @@ def interpolate(arguments: tuple[Array, ...], column: Column | None) -> Array:
 
 def _entry(entries: Array, row: NDArray[np.intp], there: NDArray[np.bool_]) -> Array:
     """Take entries by row number, NaN where there is none."""
-    return np.where(there, entries[np.minimum(row, entries.size - 1)], np.nan)
+    taken = entries.take(row, mode="clip")
+    return taken if there.all() else np.where(there, taken, np.nan)
 
 
 def _needed(column: Column | None) -> Column:

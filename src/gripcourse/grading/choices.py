@@ -13,8 +13,8 @@ from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.size_condition import Satisfies, conditions_at_own
 from gripcourse.solver.condition_text import condition_text
-from gripcourse.solver.numbers import entry_number
 from gripcourse.solver.plan import Plan
+from gripcourse.solver.size_numbers import entry_number
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 Array: TypeAlias = NDArray[np.float64]

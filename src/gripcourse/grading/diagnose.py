@@ -26,7 +26,7 @@ from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.other_cell import is_number_of, weigh_other_cell
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.slips.model import Candidate
-from gripcourse.solver.solve import choose
+from gripcourse.solver.sizes import choose
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message
 

@@ -6,8 +6,9 @@ from typing import SupportsFloat, TypeAlias
 
 from gripcourse.course.quantity import Quantity
 from gripcourse.formula.evaluate import evaluate_number
-from gripcourse.solver.numbers import PlainNumbers, size_will_do
+from gripcourse.solver.numbers import PlainNumbers
 from gripcourse.solver.plan import Plan
+from gripcourse.solver.size_numbers import size_will_do
 
 Satisfies: TypeAlias = Callable[[float], bool]
 """Tells whether a size, SI, satisfies the condition of its choice."""

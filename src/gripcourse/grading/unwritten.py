@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gripcourse.grading.comparison import Comparison
-from gripcourse.solver.solve import compute
+from gripcourse.solver.sizes import compute
 
 
 def unwritten_before(comparison: Comparison) -> Iterator[str]:

@@ -30,7 +30,8 @@ from gripcourse.formula.tree import (
 )
 from gripcourse.proofs.calculations import PrintedCalculation, broken_by
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import compute, evaluate, reference_steps_up, to_si
+from gripcourse.solver.sizes import compute, reference_steps_up
+from gripcourse.solver.solve import evaluate, to_si
 from gripcourse.text.units import dimension
 
 Columns: TypeAlias = Mapping[str, ColumnDimensions]

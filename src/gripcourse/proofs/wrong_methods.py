@@ -24,7 +24,7 @@ from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, conc
 from gripcourse.proofs.samples import SampleSource, Trial, redrawn
 from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
-from gripcourse.solver.solve import choose, entry
+from gripcourse.solver.sizes import choose, entry
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.text.units import factor
 from gripcourse.text.words import Message, message

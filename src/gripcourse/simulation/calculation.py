@@ -15,7 +15,7 @@ from gripcourse.simulation.arithmetic import PI, Array, Hand, with_own_pi
 from gripcourse.simulation.model import ActionKind
 from gripcourse.slips.model import Candidate
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import choose
+from gripcourse.solver.sizes import choose
 from gripcourse.text.units import factor
 
 # Of a declared unit: what floating point leaves where equal numbers were subtracted is written 0.

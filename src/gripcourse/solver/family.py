@@ -20,7 +20,8 @@ from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.course.step_up import inputs_of, step_ups
 from gripcourse.formula.evaluate import finite
 from gripcourse.solver.plan import Plan, plan_of
-from gripcourse.solver.solve import Evaluation, compute
+from gripcourse.solver.sizes import compute
+from gripcourse.solver.solve import Evaluation
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]

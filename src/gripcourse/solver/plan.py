@@ -1,9 +1,10 @@
 """The plan of a calculation: a scheme with a variant's options, put into order."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields
 from functools import lru_cache
 from heapq import heappop, heappush
+from typing import Any
 
 from gripcourse.course.catalogue import columns_of
 from gripcourse.course.compose import (
@@ -41,6 +42,7 @@ class Plan:
         answered, givens, manual: quantities in the order of the assignment: by section, inside a
             section in order of calculation.
         constants: the course's constants that the reference uses.
+        made: what was made of it once, to compute it: by whoever made it, and never sent away.
     """
 
     course: Course
@@ -55,6 +57,10 @@ class Plan:
     givens: tuple[Quantity, ...]
     manual: tuple[Quantity, ...]
     constants: tuple[Quantity, ...]
+    made: dict[str, Any] = field(init=False, repr=False, compare=False, default_factory=dict)
+
+    def __reduce__(self) -> "tuple[type[Plan], tuple[object, ...]]":
+        return type(self), tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
     @property
     def composition(self) -> Composition:

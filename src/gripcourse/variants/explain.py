@@ -12,7 +12,7 @@ from gripcourse.formula.evaluate import Array
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.formula.tree import names
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import entry, reference_rounding
+from gripcourse.solver.sizes import entry, reference_rounding
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.constraint import Constraint

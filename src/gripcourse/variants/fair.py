@@ -8,7 +8,8 @@ import numpy as np
 from gripcourse.course.composition import Composition
 from gripcourse.course.quantity import Kind
 from gripcourse.solver.family import Family, Member, Rows
-from gripcourse.solver.solve import compute, from_si
+from gripcourse.solver.sizes import compute
+from gripcourse.solver.solve import from_si
 from gripcourse.variants.answers import AnswerItem, Group, count_fitting, scheme_ids
 from gripcourse.variants.feasible import Mask
 

@@ -13,7 +13,7 @@ from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.policy.bands import bands
 from gripcourse.policy.model import Policy
 from gripcourse.solver.family import Member
-from gripcourse.solver.solve import choose
+from gripcourse.solver.sizes import choose
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array
 

@@ -17,7 +17,7 @@ from gripcourse.slips.candidates import candidates_of
 from gripcourse.slips.model import Candidate, SlipId
 from gripcourse.solver.family import Family, Member, Rows
 from gripcourse.solver.plan import Plan, plan_of
-from gripcourse.solver.solve import choose
+from gripcourse.solver.sizes import choose
 from gripcourse.variants.answers import Group
 from gripcourse.variants.feasible import Array, Mask
 

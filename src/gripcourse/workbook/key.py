@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Final
 from gripcourse.course.quantity import Convention, Kind
 from gripcourse.machine.files import write_bytes
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import reference_steps_up, solve_variant
+from gripcourse.solver.sizes import reference_steps_up
+from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor, unit_text
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Variant

@@ -11,7 +11,8 @@ from gripcourse.formula.evaluate import evaluate
 from gripcourse.formula.excel import excel_form
 from gripcourse.formula.tree import Call, Formula, Name, names
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import reference_rounding, to_si
+from gripcourse.solver.sizes import reference_rounding
+from gripcourse.solver.solve import to_si
 from gripcourse.workbook.names import SI, cell_name
 
 Ranges = Mapping[str, tuple[str, str]]

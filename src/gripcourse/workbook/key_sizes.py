@@ -17,7 +17,8 @@ from gripcourse.formula.functions import SLACK
 from gripcourse.formula.parse import formula_of
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import reference_steps_up, to_si, way_to_condition, will_do
+from gripcourse.solver.sizes import reference_steps_up, way_to_condition, will_do
+from gripcourse.solver.solve import to_si
 from gripcourse.text.words import Words, message
 from gripcourse.workbook.key_formulas import Ranges, direct_form, entry_form, required_value
 from gripcourse.workbook.key_layout import KeyColumn, KeyLayout

@@ -8,7 +8,7 @@ from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
-from gripcourse.solver.solve import reference_rounding, reference_steps_up
+from gripcourse.solver.sizes import reference_rounding, reference_steps_up
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message
 
