@@ -6,9 +6,19 @@ from dataclasses import replace
 from pathlib import Path
 
 from gripcourse.course.model import Course
-from gripcourse.exports.report_json import findings_json, report_json
+from gripcourse.exports.grades import FOUND
+from gripcourse.exports.report_json import report_json, said_in
 from gripcourse.exports.report_result import report_result
-from gripcourse.grading.folded import Folded, Shelf, digest_of_report, folded
+from gripcourse.gradebook.model import RESULTS
+from gripcourse.grading.folded import (
+    Derivation,
+    Folded,
+    Shelf,
+    derived,
+    digest_of_report,
+    folded,
+)
+from gripcourse.likeness.works import TYPED
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.in_memory import judge_one
@@ -45,17 +55,33 @@ def test_without_room_for_a_file_findings_stay_in_memory(course: Course, policy:
         assert [Shelf(file).put(report) for file in (None, full)] == [report, report]
 
 
-def test_what_was_said_of_findings_is_found_in_its_language(course: Course, policy: Policy) -> None:
+def test_what_will_be_wanted_of_findings_lies_beside_them(course: Course, policy: Policy) -> None:
     room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
     report = judge_one(next(iter(room.behaviours)), room).report
-    small = folded(report, "ru", lambda found, language: f"{len(found)} {language}")
+    asked: list[int] = []
+    counted = Derivation("counted", lambda found: asked.append(len(found)) or f"{len(found)} found")
+    small = folded(report, [counted])
     on_shelf = Shelf().put(small)
     travelled = pickle.loads(pickle.dumps(on_shelf))  # noqa: S301 (ours)
     for one in (small, on_shelf, travelled):
-        assert isinstance(one.findings, Folded)
         assert one == report
-        assert one.findings.said_in("ru") == f"{len(report.findings)} ru"
-        assert one.findings.said_in("en") is None
+        assert derived(one.findings, counted) == f"{len(report.findings)} found"
+    assert asked == [len(report.findings)]
+    another = Derivation("another", len)
+    assert derived(travelled.findings, another) == derived(report.findings, another)
+
+
+def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(
+    course: Course, policy: Policy
+) -> None:
+    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
+    report = judge_one(next(iter(room.behaviours)), room).report
+    wanted: tuple[Derivation[object], ...] = (RESULTS, TYPED, FOUND)
+    small = Shelf().put(folded(report, wanted))
+    plain = Shelf().put(folded(report))
+    for one in wanted:
+        assert derived(small.findings, one) == derived(report.findings, one)
+        assert derived(plain.findings, one) == derived(report.findings, one)
 
 
 def test_a_report_is_the_same_line_of_json_whoever_said_its_findings(
@@ -63,7 +89,7 @@ def test_a_report_is_the_same_line_of_json_whoever_said_its_findings(
 ) -> None:
     room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
     report = judge_one(next(iter(room.behaviours)), room).report
-    small = Shelf().put(folded(report, course.language, findings_json))
+    small = Shelf().put(folded(report, [said_in(course.language)]))
     for language in LANGUAGES:
         words = Words(language)
         line = report_json(small, words, policy.scales)

@@ -4,7 +4,7 @@ import hashlib
 import logging
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from gripcourse.batch.copies import mark_likeness
 from gripcourse.batch.doubts import put_in_doubt
@@ -12,7 +12,7 @@ from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file, handed_in_by
 from gripcourse.batch.second_look import made_by_office, needing, needs_second_look
-from gripcourse.grading.folded import SayFindings, Shelf, folded
+from gripcourse.grading.folded import Derivation, Shelf, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
@@ -56,7 +56,7 @@ class _Job:
 
     context: GradingContext
     grade_one: GradeOne
-    say: SayFindings | None
+    wanted: tuple[Derivation[Any], ...]
 
 
 def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as they are)
@@ -69,7 +69,7 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
     seconds: float = SECONDS_PER_FILE,
     kept: KeptReports | None = None,
     pool: Pool = PROCESSES,
-    say: SayFindings | None = None,
+    wanted: Sequence[Derivation[Any]] = (),
 ) -> tuple[Graded, ...]:
     """Grade files in parallel; the result is in the order of the files.
 
@@ -85,15 +85,14 @@ def grade_files(  # noqa: PLR0913 (the last ones are what everybody leaves as th
         kept: what is known of single files from an earlier run, where every new report is kept as
             it comes; None for neither.
         pool: kind of workers.
-        say: puts findings into words in the course's language where they are made, for who wants
-            them so later; it must be found by its name in another process.
+        wanted: what will be asked of the findings of each, derived where they are made.
     """
     shelf = Shelf(register=context.register)
     known = {} if kept is None else kept.of(files, shelf)
     for number in known:
         on_done(files[number])
     left = [number for number in range(len(files)) if number not in known]
-    job = _Job(context, grade_one, say)
+    job = _Job(context, grade_one, tuple(wanted))
     new = _alone([files[number] for number in left], job, workers, on_done,
                  seconds, kept, pool, shelf)  # fmt: skip
     reports = {**known, **dict(zip(left, new, strict=True))}
@@ -254,7 +253,7 @@ def incident_number(trace: str) -> str:
 
 def _grade(file: Readable, job: _Job) -> Report:
     # Folded where it was made: it travels as bytes, and who waits for all has less to do.
-    return folded(job.grade_one(file, job.context), job.context.course.language, job.say)
+    return folded(job.grade_one(file, job.context), job.wanted)
 
 
 def _grade_again(pair: tuple[Readable, bytes], context: GradingContext) -> Report:

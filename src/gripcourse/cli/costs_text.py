@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.problems import spoken
-from gripcourse.cli.text import table_text
+from gripcourse.cli.table_layout import table_text
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:

@@ -4,7 +4,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.cli.text import misuse, table_text
+from gripcourse.cli.table_layout import table_text
+from gripcourse.cli.text import misuse
 from gripcourse.text.shown import shown
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import Message, Words, message

@@ -29,6 +29,7 @@ from gripcourse.cli.options import (
     say_limits,
     words_for,
 )
+from gripcourse.cli.table_layout import table_text
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself, as in `cli`.
@@ -105,7 +106,7 @@ def evaluate(  # noqa: PLR0913 (one parameter per option)
             found = command.evaluate_in_memory(loaded, policy, cohort, misses, workers, tick)
         else:
             found = command.evaluate_folder(loaded, policy, folder, workers, tick)
-    layout = markdown_table if markdown else cli_text.table_text
+    layout = markdown_table if markdown else table_text
     typer.echo(simulation_text.evaluation_text(found, policy, words, layout))
     if found.missed:
         raise typer.Exit(NEEDS_PERSON)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.foreign_text import Layout, foreign_tables, percent, rate_cells, rates_table
-from gripcourse.cli.text import table_text
+from gripcourse.cli.table_layout import table_text
 from gripcourse.text.words import Words, message
 
 # `gripcourse --help` needs nothing of what is measured.

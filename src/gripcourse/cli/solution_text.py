@@ -3,7 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
-from gripcourse.cli.text import table_text
+from gripcourse.cli.table_layout import table_text
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.text.units import unit_text
 from gripcourse.text.words import Words, message

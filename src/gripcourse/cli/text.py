@@ -1,9 +1,8 @@
 """What the command line prints: tables, summaries and the progress bar."""
 
-import io
 import json
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -11,6 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from gripcourse.cli.loudness import is_quiet
+from gripcourse.cli.table_layout import table_text
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
 from gripcourse.text.shown import one_line, shown
@@ -20,8 +20,6 @@ from gripcourse.text.words import Message, Texts, Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
-    from rich.console import JustifyMethod
-
     from gripcourse.course.quantity import Convention
     from gripcourse.machine.doctor import MachineCheck
     from gripcourse.usecases.audit import WrittenAudit
@@ -31,7 +29,6 @@ if TYPE_CHECKING:
     from gripcourse.variants.draw import Drawn
 
 Step = Callable[[str, int | None], Callable[[], None]]
-WIDTH = 110
 _MOST_TOLD = 10
 
 
@@ -294,30 +291,3 @@ def _unit(unit: str, words: Words) -> str:
     from gripcourse.text.units import unit_text
 
     return unit_text(unit, words.language)
-
-
-def table_text(
-    heads: Iterable[str],
-    rows: Iterable[Sequence[str]],
-    right: set[int],
-    widest: Mapping[int, int] | None = None,
-) -> str:
-    """Lay out a table; columns in `right` stand at the right, those in `widest` break earlier."""
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(box=SIMPLE_HEAD, pad_edge=False)
-    for number, head in enumerate(heads):
-        side: JustifyMethod = "right" if number in right else "left"
-        most = None if widest is None else widest.get(number)
-        table.add_column(Text(head), justify=side, max_width=most)
-    for row in rows:
-        # Text, not markup: what a student typed must not be read as a colour.
-        table.add_row(*(Text(shown(cell)) for cell in row))
-    # A file, not the terminal: the caller decides where it goes.
-    console = Console(width=WIDTH, file=io.StringIO())
-    with console.capture() as capture:
-        console.print(table)
-    return capture.get().rstrip()

@@ -16,6 +16,7 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.cli.pairs import read_pairs
+from gripcourse.cli.table_layout import table_text
 from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
@@ -94,7 +95,7 @@ def trace_text(traced: "Traced", words: Words) -> str:
         )
         rows.append((_odds(origin.odds, words), named, variant.scheme, found))
     heads = (message("odds"), message("variant"), message("scheme"), message("what it would be"))
-    lines = [cli_text.table_text([words.say(head) for head in heads], rows, right={0})]
+    lines = [table_text([words.say(head) for head in heads], rows, right={0})]
     if traced.origins[0].odds < 1:
         lines.append(words.say(message("No variant explains the numbers better than chance.")))
     lines += map(words.say, traced.notes)

@@ -4,18 +4,19 @@ UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and c
 in every language, so that a program reads it the same everywhere.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC
 from pathlib import Path
 from types import MappingProxyType
+from typing import Final
 
-from gripcourse.documents.report.mistakes import mistakes_of
+from gripcourse.documents.report.mistakes import is_anothers, mistakes_in
 from gripcourse.documents.report.standing import percent_of, standing_of
-from gripcourse.documents.report.totals import section_totals
+from gripcourse.documents.report.totals import totals_of
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
-from gripcourse.grading.folded import unfolded
-from gripcourse.grading.model import Report
+from gripcourse.grading.folded import Derivation, derived
+from gripcourse.grading.model import Finding, Report
 from gripcourse.machine.files import write_bytes
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import Words
@@ -71,8 +72,7 @@ def grades_text(
     """Return the table as text; see `grades_csv`."""
     timed = any(report.timing is not None for report in reports)
     parts = [
-        _parts(unfolded(report), students.get(report.student), called, timed=timed)
-        for report in reports
+        _parts(report, students.get(report.student), called, timed=timed) for report in reports
     ]
     sections = tuple(dict.fromkeys(section for one in parts for section in one.points))
     header = (
@@ -126,8 +126,10 @@ def _parts(report: Report, student: Student | None, called: Called, *, timed: bo
         *_grades(report, called),
         *(_timing(report) if timed else ()),
     )
-    after = ("; ".join(_slips(report)), flags, report.file)
-    return _Parts(before, _section_points(report), tuple(map(text_cell, after)))
+    found = derived(report.findings, FOUND)
+    points = found.points if report.judged else dict.fromkeys(found.points, "")
+    after = ("" if is_anothers(report) else found.slips, flags, report.file)
+    return _Parts(before, points, tuple(map(text_cell, after)))
 
 
 def _points(report: Report) -> tuple[str, str, str, str]:
@@ -164,15 +166,27 @@ def _timing(report: Report) -> tuple[str, ...]:
     )
 
 
-def _section_points(report: Report) -> dict[str, str]:
-    return {
-        section: number_cell(total.points) if report.judged else ""
-        for section, total in section_totals(report).items()
-    }
+@dataclass(frozen=True, slots=True)
+class FoundCells:
+    """Cells that follow from the findings of a work.
+
+    Attributes:
+        points: of each section.
+        slips: that were recognised, as `quantity=slip`, each once, where they were made.
+    """
+
+    points: Mapping[str, str]
+    slips: str
 
 
-def _slips(report: Report) -> Iterator[str]:
-    """Yield the recognised slips as `quantity=slip`, each once, where they were made."""
-    for mistake in mistakes_of(report):
-        if mistake.slip:
-            yield f"{mistake.quantity}={mistake.slip}"
+def _found(findings: Collection[Finding]) -> FoundCells:
+    totals = totals_of(findings)
+    slips = (f"{one.quantity}={one.slip}" for one in mistakes_in(findings) if one.slip)
+    return FoundCells(
+        points={section: number_cell(total.points) for section, total in totals.items()},
+        slips="; ".join(slips),
+    )
+
+
+FOUND: Final = Derivation("cells", _found)
+"""What a row says of findings."""

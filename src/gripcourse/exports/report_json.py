@@ -3,11 +3,12 @@
 import json
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Final
 
 from gripcourse.exports.plain import to_plain
 from gripcourse.exports.report_result import finding_result, report_result
-from gripcourse.grading.folded import Folded
+from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
@@ -21,11 +22,14 @@ def findings_json(findings: Collection[Finding], language: str) -> str:
     return _line([to_plain(finding_result(one, words)) for one in findings])
 
 
+def said_in(language: str) -> Derivation[str]:
+    """Return the derivation of `findings_json` in a language."""
+    return Derivation(f"json {language}", partial(findings_json, language=language))
+
+
 def report_json(report: Report, words: Words, scales: Sequence[Scale]) -> str:
     """Return the plain form of `report_result` as JSON, without line ends."""
-    said = report.findings.said_in(words.language) if isinstance(report.findings, Folded) else None
-    if said is None:
-        return _line(report_result(report, words, scales).to_dict())
+    said = derived(report.findings, said_in(words.language))
     around = report_result(replace(report, findings=()), words, scales).to_dict()
     # In a text of JSON no quote stands without a backslash: it is there once.
     before, after = _line(around).split(_NO_FINDINGS, 1)

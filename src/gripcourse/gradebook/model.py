@@ -1,11 +1,13 @@
 """What the gradebook keeps: attempts with their automatic results, and marks of persons."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from typing import Final
 
-from gripcourse.grading.model import Outcome, Report
+from gripcourse.grading.folded import Derivation, derived
+from gripcourse.grading.model import Finding, Outcome, Report
 
 # Points of one policy are the same number on each machine but for the last bits.
 _POINTS_DECIMALS = 6
@@ -39,6 +41,10 @@ class Result:
     outcome: Outcome
     points: float
     max_points: float
+
+    def __reduce__(self) -> "tuple[type[Result], tuple[str, Outcome, float, float]]":
+        # As findings: half the time that dataclasses take of themselves.
+        return Result, (self.quantity, self.outcome, self.points, self.max_points)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,9 +155,15 @@ def attempt_of(report: Report, graded_at: datetime, fingerprints: Fingerprints) 
 
 def results_of(report: Report) -> tuple[Result, ...]:
     """Return the automatic results of a report that no mark of a person has entered yet."""
-    return tuple(
-        Result(one.quantity, one.outcome, one.points, one.max_points) for one in report.findings
-    )
+    return derived(report.findings, RESULTS)
+
+
+def _results(findings: Collection[Finding]) -> tuple[Result, ...]:
+    return tuple(Result(one.quantity, one.outcome, one.points, one.max_points) for one in findings)
+
+
+RESULTS: Final = Derivation("results", _results)
+"""What the gradebook keeps of findings."""
 
 
 def same_results(some: Sequence[Result], others: Sequence[Result]) -> bool:

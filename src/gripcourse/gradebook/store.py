@@ -7,14 +7,15 @@ nothing is lost, and nothing is half-written.
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import groupby, islice
+from itertools import groupby
 from typing import Any, TypeAlias, TypeVar
 
-from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, insert, select
+from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, select
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Mark, says_the_same
+from gripcourse.machine.database.adding import add_many
 from gripcourse.machine.database.opening import (
     another_was_faster,
     open_engine,
@@ -192,7 +193,8 @@ class Gradebook:
                 return ()
             try:
                 with refusals_named(self.place), writing(self.engine) as connection:
-                    _insert(connection, rows_of(found))
+                    for table, values in rows_of(found):
+                        add_many(connection, table, values)
             except GradebookError as fault:
                 if not another_was_faster(fault):
                     raise
@@ -213,13 +215,6 @@ class Gradebook:
 def open_gradebook(place: str) -> Gradebook:
     """Open a gradebook, made where there is none yet; see `database.opening`."""
     return Gradebook(open_engine(place))
-
-
-def _insert(connection: Connection, wanted: Writing) -> None:
-    for table, values in wanted:
-        left = iter(values)
-        while portion := list(islice(left, _AT_ONCE)):
-            connection.execute(insert(table), portion)
 
 
 def _answers(

@@ -2,6 +2,9 @@
 
 A finding is some fifty objects; folded, those of a work are one run of bytes, a twentieth of it. On
 a shelf these bytes lie in a temporary file, and a place in it is all that is held.
+
+To unfold them takes as long as all that a batch wants to know of them together. So whoever folds
+them, a worker, is told beforehand what will be wanted, and lays it beside them: see `Derivation`.
 """
 
 import hashlib
@@ -14,15 +17,25 @@ import zlib
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from threading import Lock
-from typing import IO, TypeAlias, TypeVar
+from typing import IO, Any, Generic, TypeVar
 
 from gripcourse.grading.model import Finding, Report
 from gripcourse.variants.model import Issued
 
-SayFindings: TypeAlias = Callable[[Collection[Finding], str], str]
-"""Puts findings into words of a language, as another program reads them."""
-
 _Value = TypeVar("_Value")
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation(Generic[_Value]):
+    """Something that follows from the findings of a work, and from nothing else.
+
+    Attributes:
+        name: tells it from all others.
+        derive: makes it of findings; it must be found by its name in another process.
+    """
+
+    name: str
+    derive: Callable[[Collection[Finding]], _Value]
 
 
 def _new_file() -> IO[bytes] | None:
@@ -60,12 +73,12 @@ class Shelf:
         findings = report.findings
         if not isinstance(findings, Folded) or isinstance(findings.held, _Place):
             return report
-        place, said = self._put(findings.held), findings.said
-        if isinstance(said, bytes) and said:
-            said = self._put(said) or said
+        place, derived = self._put(findings.held), findings.derived
+        if isinstance(derived, bytes) and derived:
+            derived = self._put(derived) or derived
         if place is None:
             return report
-        return replace(report, findings=replace(findings, held=place, said=said))
+        return replace(report, findings=replace(findings, held=place, derived=derived))
 
     def read(self, start: int, size: int) -> bytes:
         """Return what lies at a place.
@@ -107,34 +120,33 @@ class Folded:
     Attributes:
         held: bytes of this process or one of its workers, and of nobody else; or where they lie.
         count: how many findings they are.
-        said: the same, packed, in words for another program; empty where nobody has said them.
-        language: of these words.
+        derived: packed, what was derived from them, by name; empty for nothing.
     """
 
     held: bytes | _Place
     count: int
-    said: bytes | _Place = b""
-    language: str = ""
+    derived: bytes | _Place = b""
 
     @property
     def packed(self) -> bytes:
         """The bytes, wherever they are."""
         return _fetched(self.held)
 
-    def said_in(self, language: str) -> str | None:
-        """Return the findings in words of a language; None where they are not at hand."""
-        packed = _fetched(self.said) if language == self.language else b""
-        return zlib.decompress(packed).decode() if packed else None
+    def derivation(self, name: str) -> bytes:
+        """Return what was derived under a name, packed; empty where nothing was."""
+        known = _fetched(self.derived)
+        found: Mapping[str, bytes] = pickle.loads(known) if known else {}  # noqa: S301 (as below)
+        return found.get(name, b"")
 
-    def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int, bytes, str]]:
+    def __reduce__(self) -> tuple[type["Folded"], tuple[bytes, int, bytes]]:
         # Another process has no part in the shelf.
-        return Folded, (self.packed, self.count, _fetched(self.said), self.language)
+        return Folded, (self.packed, self.count, _fetched(self.derived))
 
     def __len__(self) -> int:
         return self.count
 
     def __iter__(self) -> Iterator[Finding]:
-        found: tuple[Finding, ...] = pickle.loads(zlib.decompress(self.packed))  # noqa: S301 (`folded` wrote it)
+        found: tuple[Finding, ...] = _unpacked(self.packed)
         return iter(found)
 
     def __getitem__(self, place: int) -> Finding:
@@ -158,20 +170,35 @@ def _fetched(held: bytes | _Place) -> bytes:
     return held if isinstance(held, bytes) else held.shelf.read(held.start, held.size)
 
 
-def folded(report: Report, language: str = "", say: SayFindings | None = None) -> Report:
+def folded(report: Report, wanted: Collection[Derivation[Any]] = ()) -> Report:
     """Return a report that says the same and takes little room.
 
     Args:
         report: to fold.
-        language: in which its findings are to be said, too.
-        say: says them; None for nobody.
+        wanted: what will be asked of its findings.
     """
     if isinstance(report.findings, Folded) or not report.findings:
         return report
     findings = tuple(report.findings)
-    said = b"" if say is None else zlib.compress(say(findings, language).encode(), 1)
-    packed = zlib.compress(pickle.dumps(findings), 1)
-    return replace(report, findings=Folded(packed, len(findings), said, language))
+    known = {one.name: _packed(one.derive(findings)) for one in wanted}
+    derived = pickle.dumps(known) if known else b""
+    return replace(report, findings=Folded(_packed(findings), len(findings), derived))
+
+
+def derived(findings: Collection[Finding], wanted: Derivation[_Value]) -> _Value:
+    """Return what follows from findings; where it was wanted when they were folded, it is there."""
+    if isinstance(findings, Folded) and (known := findings.derivation(wanted.name)):
+        value: _Value = _unpacked(known)
+        return value
+    return wanted.derive(tuple(findings))
+
+
+def _packed(value: object) -> bytes:
+    return zlib.compress(pickle.dumps(value), 1)
+
+
+def _unpacked(packed: bytes) -> Any:  # noqa: ANN401 (whatever was packed)
+    return pickle.loads(zlib.decompress(packed))  # noqa: S301 (`folded` wrote it)
 
 
 def digest_of_report(report: Report) -> str:
@@ -196,8 +223,3 @@ def _with_shared(report: Report, issued: Issued | None) -> Report:
 
 def _shared(named: Mapping[str, _Value], held: Mapping[str, _Value]) -> Mapping[str, _Value]:
     return held if named == held else {sys.intern(name): value for name, value in named.items()}
-
-
-def unfolded(report: Report) -> Report:
-    """Return a report whose findings can be looked at many times; see `folded`."""
-    return replace(report, findings=tuple(report.findings))

@@ -140,22 +140,39 @@ def same_as_typed(numbers: ComparedNumbers, typed: OrderedValues) -> Matches:
     return _matches(numbers, typed, reach * (1 + _SAME), 2)  # the pair itself
 
 
-def density(numbers: ComparedNumbers, values: SparseTable) -> Floats:
+@dataclass(frozen=True, slots=True)
+class Spread:
+    """How the right values of all variants spread, by quantity, in logarithms of their sizes.
+
+    Attributes:
+        middle: (quantities,).
+        width: (quantities,); not too narrow.
+    """
+
+    middle: Floats
+    width: Floats
+
+    @classmethod
+    def of(cls, values: SparseTable) -> "Spread":
+        """Return how the numbers of each column of a table spread."""
+        middles, wides = np.zeros(values.columns), np.full(values.columns, _WIDEST_SPREAD)
+        for column, (begin, end) in enumerate(pairwise(values.begins.tolist())):
+            sizes = np.abs(values.value[begin:end])
+            logs = np.log(sizes[sizes != 0])
+            count = max(len(logs), 1)
+            middles[column] = _sum(logs) / count
+            spread = math.sqrt(_sum((logs - middles[column]) ** 2) / count)
+            wides[column] = max(spread, _WIDEST_SPREAD)
+        return cls(middles, wides)
+
+
+def density(numbers: ComparedNumbers, spread: Spread) -> Floats:
     """Return the probability that a wrong number falls near each, per relative width.
 
     Wrong numbers spread as the right ones of all variants do: log-normally, and not too narrowly.
     """
-    begins = values.begins
-    middles, wides = np.zeros(values.columns), np.full(values.columns, _WIDEST_SPREAD)
-    for column in np.unique(numbers.column):
-        sizes = np.abs(values.value[begins[column] : begins[column + 1]])
-        logs = np.log(sizes[sizes != 0])
-        count = max(len(logs), 1)
-        middles[column] = _sum(logs) / count
-        spread = math.sqrt(_sum((logs - middles[column]) ** 2) / count)
-        wides[column] = max(spread, _WIDEST_SPREAD)
-    wide = wides[numbers.column]
-    away = (np.log(np.abs(numbers.value)) - middles[numbers.column]) / wide
+    wide = spread.width[numbers.column]
+    away = (np.log(np.abs(numbers.value)) - spread.middle[numbers.column]) / wide
     result: Floats = np.exp(-(away**2) / 2) / (wide * math.sqrt(2 * math.pi))
     return result
 

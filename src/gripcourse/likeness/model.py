@@ -33,6 +33,10 @@ class Typed:
     explained: bool
     slip: SlipId | None
 
+    def __reduce__(self) -> "tuple[type[Typed], tuple[str, float, float, bool, SlipId | None]]":
+        # As findings: half the time that dataclasses take of themselves.
+        return Typed, (self.quantity, self.value, self.half_unit, self.explained, self.slip)
+
 
 @dataclass(frozen=True, slots=True)
 class ComparedWork:

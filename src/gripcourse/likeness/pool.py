@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gripcourse.likeness.cells import Floats, Ints
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import ComparedNumbers, Matches, density, last_unit
+from gripcourse.likeness.matches import ComparedNumbers, Matches, Spread, density, last_unit
 from gripcourse.likeness.model import Chances, ComparedWork, Typed
 
 _FILLER = 3  # unexplained cells with the same number: typed to fill them, not computed
@@ -28,6 +28,7 @@ class ComparisonPool:
         students: of the submissions.
         own: row of each submission's student in the table of issued values.
         issued: that table.
+        spread: of its values.
         numbers: what was typed, by submission, then by quantity.
         explained: (numbers,); whether a number says nothing.
         slip: (numbers,); how common its slip is in the cohort; NaN where there is none.
@@ -36,6 +37,7 @@ class ComparisonPool:
     students: tuple[str, ...]
     own: Ints
     issued: IssuedValues
+    spread: Spread
     numbers: ComparedNumbers
     explained: Flags
     slip: Floats
@@ -75,6 +77,7 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
         students=tuple(students),
         own=np.array([rows[student] for student in students], dtype=np.intp),
         issued=issued,
+        spread=Spread.of(issued.values),
         numbers=ComparedNumbers(
             row=of_row.copy(),
             column=column.copy(),
@@ -97,7 +100,7 @@ def chance_of(pooled: ComparisonPool, found: Matches, chances: Chances) -> Float
     Returns:
         (numbers,); 1 for what is explained.
     """
-    near = density(pooled.numbers, pooled.issued.values) * found.window
+    near = density(pooled.numbers, pooled.spread) * found.window
     wrong = np.maximum(np.maximum(near, found.share), chances.least)
     discrete = pooled.issued.discrete[pooled.numbers.column]
     wrong = np.where(discrete, np.maximum(wrong, chances.discrete), wrong)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gripcourse.likeness.cells import Floats
 from gripcourse.likeness.issued import IssuedValues
-from gripcourse.likeness.matches import ComparedNumbers, density, last_unit
+from gripcourse.likeness.matches import ComparedNumbers, Spread, density, last_unit
 
 _TRUE = 0.95  # share of the numbers that come from the variant: one may be misread
 _LEAST = 1e-4  # nobody knows chance better than this
@@ -149,7 +149,7 @@ def _nearest(
     best = np.argmin(away, axis=1)
     fits = away[np.arange(rows), best] <= 1 + _OWN_ROUNDING
     numbers = ComparedNumbers(np.zeros(len(place), dtype=np.intp), place, value, unit)
-    near = density(numbers, issued.values) * 2 * reach / np.abs(value)
+    near = density(numbers, Spread.of(issued.values)) * 2 * reach / np.abs(value)
     by_spread = np.isfinite(values) @ near
     by_count = (len(np.unique(whose[fits])) - 1) / max(len(np.unique(whose)), 1)
     chance = np.clip(np.maximum(by_spread, by_count), _LEAST, 1.0)

@@ -1,7 +1,10 @@
 """Reports → what the search for likeness compares."""
 
 import math
+from collections.abc import Collection
+from typing import Final
 
+from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
 from gripcourse.likeness.model import ComparedWork, Typed
 from gripcourse.slips.model import USED, SlipId
@@ -18,17 +21,6 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         issued: to the student who handed it in.
         issuer: the author that issued workbooks name.
     """
-    answers = (
-        Typed(
-            quantity=finding.quantity,
-            value=finding.given,
-            half_unit=finding.half_unit,
-            explained=_is_explained(finding),
-            slip=_slip(finding),
-        )
-        for finding in report.findings
-        if finding.given is not None
-    )
     changed = (
         Typed(quantity=name, value=value, half_unit=0.0, explained=False, slip=None)
         for name, value in report.givens.items()
@@ -36,7 +28,25 @@ def work_of(report: Report, issued: Issued, issuer: str) -> ComparedWork:
         and not math.isclose(value, issued.variant.given[name], rel_tol=_SAME)
     )
     creator = "" if report.creator == issuer else report.creator
-    return ComparedWork(report.student, (*answers, *changed), creator)
+    return ComparedWork(report.student, (*derived(report.findings, TYPED), *changed), creator)
+
+
+def _typed(findings: Collection[Finding]) -> tuple[Typed, ...]:
+    return tuple(
+        Typed(
+            quantity=finding.quantity,
+            value=finding.given,
+            half_unit=finding.half_unit,
+            explained=_is_explained(finding),
+            slip=_slip(finding),
+        )
+        for finding in findings
+        if finding.given is not None
+    )
+
+
+TYPED: Final = Derivation("typed", _typed)
+"""The answers that can be compared."""
 
 
 def _is_explained(finding: Finding) -> bool:

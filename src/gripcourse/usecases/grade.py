@@ -8,10 +8,13 @@ from pathlib import Path
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
 from gripcourse.documents.report.totals import shares
-from gripcourse.exports.report_json import findings_json
+from gripcourse.exports.grades import FOUND
+from gripcourse.exports.report_json import said_in
+from gripcourse.gradebook.model import RESULTS
 from gripcourse.grading.model import Flag, FlagCode, Report
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.workers import Lost, run_each
+from gripcourse.likeness.works import TYPED
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
     discard_unfinished,
@@ -79,7 +82,9 @@ def grade(
     """Grade files, but for those that an earlier run graded; see `batch.run.grade_files`."""
     kept = None if earlier is None else earlier.reports
     count = min(workers, len(files))
-    return grade_files(files, context, count, on_done, kept=kept, pool=pool, say=findings_json)
+    # What the gradebook, the search for likeness and the tables ask of every work.
+    wanted = (RESULTS, TYPED, FOUND, said_in(context.course.language))
+    return grade_files(files, context, count, on_done, kept=kept, pool=pool, wanted=wanted)
 
 
 def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)

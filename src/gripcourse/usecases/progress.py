@@ -14,7 +14,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Final, TypeAlias
 
-from gripcourse.machine.files import write_text
+from gripcourse.machine.files import write_bytes
 
 Step: TypeAlias = Callable[[str, int | None], Callable[[], None]]
 """Begins a step by its name and how many there are; what it returns is called after each."""
@@ -107,4 +107,5 @@ def _write(path: Path, progress: BatchProgress) -> None:
         "began": progress.began.isoformat(),
         "at": progress.at.isoformat(),
     }
-    write_text(path, json.dumps(plain), private=True)
+    # Twice a second: nobody needs it once the machine has lost its power.
+    write_bytes(path, json.dumps(plain).encode(), private=True, lasting=False)

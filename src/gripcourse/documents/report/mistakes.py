@@ -1,7 +1,7 @@
 """Which slips a cohort made: by quantity, and by kind."""
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Quantity
@@ -51,15 +51,27 @@ class KindRow:
 
 
 def mistakes_of(report: Report) -> Iterator[Mistake]:
-    """Yield what one student did wrong, each mistake once.
+    """Yield what one student did wrong, each mistake once; see `mistakes_in`.
+
+    Another student's workbook has none.
+    """
+    if not is_anothers(report):
+        yield from mistakes_in(report.findings)
+
+
+def is_anothers(report: Report) -> bool:
+    """Tell of another student's workbook: its numbers are nobody's wrong method."""
+    return any(flag.code is FlagCode.ISSUED_TO_OTHER for flag in report.flags)
+
+
+def mistakes_in(findings: Iterable[Finding]) -> Iterator[Mistake]:
+    """Yield what was done wrongly, each mistake once.
 
     What follows from a mistake is none; what a person has decided about is not counted. Of two
-    slips that explain an answer equally the likelier counts. Another student's workbook has none.
+    slips that explain an answer equally the likelier counts.
     """
-    if any(flag.code is FlagCode.ISSUED_TO_OTHER for flag in report.flags):
-        return  # the numbers of another student's workbook are nobody's wrong method
     seen: set[tuple[str, SlipId]] = set()
-    for finding in report.findings:
+    for finding in findings:
         if finding.outcome.traits.mistake:
             place = finding.quantity
         elif finding.outcome.traits.follows and finding.slip and finding.roots:

@@ -2,7 +2,7 @@
 
 import statistics
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from gripcourse.grading.model import Finding, Outcome, Report
@@ -61,11 +61,16 @@ class PointsSpread:
 
 def section_totals(report: Report) -> dict[str, SectionTotal]:
     """Add up the points of each section of a report, in the order of its findings."""
-    findings: dict[str, list[Finding]] = {}
-    for finding in report.findings:
-        findings.setdefault(finding.section, []).append(finding)
+    return totals_of(report.findings)
+
+
+def totals_of(findings: Collection[Finding]) -> dict[str, SectionTotal]:
+    """Add up the points of each section, in the order of the findings."""
+    by_section: dict[str, list[Finding]] = {}
+    for finding in findings:
+        by_section.setdefault(finding.section, []).append(finding)
     totals: dict[str, SectionTotal] = {}
-    for section, inside in findings.items():
+    for section, inside in by_section.items():
         waiting = [finding for finding in inside if finding.is_open]
         scored = [finding for finding in inside if not finding.is_open]
         totals[section] = SectionTotal(
