@@ -12,6 +12,7 @@ from gripcourse.exports.platforms.works import works_of
 from gripcourse.exports.report_result import grades_result
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Words
+from gripcourse.usecases.batch_tables import json_text
 from gripcourse.usecases.exporting import Results, gradescope_file
 from support.reports import perfect, values, variant
 
@@ -51,3 +52,11 @@ def test_where_no_rule_says_which_counts_a_person_is_asked(
         gradescope_file(
             several(issued, perfect, True, True), "", tmp_path / "r.json", published=False
         )
+
+
+def test_who_handed_in_nothing_is_named_in_the_results_of_a_batch(issued: "Classroom") -> None:
+    lacking = replace(issued.register["s02"].student, email="s02@x.example")
+    read = json.loads(json_text([], Words("en"), missing=[lacking]))
+    assert read["missing"] == [
+        {"student": "s02", "name": lacking.name, "group": lacking.group, "email": "s02@x.example"}
+    ]

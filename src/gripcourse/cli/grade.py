@@ -213,9 +213,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
             pool=pool,
         )
     if manner.json:
-        scales = context.policy.scales
-        passed_over = asked.found.passed_over
-        result = batch_result(outcome.reports, words, passed_over, scales=scales)
+        result = batch_result(outcome.reports, words, context, asked.found.passed_over)
         typer.echo(cli_text.json_text(result.to_dict()))
         return outcome.needs_person
     # Once: to lay out the table of a large batch takes seconds.
