@@ -6,7 +6,7 @@ outcome is one entry here, and an entry that leaves something open cannot be wri
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Self
+from typing import Final, Self
 
 from gripcourse.text.words import Message, message
 
@@ -301,9 +301,12 @@ class Outcome(StrEnum):
     )
 
 
+_BY_NAME: Final = {one.value: one for one in Outcome}
+
+
 def outcome_named(name: str) -> Outcome:
     """Return the outcome of a name from a file; `ValueError` for a name that is none."""
-    found = next((one for one in Outcome if one.value == name), None)
+    found = _BY_NAME.get(name)
     if found is None:
         raise ValueError(name)
     return found
