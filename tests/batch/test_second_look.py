@@ -13,7 +13,7 @@ from openpyxl import load_workbook
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import grade_files, is_found_out
-from gripcourse.batch.second_look import Made, made_by_office, needing
+from gripcourse.batch.second_look import MadeByOffice, made_by_office, needing
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import FlagCode
 from gripcourse.grading.unjudged import rejected_report
@@ -116,7 +116,7 @@ def test_without_the_program_and_for_other_files_nothing_is_made(tmp_path: Path)
     damaged = rejected_report(Rejected.because("a.xlsx", "", WhyRefused.DAMAGED), None)
     files = {0: tmp_path / "a.xls"}
     assert needing([old, damaged], recalculate=True) == (0,)
-    assert made_by_office(files, [old, damaged], "true", "ru") == Made({}, frozenset())
+    assert made_by_office(files, [old, damaged], "true", "ru") == MadeByOffice({}, frozenset())
 
 
 def test_what_libreoffice_gave_up_is_not_tried_again(

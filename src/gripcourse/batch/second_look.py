@@ -12,7 +12,7 @@ from gripcourse.submission.second import OTHER_FORMATS
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class MadeByOffice:
     """What LibreOffice made of files.
 
     Attributes:
@@ -52,7 +52,7 @@ def made_by_office(
     reports: Sequence[Report | Lost],
     office: str,
     language: str,
-) -> Made:
+) -> MadeByOffice:
     """Let LibreOffice compute or convert files.
 
     Args:
@@ -68,9 +68,9 @@ def made_by_office(
         if (data := _content(file)) is not None
     }
     if not named:
-        return Made({}, frozenset())
+        return MadeByOffice({}, frozenset())
     done = converted(named, office, language)
-    return Made(
+    return MadeByOffice(
         {_place(name): data for name, data in done.made.items()},
         frozenset(map(_place, done.unopened)),
     )
