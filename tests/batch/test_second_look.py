@@ -10,9 +10,10 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
+from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.batch.run import grade_files
-from gripcourse.batch.second_look import made_by_office, needing
+from gripcourse.batch.run import grade_files, is_found_out
+from gripcourse.batch.second_look import MadeByOffice, made_by_office, needing
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.model import FlagCode
 from gripcourse.grading.unjudged import rejected_report
@@ -115,4 +116,22 @@ def test_without_the_program_and_for_other_files_nothing_is_made(tmp_path: Path)
     damaged = rejected_report(Rejected.because("a.xlsx", "", WhyRefused.DAMAGED), None)
     files = {0: tmp_path / "a.xls"}
     assert needing([old, damaged], recalculate=True) == (0,)
-    assert made_by_office(files, [old, damaged], "true", "ru") == {}
+    assert made_by_office(files, [old, damaged], "true", "ru") == MadeByOffice({}, frozenset())
+
+
+def test_what_libreoffice_gave_up_is_not_tried_again(
+    context: GradingContext, plan: Plan, tmp_path: Path
+) -> None:
+    path, tried = tmp_path / "s01.xlsx", tmp_path / "tried"
+    path.write_bytes(linked(context, plan, "s01"))
+    office = tmp_path / "office"
+    office.write_text(f"#!/bin/sh\necho >>{tried}\n", encoding="utf-8")
+    office.chmod(0o755)
+    asked = replace(context, office=str(office))
+    kept = KeptReports(tmp_path / "kept", {})
+    first, again = (grade_files([path], asked, 1, kept=kept)[0] for _ in range(2))
+    assert tried.read_text(encoding="utf-8") == "\n"
+    assert (first.taken_over, again.taken_over) == (False, True)
+    assert again.report.unopened
+    assert is_found_out(again.report, asked, 1)
+    assert again.report.flags == first.report.flags

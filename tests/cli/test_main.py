@@ -486,7 +486,7 @@ def test_a_drawing_from_waiting_to_marked(gripcourse: Command, term: Term, tmp_p
     lines = ("--line", "sizes=1", "--line", "assembly=0,5", "--line", "standards=1")
     marked = gripcourse(*order, *lines, "--comment", "Нет масштаба")
     assert marked.code == cli.DONE
-    assert "s01, general_view_drawing: " in marked.out
+    assert "(s01), general view drawing (general_view_drawing): " in marked.out
     assert "just so already" in gripcourse(*order, *lines, "--comment", "Нет масштаба").out
 
     again = gripcourse("grade", *place, own, "--out", graded, "--json")

@@ -1,8 +1,10 @@
 """What was kept once stays: attempts and marks are added, never changed, never lost."""
 
+import sqlite3
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from dataclasses import replace
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -204,3 +206,51 @@ class TestManyGraders:
             own = [one for one in marks if one.marker == marker]
             assert [one.comment for one in own] == [str(number) for number in range(times)]
             assert all(one.lines == {"sizes": one.credit} for one in own)
+
+
+class TestDamage:
+    """A file whose bytes changed on the disk may open all the same."""
+
+    @pytest.mark.parametrize(
+        ("column", "kept"),
+        [
+            ("student", "CAST(x'80ff30' AS TEXT)"),
+            ("graded_at", "'2026-12-0x 09:00:00.000000'"),
+        ],
+    )
+    def test_a_damaged_cell_is_said_with_the_place(
+        self,
+        tmp_path: Path,
+        report: MakeReport,
+        attempts: MakeAttempts,
+        column: str,
+        kept: str,
+    ) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        open_gradebook(str(place)).add_attempts(attempts(report()))
+        with closing(sqlite3.connect(place)) as connection:
+            connection.execute("PRAGMA foreign_keys = off")
+            connection.execute(f"UPDATE gradebook_attempt SET {column} = {kept}")  # noqa: S608 (above)
+            connection.commit()
+        with pytest.raises(GradebookError, match="restore a damaged file") as caught:
+            open_gradebook(str(place)).attempts()
+        assert caught.value.problems[0].file == str(place)
+
+    def test_a_word_that_is_no_outcome_is_damage_too(
+        self, tmp_path: Path, report: MakeReport, attempts: MakeAttempts
+    ) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        open_gradebook(str(place)).add_attempts(attempts(report()))
+        with closing(sqlite3.connect(place)) as connection:
+            connection.execute("UPDATE gradebook_result SET outcome = 'wron$'")
+            connection.commit()
+        with pytest.raises(GradebookError, match=r"wron\$"):
+            open_gradebook(str(place)).attempts()
+
+    def test_a_damaged_name_of_a_table_is_said_with_the_place(self, tmp_path: Path) -> None:
+        place = tmp_path / "gradebook.sqlite"
+        open_gradebook(str(place))
+        content = place.read_bytes()
+        place.write_bytes(content.replace(b"gripcourse_revision", b"gripcourse_revisio\xff"))
+        with pytest.raises(GradebookError, match="restore a damaged file"):
+            open_gradebook(str(place)).attempts()

@@ -60,6 +60,33 @@ def test_each_day_begun_after_the_grace_costs_up_to_the_most(
     assert (timing.days_late, timing.deduction) == (days, pytest.approx(share))
 
 
+@pytest.mark.parametrize(
+    ("deadline", "handed_in", "days"),
+    [
+        # Set back at 4:00 on the 25th, a day of 25 hours; set forward at 3:00 on the 29th: 23.
+        ("2026-10-24 23:59:59", "2026-10-25 23:59:59", 1),
+        ("2026-10-24 23:59:59", "2026-10-26 00:00:00", 2),
+        ("2026-10-24 18:00:00", "2026-10-25 18:00:00", 1),
+        ("2026-03-28 23:59:59", "2026-03-29 23:59:59", 1),
+        ("2026-03-28 23:59:59", "2026-03-30 00:00:00", 2),
+        ("2026-12-01 18:00:00", "2026-12-01 18:00:00.7", 0),
+        ("2026-12-01 18:00:00", "2026-12-01 18:00:01", 1),
+    ],
+)
+def test_a_day_is_one_by_the_clock_on_the_wall(
+    hand_in: Callable[..., tuple[StudentWork, ...]], deadline: str, handed_in: str, days: int
+) -> None:
+    kyiv = LateRule(per_day=0.1, most=1, grace=0, zone="Europe/Kyiv")
+    last, at = (
+        datetime.fromisoformat(one).replace(tzinfo=kyiv.time_zone) for one in (deadline, handed_in)
+    )
+    (work,) = hand_in((0, GOOD))
+    attempt = replace(work.attempt, handed_in=at.astimezone(UTC))
+    works = works_of([attempt])["s01"]
+    (timing,) = timings_of(works, {}, last, None, Rules(kyiv, None)).values()
+    assert timing.days_late == days
+
+
 def test_without_a_deadline_or_a_time_nothing_is_late(
     hand_in: Callable[..., tuple[StudentWork, ...]],
 ) -> None:

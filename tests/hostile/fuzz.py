@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.table import first_sheet
+from gripcourse.machine.spreadsheet.table import visible_sheets
 from gripcourse.submission.raw import RawWorkbook
 
 if __name__ == "__main__":  # as a program it does not know where the tests are
@@ -34,7 +34,7 @@ def failures(seeds: Iterable[int]) -> Iterator[tuple[int, str]]:
             wrong = faults_of(read)
             if isinstance(read.raw, RawWorkbook):
                 wrong += invented(data, read.raw)
-            if seed % _AS_TABLE == 0 and not isinstance(first_sheet(data), tuple | WhyRefused):
+            if seed % _AS_TABLE == 0 and not isinstance(visible_sheets(data), tuple | WhyRefused):
                 wrong.append("no table and no refusal")
         except Exception as fault:  # noqa: BLE001 (it is what is looked for)
             wrong = [repr(fault)]

@@ -16,7 +16,7 @@ from typing import Any, Final, TypeAlias
 
 from gripcourse import machine, submission
 from gripcourse.jobs.limits import peak_memory
-from gripcourse.machine.spreadsheet.table import first_sheet
+from gripcourse.machine.spreadsheet.table import visible_sheets
 from gripcourse.submission.raw import RawWorkbook
 
 if __name__ == "__main__":  # as a program it does not know where the tests are
@@ -82,7 +82,7 @@ def faults(data: bytes, seconds: float = math.inf) -> list[str]:
         wrong = faults_of(read)
         if isinstance(read.raw, RawWorkbook):
             wrong += invented(data, read.raw)
-        first_sheet(data)
+        visible_sheets(data)
     except Exception as fault:  # noqa: BLE001 (it is what is looked for)
         wrong = [repr(fault)]
     # What the process grew by: what ran in it before is not this file's.

@@ -8,7 +8,7 @@ from gripcourse.course.quantity import Quantity
 from gripcourse.jobs.limits import peak_memory
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.table import first_sheet
+from gripcourse.machine.spreadsheet.table import visible_sheets
 from gripcourse.submission.interpret import interpret
 from gripcourse.submission.model import Reading, Rejected, Submission
 from gripcourse.submission.raw import RawWorkbook
@@ -48,8 +48,8 @@ def as_student(data: bytes, quantities: tuple[Quantity, ...]) -> Outcome:
 
 def as_table(data: bytes, _: object) -> WhyRefused | int:
     """Read a file that an instructor gives as a table."""
-    rows = first_sheet(data)
-    return rows if isinstance(rows, WhyRefused) else len(rows)
+    sheets = visible_sheets(data)
+    return sheets if isinstance(sheets, WhyRefused) else len(sheets)
 
 
 def faults_of(read: Outcome) -> list[str]:

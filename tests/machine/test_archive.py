@@ -14,6 +14,7 @@ from gripcourse.machine import archive as module
 from gripcourse.machine.archive import (
     UnreadableMemberError,
     Unusable,
+    is_bundle,
     members_of,
     read_member,
 )
@@ -150,3 +151,19 @@ def test_what_is_no_zip_is_refused_in_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(UsageError) as refused:
         members_of(tmp_path / "a.zip")
     assert "damaged" in str(refused.value)
+
+
+def test_a_zip_that_broke_off_behind_a_zip_inside_is_damaged(tmp_path: Path) -> None:
+    """Its last list of members is the one of that zip: one work is not all that were handed in."""
+    inside = packed(tmp_path / "inside.xlsx", "[Content_Types].xml").read_bytes()
+    whole = tmp_path / "whole.zip"
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_STORED) as archive:
+        archive.writestr("first.xlsx", inside)
+        archive.writestr("second.xlsx", inside)
+    content = whole.read_bytes()
+    broken = tmp_path / "broken.zip"
+    broken.write_bytes(content[: content.index(b"second.xlsx")])
+    assert zipfile.is_zipfile(broken)
+    for ask in (is_bundle, members_of):
+        with pytest.raises(UsageError, match="damaged"):
+            ask(broken)

@@ -73,7 +73,9 @@ def term(place: str, graded: Sequence[Graded], classroom: "Classroom", out: Path
         [one.report for one in kept],
         Words(context.course.language),
         scales=context.policy.scales,
-    )
+        missing=[one.student for name, one in sorted(context.register.items())
+                 if name not in {report.report.student for report in kept}],
+    )  # fmt: skip
     return [*files, "\n".join(told).encode()]
 
 

@@ -224,6 +224,8 @@ def test_a_history_tells_what_happened_when_by_whom_and_why(faculty: Faculty) ->
     assert any("(attempt 1)" in str(one.what) for one in events)
     assert ("Петров", f"{DRAWING}:", "") in told
     assert ("Петров", "Told", "") in told
+    by_title = history(faculty.place, "s02", called={DRAWING: "Чертёж"}.__getitem__)
+    assert [one for one in by_title if str(one.what).startswith("Чертёж: ")]
     assert told[-2:] == [("Петров", "Regrade", "опечатка"), ("Петров", "Regrade", "нет опечатки")]
     assert [one.why for one in history(faculty.place, "s01")] == ["", ""]
     assert history(faculty.place, "s03", {"s03"}) == ()

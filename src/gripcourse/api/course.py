@@ -339,7 +339,7 @@ class Course:
                 graded, context, folder, day, workers, nothing, passed_over=others
             ).reports
         incidents = [one.incident for one in graded if one.incident]
-        return batch_result(reports, self.words, others, incidents, self.policy.scales)
+        return batch_result(reports, self.words, context, others, incidents)
 
     def table_source(self, table: FileLike | None) -> Path | NamedBytes:
         """Return the table that is meant: the named one, else the course's main one."""

@@ -157,8 +157,8 @@ def _kept(
 def is_found_out(report: Report, context: GradingContext, workers: int) -> bool:
     """Tell whether all is known of a file: the same bytes need not be looked at again.
 
-    What is refused for its content stays refused. Where the machine may be to blame, or LibreOffice
-    could make more of a file than it did, the file is looked at again each time.
+    What is refused for its content stays refused; what LibreOffice gave up stays so until there is
+    another one. Where the machine may be to blame, the file is looked at again each time.
 
     Args:
         report: of the file.
@@ -192,10 +192,12 @@ def _looked_at_again(
         return reports
     numbers = needing(reports, recalculate=context.recalculate)
     again: dict[int, Report | Lost] = {}
+    unopened: set[int] = set()
     for start in range(0, len(numbers), _OF_OFFICE):
         portion = {number: files[number] for number in numbers[start : start + _OF_OFFICE]}
         made = made_by_office(portion, reports, context.office, context.course.language)
-        pairs = [(portion[number], data) for number, data in made.items()]
+        unopened |= made.unopened
+        pairs = [(portion[number], data) for number, data in made.workbooks.items()]
         jobs = run_each(
             _grade_again,
             pairs,
@@ -205,22 +207,26 @@ def _looked_at_again(
             pool=pool,
             send=_pair_in_memory,
         )
-        again |= zip(made, in_order(jobs), strict=True)
+        again |= zip(made.workbooks, in_order(jobs), strict=True)
     needed = set(numbers)
     return [
-        _second(report, again.get(number)) if number in needed else report
+        _second(report, again.get(number), unopened=number in unopened)
+        if number in needed
+        else report
         for number, report in enumerate(reports)
     ]
 
 
-def _second(first: Report | Lost, again: Report | Lost | None) -> Report | Lost:
-    """Choose the second report of a file, if it has one.
+def _second(first: Report | Lost, again: Report | Lost | None, *, unopened: bool) -> Report | Lost:
+    """Choose the second report of a file, if it has one; note where LibreOffice gave it up.
 
     What LibreOffice made may be more than a worker can read: that is no fault of the first reading,
     but somebody may have wanted it so.
     """
     if isinstance(again, Report) or not isinstance(first, Report):
         return first if again is None else again
+    if unopened:
+        first = replace(first, unopened=True)
     if first.unverified:
         return replace(first, flags=(*first.flags, not_recalculated_flag()))
     return first

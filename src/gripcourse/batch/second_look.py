@@ -1,7 +1,8 @@
 """Files that our reader alone cannot judge, through LibreOffice in one call for many of them."""
 
 from collections.abc import Mapping, Sequence
-from typing import Final, TypeAlias
+from dataclasses import dataclass
+from typing import Final
 
 from gripcourse.grading.model import Report
 from gripcourse.jobs.lost import Lost
@@ -9,8 +10,19 @@ from gripcourse.machine.content import Readable, content_of
 from gripcourse.machine.office import converted
 from gripcourse.submission.second import OTHER_FORMATS
 
-Made: TypeAlias = Mapping[int, bytes]
-"""What LibreOffice made of files, by their places in a batch."""
+
+@dataclass(frozen=True, slots=True)
+class MadeByOffice:
+    """What LibreOffice made of files.
+
+    Attributes:
+        workbooks: by the places of the files in a batch.
+        unopened: places of those that it gave up, and would again.
+    """
+
+    workbooks: Mapping[int, bytes]
+    unopened: frozenset[int]
+
 
 _WORKBOOK: Final = ".xlsx"
 
@@ -23,7 +35,7 @@ def needs_second_look(report: Report, *, recalculate: bool) -> bool:
         recalculate: whether stored results are to be compared with computed ones.
     """
     without = report.lacks_results or report.refusal in OTHER_FORMATS
-    return without or (recalculate and report.unverified)
+    return not report.unopened and (without or (recalculate and report.unverified))
 
 
 def needing(reports: Sequence[Report | Lost], *, recalculate: bool) -> tuple[int, ...]:
@@ -40,7 +52,7 @@ def made_by_office(
     reports: Sequence[Report | Lost],
     office: str,
     language: str,
-) -> Made:
+) -> MadeByOffice:
     """Let LibreOffice compute or convert files.
 
     Args:
@@ -49,16 +61,23 @@ def made_by_office(
         office: the command that starts LibreOffice.
         language: of the course.
 
-    Returns:
-        A workbook for each file that LibreOffice could open.
     """
     named = {
         f"{number}{_suffix(reports[number])}": data
         for number, file in files.items()
         if (data := _content(file)) is not None
     }
-    made = converted(named, office, language) if named else {}
-    return {int(name.partition(".")[0]): data for name, data in made.items()}
+    if not named:
+        return MadeByOffice({}, frozenset())
+    done = converted(named, office, language)
+    return MadeByOffice(
+        {_place(name): data for name, data in done.made.items()},
+        frozenset(map(_place, done.unopened)),
+    )
+
+
+def _place(name: str) -> int:
+    return int(name.partition(".")[0])
 
 
 def _suffix(report: Report | Lost) -> str:

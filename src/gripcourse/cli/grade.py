@@ -87,7 +87,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     language: LanguageOption = None,
 ) -> None:
     """Grade workbooks against the issued values; write reports, a cohort summary and grades."""
-    from gripcourse.machine.office import office_command
+    from gripcourse.machine.office import office_command, office_identity
     from gripcourse.usecases.as_before import GradingAsked, beginning
     from gripcourse.usecases.collect import collect
     from gripcourse.usecases.note_batch import note_batch
@@ -105,7 +105,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         day=None if on is None else day_of(on),
     )
     manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
-    options = (order, str(out), words.language, bool(workers), office_command())
+    options = (order, str(out), words.language, bool(workers), office_identity(office_command()))
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
     said = None if json or afresh else begun.said_before()
     if said is None:
@@ -213,9 +213,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
             pool=pool,
         )
     if manner.json:
-        scales = context.policy.scales
-        passed_over = asked.found.passed_over
-        result = batch_result(outcome.reports, words, passed_over, scales=scales)
+        result = batch_result(outcome.reports, words, context, asked.found.passed_over)
         typer.echo(cli_text.json_text(result.to_dict()))
         return outcome.needs_person
     # Once: to lay out the table of a large batch takes seconds.

@@ -14,6 +14,7 @@ from gripcourse.text.words import Words, message
 # ruff: noqa: PLC0415
 
 if TYPE_CHECKING:
+    from gripcourse.batch.one_file import GradingContext
     from gripcourse.demo.run import Demo
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report
@@ -207,30 +208,41 @@ def _missing(students: Sequence["Student"], words: Words) -> Iterator[str]:
         yield words.say(said)
 
 
-def waiting_text(waits: Sequence["Waiting"], words: Words) -> str:
+def waiting_text(waits: Sequence["Waiting"], context: "GradingContext", words: Words) -> str:
     """Return what waits for a person as a table."""
+    from gripcourse.usecases.called import item_with_id, student_with_id
+
     if not waits:
         return words.say(message("Nothing waits for the instructor."))
     again = words.say(message("marked; look again"))
     rows = [
-        (one.student, one.quantity, one_line(Path(one.file).name), again if one.again else "")
+        (
+            student_with_id(one.student, context),
+            item_with_id(one.student, one.quantity, context, words.language),
+            one_line(Path(one.file).name),
+            again if one.again else "",
+        )
         for one in waits
     ]
     heads = (message("student"), message("item"), message("file"))
     return table_text([*(words.say(head) for head in heads), ""], rows, right=set())
 
 
-def marking_text(marking: "Marking", words: Words) -> str:
+def marking_text(marking: "Marking", context: "GradingContext", words: Words) -> str:
     """Return what the marks came to."""
+    from gripcourse.usecases.called import item_with_id, student_with_id
+
     lines = []
     for item in marking.items:
         mark = item.mark
-        said = message("{student}, {item}: withdrawn.", student=mark.student, item=mark.quantity)
+        student = student_with_id(mark.student, context)
+        called = item_with_id(mark.student, mark.quantity, context, words.language)
+        said = message("{student}, {item}: withdrawn.", student=student, item=called)
         if item.points is not None:
             said = message(
                 "{student}, {item}: {points} of {most} points.",
-                student=mark.student,
-                item=mark.quantity,
+                student=student,
+                item=called,
                 points=round(item.points, 2),
                 most=round(item.max_points, 2),
             )

@@ -98,7 +98,9 @@ def mark(  # noqa: PLR0913 (one parameter per option)
         waits = command.what_waits(place)
         if out is not None:
             command.write_waiting(waits, open_grading(root), place, out)
-        typer.echo(grading_text.waiting_text(waits, words) if out is None else str(out))
+            typer.echo(str(out))
+        else:
+            typer.echo(grading_text.waiting_text(waits, open_grading(root), words))
         raise typer.Exit(NEEDS_PERSON if waits else DONE)
     context, marker, now = open_grading(root), by or getpass.getuser(), datetime.now(UTC)
     if table is not None:
@@ -115,4 +117,4 @@ def mark(  # noqa: PLR0913 (one parameter per option)
             withdraw=withdraw,
         )
         done = command.enter_mark(draft, context, place, marker, now)
-    confirm(grading_text.marking_text(done, words))
+    confirm(grading_text.marking_text(done, context, words))

@@ -204,10 +204,17 @@ def history(
     language: LanguageOption = None,
 ) -> None:
     """Show everything that happened to a student's grade: when, by whom, and why."""
+    from gripcourse.usecases.called import item_with_id
     from gripcourse.usecases.history import history as ask
     from gripcourse.usecases.opening import open_grading
 
     words = words_for(language)
     context = open_grading(course_folder(course))
     place = gradebook_place(gradebook, context.course.root)
-    typer.echo(regrade_text.history_text(ask(place, student, context.register), words))
+    events = ask(
+        place,
+        student,
+        context.register,
+        lambda one: item_with_id(student, one, context, words.language),
+    )
+    typer.echo(regrade_text.history_text(events, words))

@@ -127,9 +127,11 @@ def history_text(events: Sequence["Event"], words: Words) -> str:
 
 
 def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[str, ...]:
+    from gripcourse.usecases.called import student_with_id
+
     changed = ", ".join(words.say(_VERSIONS[version.value]) for version in one.versions)
     return (
-        _called(one.work.student, context),
+        student_with_id(one.work.student, context),
         shown(Path(one.work.attempt.file).name),
         words.number(one.before.score, 4),
         words.number(one.after.score, 4),
@@ -138,30 +140,18 @@ def _row(one: "WorkChange", context: "GradingContext", words: Words) -> tuple[st
 
 
 def _items(change: "WorkChange", context: "GradingContext", words: Words) -> Iterator[str]:
-    from gripcourse.usecases.called import title_of
+    from gripcourse.usecases.called import item_with_id, student_with_id
 
     student = change.work.student
     for one in change.items:
-        title = title_of(student, one.quantity, context)
         said = message(
             "{student}, {item}: {before} → {after}.",
-            student=_called(student, context),
-            item=_with_id("" if title is None else title.of(words.language), one.quantity),
+            student=student_with_id(student, context),
+            item=item_with_id(student, one.quantity, context, words.language),
             before=_result(one.before),
             after=_result(one.after),
         )
         yield words.say(said)
-
-
-def _called(student: str, context: "GradingContext") -> str:
-    from gripcourse.usecases.called import name_of
-
-    return _with_id(name_of(student, context), student)
-
-
-def _with_id(said: str, id_: str) -> str:
-    """Put an id, which commands ask for, behind what people say; alone where they say nothing."""
-    return f"{said} ({id_})" if said and said != id_ else id_
 
 
 def _result(result: "Result | None") -> Message:
@@ -176,10 +166,12 @@ def _result(result: "Result | None") -> Message:
 
 
 def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> Iterator[str]:
+    from gripcourse.usecases.called import student_with_id
+
     kinds = (
         (
             message("Cannot be judged any more; what was graded stands: {names}."),
-            [_called(one.work.student, context) for one in found.lost],
+            [student_with_id(one.work.student, context) for one in found.lost],
         ),
         (
             message("The gradebook does not know these files; grade them first: {names}."),
@@ -192,7 +184,7 @@ def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> It
         (
             message("Graded before and not among these files: {names}."),
             [
-                f"{_called(one.student, context)}: {shown(Path(one.attempt.file).name)}"
+                f"{student_with_id(one.student, context)}: {shown(Path(one.attempt.file).name)}"
                 for one in found.missing
             ],
         ),

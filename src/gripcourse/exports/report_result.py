@@ -11,6 +11,7 @@ from gripcourse.exports.plain import from_plain, to_plain
 from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import LANGUAGES, Message, Words
+from gripcourse.variants.model import Student
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,6 +174,21 @@ class FileResult:
 
 
 @dataclass(frozen=True, slots=True)
+class MissingResult:
+    """A student of the register of whom a batch has no work.
+
+    Attributes:
+        student: id.
+        name, group, email: as the register has them; empty where it does not.
+    """
+
+    student: str
+    name: str
+    group: str
+    email: str
+
+
+@dataclass(frozen=True, slots=True)
 class GradesResult:
     """What a batch came to.
 
@@ -182,6 +198,7 @@ class GradesResult:
             not looked at and may be somebody's work.
         incidents: what failed on our side, each with its trace.
         files: every file that was found, also those that were not looked at.
+        missing: who has handed in nothing, by id.
     """
 
     SCHEMA: ClassVar[str] = "gripcourse/grades/1"
@@ -190,6 +207,7 @@ class GradesResult:
     needs_person: bool
     incidents: tuple[str, ...] = ()
     files: tuple[FileResult, ...] = ()
+    missing: tuple[MissingResult, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain form, for JSON."""
@@ -207,6 +225,7 @@ def grades_result(
     incidents: Sequence[str] = (),
     others: Sequence[FileAccount] = (),
     scales: Sequence[Scale] = (),
+    missing: Sequence[Student] = (),
 ) -> GradesResult:
     """Put the reports of a batch into words for another program.
 
@@ -216,9 +235,10 @@ def grades_result(
         incidents: what failed on our side.
         others: files that were found and not looked at.
         scales: of the policy.
+        missing: students of whom there is nothing.
     """
     made = tuple(report_result(report, words, scales) for report in reports)
-    return replace(around_reports(reports, words, incidents, others), reports=made)
+    return replace(around_reports(reports, words, incidents, others, missing), reports=made)
 
 
 def around_reports(
@@ -226,6 +246,7 @@ def around_reports(
     words: Words,
     incidents: Sequence[str] = (),
     others: Sequence[FileAccount] = (),
+    missing: Sequence[Student] = (),
 ) -> GradesResult:
     """Return what a batch came to but for the reports themselves; see `grades_result`."""
     accounts = (*map(graded_account, reports), *others)
@@ -234,7 +255,8 @@ def around_reports(
         FileResult(one.file, one.fate, one.student, one.why, reason_of(one, words))
         for one in accounts
     )
-    return GradesResult((), flagged, tuple(incidents), files)
+    lacking = tuple(MissingResult(one.id, one.name, one.group, one.email) for one in missing)
+    return GradesResult((), flagged, tuple(incidents), files, lacking)
 
 
 def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) -> ReportResult:

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
+from zoneinfo import ZoneInfo
 
 from gripcourse.gradebook.model import GradebookEntry
 from gripcourse.gradebook.works import StudentWork, in_order, points_of
@@ -93,11 +94,21 @@ def _cost(
         if waiver.until is None:
             return 0, 0.0
         last = max(deadline, waiver.until)
-    over = handed_in - last
-    if over <= timedelta(hours=rule.grace):
+    # A deadline's last second counts to its end.
+    at = handed_in.astimezone(UTC).replace(microsecond=0)
+    if at - last.astimezone(UTC) <= timedelta(hours=rule.grace):
         return 0, 0.0
-    days = math.ceil(over / _DAY)
+    days = _days_begun(last, at, rule.time_zone)
     return days, min(days * rule.per_day, rule.most)
+
+
+def _days_begun(last: datetime, at: datetime, zone: ZoneInfo) -> int:
+    """Count the days begun after a deadline by the clock on the wall.
+
+    The day on which clocks are set back has 25 hours and is one day all the same.
+    """
+    wall_last, wall_at = (one.astimezone(zone).replace(tzinfo=None) for one in (last, at))
+    return max(1, math.ceil((wall_at - wall_last) / _DAY))
 
 
 def _counting(

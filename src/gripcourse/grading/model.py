@@ -217,6 +217,7 @@ class Report:
         timing: attempts and lateness; None where the policy has no rule for them.
         lacks_results: whether answers are formulas whose results the file does not store.
         unverified: whether formulas store results that nobody computed once more.
+        unopened: whether LibreOffice was asked for more of the file, and gave it up.
         version: of the student's assignment, that the work was judged by.
         made_for: version that the workbook was made for.
         either_version: whether several versions were tried, of which the best one counts.
@@ -246,6 +247,7 @@ class Report:
     timing: Timing | None = None
     lacks_results: bool = False
     unverified: bool = False
+    unopened: bool = False
     version: int = 1
     made_for: int = 1
     either_version: bool = False

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
+from gripcourse.text.spelling import plain
+
 # `Full Name_ID_assignsubmission_file/…`, or the same before the file's own name where the platform
 # makes no folders. Groups have no number; a full name never holds an underscore.
 _MOODLE: Final = re.compile(
@@ -43,7 +45,7 @@ class PlatformPart:
         """Tell whether this is the name of a person, in any order and perhaps not the whole."""
         theirs = words_of(full_name)
         if self.joined:
-            return _is_made_of(_plain(self.name), theirs)
+            return _is_made_of(_unmarked(self.name), theirs)
         ours = set(words_of(self.name))
         return bool(ours and theirs) and (ours <= set(theirs) or ours >= set(theirs))
 
@@ -61,11 +63,11 @@ def platform_part(file: str) -> PlatformPart | None:
 
 def words_of(name: str) -> tuple[str, ...]:
     """Return the words of a name in one spelling, without signs that platforms drop."""
-    return tuple(_WORD.findall(_plain(name).replace("'", "").replace("’", "")))[:_MOST_WORDS]
+    return tuple(_WORD.findall(_unmarked(name)))[:_MOST_WORDS]
 
 
-def _plain(name: str) -> str:
-    return unicodedata.normalize("NFC", name).casefold().replace("ё", "е")
+def _unmarked(name: str) -> str:
+    return plain(name).replace("'", "")
 
 
 def _is_made_of(text: str, words: Sequence[str]) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
+from gripcourse.text.spelling import plain
 from gripcourse.text.words import Message, message
 from gripcourse.variants.model import Student
 
@@ -70,13 +71,18 @@ def _doubles(students: Sequence[Student], nameless: Sequence[int]) -> list[tuple
     for place in nameless:
         student = students[place]
         key = (
-            (_plain(student.email),)
+            (plain(student.email),)
             if student.email
-            else (_plain(student.name), _plain(student.group))
+            else (plain(student.name), plain(student.group))
         )
         if key in seen:
-            what = message("'{name}' is in the list already, and no id tells both apart.",
-                           name=student.name)  # fmt: skip
+            what = (
+                message("Somebody above '{name}' has the mail address {email} already.",
+                        name=student.name, email=student.email)
+                if student.email
+                else message("'{name}' is in the list already, and no id tells both apart.",
+                             name=student.name)
+            )  # fmt: skip
             remedy = message("Give both an id or a mail address of their own.")
             found.append((place, (what, remedy)))
         seen.add(key)
@@ -111,9 +117,4 @@ def _note(made: Sequence[str]) -> tuple[Message, ...]:
 
 
 def _same(one: str, other: str) -> bool:
-    return _plain(one) == _plain(other)
-
-
-def _plain(text: str) -> str:
-    folded = unicodedata.normalize("NFC", text).casefold().replace("ё", "е")
-    return " ".join(folded.split())
+    return plain(one) == plain(other)

@@ -7,19 +7,20 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.issuing.made_ids import with_ids
+from gripcourse.issuing.office_list import PARTS_OF_NAME, with_names, with_somebody
 from gripcourse.machine.content import Readable
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
+from gripcourse.text.spelling import plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, message
 from gripcourse.variants.headings import (
     TableColumn,
     declared_names,
     find_columns,
-    plain,
     roster_vocabulary,
     without_strange,
 )
@@ -32,8 +33,6 @@ _ID = re.compile(r"[\w-][\w.-]*")
 _LONGEST = {"name": 255, "group": 100, "email": 254, "variant": LONGEST_NAME}
 # Cyrillic letters that look like Latin ones, in small or in capital letters.
 _ALIKE = str.maketrans("авсенһіјкмоԛрѕтухԝԁѵ", "abcehhijkmoqpstyxwdv")
-_PARTS_OF_NAME = ("surname", "first", "patronymic")
-"""In the order in which they are printed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,20 +68,19 @@ def read_roster(
     """
     vocabulary = roster_vocabulary()
     whole = read_sheet(source, vocabulary.is_heading)
-    sheet = without_strange(whole, vocabulary)
+    sheet = with_names(without_strange(whole, vocabulary), vocabulary)
     problems: list[Problem] = []
     columns = find_columns(sheet, vocabulary, problems)
-    if not columns.keys() & {"name", *_PARTS_OF_NAME}:
-        what = message("There is no column '{column}'.", column="name")
-        problems.append(Problem(sheet.file, "", what, did_you_mean("name", whole.header)))
+    if not columns.keys() & {"name", *PARTS_OF_NAME}:
+        problems.append(_without_names(whole, columns))
     students: tuple[Student, ...] = ()
     made: tuple[Message, ...] = ()
-    sheet, empty = _with_somebody(sheet, columns)
+    sheet, left_out = with_somebody(sheet, columns, vocabulary)
     if not problems:
         reader = _Reader(sheet, columns, languages, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
         reader.refuse_doubles(students)
-    if not sheet.rows:
+    if columns and not sheet.rows:
         what = message("The roster has headings but no students.")
         problems.append(Problem(sheet.file, "", what, message("Write a row for each student.")))
     if not problems:
@@ -93,20 +91,19 @@ def read_roster(
         )
     if problems:
         raise TableError(problems)
-    return Roster(students, (*sheet.notes, *empty, *made))
+    return Roster(students, (*sheet.notes, *left_out, *made))
 
 
-def _with_somebody(
-    sheet: Sheet, columns: Mapping[str, TableColumn]
-) -> tuple[Sheet, tuple[Message, ...]]:
-    """Leave out the rows of a form in which nothing but a running number stands, and name them."""
-    used = [one.position for name, one in columns.items() if name != "ordinal"]
-    rows = tuple(row for row in sheet.rows if any(row.cells[at].strip() for at in used))
-    left_out = [str(row.number) for row in sheet.rows if row not in rows]
-    if not left_out:
-        return sheet, ()
-    said = message("Rows that name nobody were passed over: {rows}.", rows=", ".join(left_out))
-    return replace(sheet, rows=rows), (said,)
+def _without_names(whole: Sheet, columns: Mapping[str, TableColumn]) -> Problem:
+    if columns:
+        what = message("There is no column '{column}'.", column="name")
+        return Problem(whole.file, "", what, did_you_mean("name", whole.header))
+    return Problem(
+        whole.file,
+        "",
+        message("No row of the roster has headings."),
+        message("Write a row above the names, for example: name, group, e-mail."),
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +129,7 @@ class _Reader:
             self._check_id(row, student.id)
         self._check_lengths(row, student)
         if not student.name:
-            column = next(one for one in ("name", *_PARTS_OF_NAME) if one in self.columns)
+            column = next(one for one in ("name", *PARTS_OF_NAME) if one in self.columns)
             self._add(
                 row, column, message("The student has no name."), message("Write it as printed.")
             )
@@ -141,7 +138,7 @@ class _Reader:
     def _name(self, row: SheetRow) -> str:
         """Return the name from its one column, or from the columns of its parts."""
         whole = self._cell(row, "name")
-        parts = [whole] if whole else [self._cell(row, one) for one in _PARTS_OF_NAME]
+        parts = [whole] if whole else [self._cell(row, one) for one in PARTS_OF_NAME]
         return " ".join(" ".join(parts).split())
 
     def refuse_doubles(self, students: tuple[Student, ...]) -> None:
@@ -165,7 +162,7 @@ class _Reader:
         for what, most in _LONGEST.items():
             count = len(getattr(student, what))
             if count > most:
-                column = next(one for one in (what, *_PARTS_OF_NAME) if one in self.columns)
+                column = next(one for one in (what, *PARTS_OF_NAME) if one in self.columns)
                 self._add(
                     row,
                     column,

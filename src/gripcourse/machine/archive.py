@@ -132,6 +132,7 @@ def read_member(archive: Path, place: int) -> bytes:
 def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
     try:
         with zipfile.ZipFile(archive) as opened:
+            _refuse_begun_before(opened)
             yield opened
     except (*_DAMAGE, OSError) as fault:
         if _is_of_the_disk(fault):
@@ -139,6 +140,16 @@ def _opened(archive: Path) -> Iterator[zipfile.ZipFile]:
         what = message("This is no zip that can be read: it is damaged or something else.")
         remedy = message("Download it again, or unpack it and name the folder.")
         raise UsageError([Problem(str(archive), "", what, remedy)]) from fault
+
+
+def _refuse_begun_before(opened: zipfile.ZipFile) -> None:
+    """Refuse an archive in whose file something stands before it.
+
+    Of a download that broke off, the last list of members is that of a workbook inside: one work
+    would pass for all of them.
+    """
+    if min((one.header_offset for one in opened.infolist()), default=0) > 0:
+        raise zipfile.BadZipFile
 
 
 def _is_of_the_disk(fault: Exception) -> bool:

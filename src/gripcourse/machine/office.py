@@ -4,6 +4,7 @@ It gets files of strangers: it has a profile of its own that runs no macros, fol
 knows no network, bounded memory and time, and nobody's documents.
 """
 
+import hashlib
 import os
 import shutil
 import signal
@@ -12,6 +13,7 @@ import sys
 import tempfile
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -21,6 +23,11 @@ _AT_ONCE: Final = 100  # files in one call
 _MEMORY: Final = 4 * 1024**3  # bytes of address space; the program itself takes 1.5 GB of it
 _LARGEST: Final = 100 * 1000**2  # bytes of what it writes
 _LOCALES: Final = {"en": "en-US", "ru": "ru-RU", "uk": "uk-UA"}
+
+# Codes of an end that a file alone is to blame for: the program says that it cannot open it, or has
+# taken all its processor time (the last is that of the shell which starts it). Memory and time by
+# the clock may have been the machine's.
+_BY_ITSELF: Final = frozenset({0, 1, -24, 128 + 24})
 
 _ITEM: Final = (
     '<item oor:path="/org.openoffice.{}"><prop oor:name="{}" oor:op="fuse">'
@@ -45,7 +52,31 @@ def office_command() -> str | None:
     return shutil.which("soffice") or shutil.which("libreoffice")
 
 
-def converted(files: Mapping[str, bytes], office: str, language: str) -> Mapping[str, bytes]:
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """What LibreOffice made of files.
+
+    Attributes:
+        made: content by name.
+        unopened: names of those that it gave up by itself, each alone: it would do so again.
+    """
+
+    made: Mapping[str, bytes]
+    unopened: frozenset[str]
+
+
+def office_identity(command: str | None) -> str:
+    """Return what tells one LibreOffice from another that may open what this one could not."""
+    if command is None:
+        return ""
+    program = Path(command).resolve()
+    for told_by in (program.with_name("versionrc"), program):
+        with suppress(OSError):
+            return f"{command} {hashlib.sha256(told_by.read_bytes()).hexdigest()}"
+    return command
+
+
+def converted(files: Mapping[str, bytes], office: str, language: str) -> Conversion:
     """Let LibreOffice open files, compute their formulas and save them as `.xlsx`.
 
     All go through one call, which costs a start and little more for each. One that takes the others
@@ -56,8 +87,6 @@ def converted(files: Mapping[str, bytes], office: str, language: str) -> Mapping
         office: the command that starts it.
         language: of the course; formulas read texts as numbers as it writes them.
 
-    Returns:
-        Content by the same names; what could not be converted is left out.
     """
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
@@ -65,16 +94,18 @@ def converted(files: Mapping[str, bytes], office: str, language: str) -> Mapping
         for name, data in files.items():
             (folder / name).write_bytes(data)
         names = list(files)
-        for start in range(0, len(names), _AT_ONCE):
-            _convert(folder, names[start : start + _AT_ONCE], office)
-        for name in names:
-            if not _result(folder, name).exists() and len(names) > 1:
-                _convert(folder, [name], office)
-        return {
+        if len(names) > 1:
+            for start in range(0, len(names), _AT_ONCE):
+                _convert(folder, names[start : start + _AT_ONCE], office)
+        left = [name for name in names if not _result(folder, name).exists()]
+        ended = {name: _convert(folder, [name], office) for name in left}
+        made = {
             name: _result(folder, name).read_bytes()
             for name in names
             if _result(folder, name).exists()
         }
+        given_up = (name for name, code in ended.items() if code in _BY_ITSELF)
+        return Conversion(made, frozenset(given_up) - made.keys())
 
 
 def _result(folder: Path, name: str) -> Path:
@@ -92,7 +123,8 @@ def _write_profile(profile: Path, language: str) -> None:
     )
 
 
-def _convert(folder: Path, names: Iterable[str], office: str) -> None:
+def _convert(folder: Path, names: Iterable[str], office: str) -> int | None:
+    """Start LibreOffice once, and return the code that it ended with; None where it was stopped."""
     paths = [str(folder / name) for name in names]
     command = [
         *(office, f"-env:UserInstallation={(folder / 'profile').as_uri()}"),
@@ -110,9 +142,10 @@ def _convert(folder: Path, names: Iterable[str], office: str) -> None:
     ) as program:
         _bound(program.pid, seconds)
         try:
-            program.wait(seconds)
+            return program.wait(seconds)
         except subprocess.TimeoutExpired:
             _end(program)
+            return None
         except BaseException:
             _end(program)
             raise

@@ -1,7 +1,7 @@
 """The tables of a whole batch: grades and all files that were found, as CSV and JSON."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
@@ -15,6 +15,7 @@ from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.collect import REASONS, PassedOver
 from gripcourse.usecases.unchanged import PrintedBefore, told_of
+from gripcourse.variants.model import Student
 
 GRADES_JSON = "grades.json"
 GRADES_CSV = "grades.csv"
@@ -53,17 +54,26 @@ def write_tables(
     grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
     accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
     files_csv(accounts, out / FILES_CSV, words)
-    _write_json(out / GRADES_JSON, reports, Called(context.policy.scales, words), passed_over)
+    called = Called(context.policy.scales, words)
+    _write_json(
+        out / GRADES_JSON, _json_pieces(reports, called, passed_over, missing(reports, context))
+    )
 
 
-def _write_json(
-    path: Path, reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
-) -> None:
+def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
+    """Return the students of the register of whom the batch has nothing, by id."""
+    handed_in = {report.student for report in reports}
+    return tuple(
+        issued.student for name, issued in sorted(context.register.items()) if name not in handed_in
+    )
+
+
+def _write_json(path: Path, pieces: Iterable[str]) -> None:
     """Write what `json_text` returns, one report after the other: all at once are large."""
     with replacing(path) as temporary:
         make_private(temporary)
         with temporary.open("w", encoding="utf-8", newline="") as file:
-            file.writelines(_json_pieces(reports, called, passed_over))
+            file.writelines(pieces)
 
 
 def json_text(
@@ -71,17 +81,21 @@ def json_text(
     words: Words,
     passed_over: Sequence[PassedOver] = (),
     scales: Sequence[Scale] = (),
+    missing: Sequence[Student] = (),
 ) -> str:
     """Return the reports as JSON, each in a line; see `exports.report_result.GradesResult`."""
-    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over))
+    return "".join(_json_pieces(reports, Called(tuple(scales), words), passed_over, missing))
 
 
 def _json_pieces(
-    reports: Sequence[Report], called: Called, passed_over: Sequence[PassedOver]
+    reports: Sequence[Report],
+    called: Called,
+    passed_over: Sequence[PassedOver],
+    missing: Sequence[Student],
 ) -> Iterator[str]:
     words, scales = called.words, called.scales
     others = tuple(map(passed_over_account, passed_over))
-    plain = around_reports(reports, words, (), others).to_dict()
+    plain = around_reports(reports, words, (), others, missing).to_dict()
     around = json.dumps(plain, ensure_ascii=False, indent=1, allow_nan=False)
     before, after = around.split(_NO_REPORTS, 1)
     yield before + _NO_REPORTS.removesuffix("]")
@@ -94,13 +108,14 @@ def _json_pieces(
 def batch_result(
     reports: Sequence[Report],
     words: Words,
+    context: GradingContext,
     passed_over: Sequence[PassedOver] = (),
     incidents: Sequence[str] = (),
-    scales: Sequence[Scale] = (),
 ) -> GradesResult:
-    """Put a batch into words for another program, with every file that was found."""
+    """Put a batch into words for another program: every file found, and who handed in nothing."""
     others = tuple(map(passed_over_account, passed_over))
-    return grades_result(reports, words, incidents, others, scales)
+    lacking = missing(reports, context)
+    return grades_result(reports, words, incidents, others, context.policy.scales, lacking)
 
 
 def passed_over_account(one: PassedOver) -> FileAccount:

@@ -14,6 +14,17 @@ def name_of(student: str, context: GradingContext) -> str:
     return "" if issued is None else one_line(issued.student.name)
 
 
+def student_with_id(student: str, context: GradingContext) -> str:
+    """Return what people call a student, and behind it the id, which commands ask for."""
+    return _with_id(name_of(student, context), student)
+
+
+def item_with_id(student: str, quantity: str, context: GradingContext, language: str) -> str:
+    """Return what people call a student's quantity, and behind it the id; alone without a title."""
+    title = title_of(student, quantity, context)
+    return _with_id("" if title is None else title.of(language), quantity)
+
+
 def title_of(student: str, quantity: str, context: GradingContext) -> Texts | None:
     """Return the title of a student's quantity, by the last version of the assignment that has it.
 
@@ -30,3 +41,7 @@ def title_of(student: str, quantity: str, context: GradingContext) -> Texts | No
         if quantity in declared:
             return declared[quantity].title
     return None
+
+
+def _with_id(said: str, id_: str) -> str:
+    return f"{said} ({id_})" if said and said != id_ else id_

@@ -210,8 +210,12 @@ def _letter(results: Results, work: GradedWork) -> str:
 
 def _only_report(results: Results, student: str) -> ReportResult:
     found = [one for one in results.grades.reports if student in {"", one.student}]
-    if len(found) == 1:
-        return found[0]
+    # Of several works of one student the policy may say which counts.
+    of_one = len({one.student for one in found}) == 1
+    counting = [one for one in found if of_one and one.judged and one.counts]
+    for chosen in (found, counting):
+        if len(chosen) == 1:
+            return chosen[0]
     what = message("There are {count} reports to choose from, not one.", count=len(found))
     remedy = message("Name the student, or grade one submission alone.")
     raise UsageError([Problem("", "", what, remedy)])

@@ -23,7 +23,13 @@ from gripcourse.machine.files import (
 )
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.text.words import message
-from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, renew_tables
+from gripcourse.usecases.batch_tables import (
+    FILES_CSV,
+    GRADES_CSV,
+    GRADES_JSON,
+    missing,
+    renew_tables,
+)
 from gripcourse.usecases.collect import PassedOver
 from gripcourse.usecases.student_reports import (
     AsItWas,
@@ -199,14 +205,6 @@ def taken_over_next_time(outcome: GradingOutcome) -> GradingOutcome:
     """Return what the next run comes to while nothing changes."""
     taken_over = TakenOver(results=len(outcome.reports), reports=len(outcome.written))
     return replace(outcome, taken_over=taken_over)
-
-
-def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
-    """Return the students of the register of whom the batch has nothing, by id."""
-    handed_in = {report.student for report in reports}
-    return tuple(
-        issued.student for name, issued in sorted(context.register.items()) if name not in handed_in
-    )
 
 
 def left_over(out: Path, written: Collection[Path]) -> tuple[Path, ...]:

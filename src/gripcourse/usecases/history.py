@@ -1,6 +1,6 @@
 """What the gradebook knows of one student: every attempt, mark and regrade, in order of time."""
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -36,13 +36,19 @@ class Event:
     why: str
 
 
-def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event, ...]:
+def history(
+    place: str,
+    student: str,
+    known: Container[str] = (),
+    called: Callable[[str], str] = str,
+) -> tuple[Event, ...]:
     """Return what happened to a student's grade, oldest first.
 
     Args:
         place: of the gradebook: a path or a database URL.
         student: id.
         known: students of the register; of these nothing may have happened yet.
+        called: what people call the quantity of an id.
 
     Raises:
         GradebookError: there is no gradebook, or it cannot be used.
@@ -69,7 +75,7 @@ def history(place: str, student: str, known: Container[str] = ()) -> tuple[Event
     batches = batches_by_time(book.engine)
     numbers = _numbers(attempts)
     events += _of_attempts(attempts, numbers, batches)
-    events += [_of_mark(entry) for entry in book.entries({student})]
+    events += [_of_mark(entry, called) for entry in book.entries({student})]
     for told in publications(book):
         if told.student == student:
             said = message(
@@ -153,16 +159,17 @@ def _parts(attempt: Attempt) -> Iterator[str]:
     yield f"({attempt.digest[:7]}; {versions_text(attempt)}{version}{chosen})"
 
 
-def _of_mark(entry: GradebookEntry) -> Event:
+def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
     mark = entry.mark
+    item = called(mark.quantity)
     if mark.credit is None:
-        what = message("{item}: withdrawn.", item=mark.quantity)
+        what = message("{item}: withdrawn.", item=item)
     else:
         result = entry.attempt.by_quantity.get(mark.quantity)
         possible = result.max_points if result else 0.0
         what = message(
             "{item}: {points} of {most} points.",
-            item=mark.quantity,
+            item=item,
             points=round(mark.credit * possible, _DECIMALS),
             most=round(possible, _DECIMALS),
         )

@@ -17,6 +17,7 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.grading.folded import digest_of_report
 from gripcourse.grading.model import Report
 from gripcourse.machine.files import make_private_folder, write_text
+from gripcourse.machine.office import office_identity
 from gripcourse.usecases.versions import EARLIER, digest_of_texts, versions_of
 
 _PRINTED: Final = "printed"
@@ -118,7 +119,7 @@ def open_earlier(
     pattern = context.pattern and context.pattern.expression.pattern
     people = sorted(context.register.items()), sorted(context.earlier.items())
     judged_by = context.either_version, sorted(context.either_for), sorted(context.declared)
-    office = (context.office, context.recalculate) if workers else None
+    office = (office_identity(context.office), context.recalculate) if workers else None
     results = folder / digest_of_texts([versions, *map(repr, (people, judged_by, pattern, office))])
     for old in folder.iterdir():
         if old not in {results, folder / _PRINTED}:

@@ -18,6 +18,7 @@ from gripcourse.course.model import Course
 from gripcourse.course.option_sets import pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
+from gripcourse.text.spelling import plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import dimension, read_unit
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
@@ -25,7 +26,6 @@ from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
-_SAME = str.maketrans({"ё": "е", "’": "'", "ʼ": "'"})
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
     re.compile(r"(?P<name>.+?)\s*\((?P<unit>[^()]*)\)"),
@@ -80,11 +80,6 @@ class Vocabulary:
 
     def _of_symbol(self, text: str) -> frozenset[str]:
         return self.symbols.get(text.strip(), frozenset())
-
-
-def plain(text: str) -> str:
-    """Return a text without what people do not see: capitals, spare blanks, sorts of quotes."""
-    return " ".join(text.casefold().translate(_SAME).split())
 
 
 @lru_cache(maxsize=1)

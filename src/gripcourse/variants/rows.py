@@ -13,13 +13,14 @@ from gripcourse.errors import Problem
 from gripcourse.machine.enclosed import LONGEST_NAME, is_file_name
 from gripcourse.solver.family import families_of
 from gripcourse.solver.plan import Plan, plan_of
+from gripcourse.text.spelling import plain
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.explain import broken_option_rule, explain, with_unit
 from gripcourse.variants.feasible import judge
-from gripcourse.variants.headings import TableColumn, plain
+from gripcourse.variants.headings import TableColumn
 from gripcourse.variants.model import Variant
 from gripcourse.variants.row_faults import CellFault, problems_of
 from gripcourse.variants.sheet import Sheet, SheetRow

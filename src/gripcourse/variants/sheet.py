@@ -9,17 +9,16 @@ import csv
 import io
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from datetime import date, time
 from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
-from gripcourse.jobs.limits import Limits
-from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.warm import do_apart
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
-from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.table import TableRow, first_sheet
 from gripcourse.text.words import Message, message
+from gripcourse.variants.spreadsheet import (
+    SheetAsText,
+    UnreadableSpreadsheetError,
+    read_spreadsheet,
+)
 
 _DELIMITERS = ("\t", ";", ",")
 """In the order in which they are believed: a heading like `mass, kg` may hold a comma."""
@@ -32,10 +31,6 @@ _MOST_CELLS = 10_000_000
 _LAST_HEADING = 20  # row: whatever stands above headings is a title, not a page
 _FEWEST_KNOWN = 2  # headings in a row of headings; a title may be called as one by chance
 _WHOLE_SHARE = 0.5  # of a row's cells that are headings, where it is that row and no title
-
-_SECONDS = 60.0  # by the clock
-_READERS = Limits(memory=2 * 1024**3, grace=2.0, processor=30.0, writes=False)
-"""Of who reads a spreadsheet: a hundred thousand rows take 5 s."""
 
 IsHeading: TypeAlias = Callable[[str], bool]
 """Tells whether a text is the heading of a column."""
@@ -95,7 +90,7 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
         raise _failure(source, message("There is no such file."), message("Check the path."))
     suffix = pure_path(source).suffix.lower()
     if suffix == ".xlsx":
-        return _sheet(source, _spreadsheet_rows(source), is_heading)
+        return _spreadsheet(source, is_heading)
     if suffix in {".csv", ".txt", ".tsv"}:
         return _csv_sheet(source, is_heading)
     raise _failure(
@@ -125,6 +120,36 @@ def column_name(position: int, header: tuple[str, ...]) -> str:
         rest, letter = divmod(rest - 1, 26)
         letters = chr(ord("A") + letter) + letters
     return letters
+
+
+def _spreadsheet(source: Readable, is_heading: IsHeading) -> Sheet:
+    """Read the first sheet that has headings, else the first one; the others are named."""
+    sheets = _sheets_of(source)
+    rows = [[SheetRow(number, _stripped(cells)) for number, cells in one.rows] for one in sheets]
+    chosen = next((at for at, one in enumerate(rows) if _has_headings(one, is_heading)), 0)
+    sheet = _sheet(source, rows[chosen], is_heading)
+    others = [one.title for at, one in enumerate(sheets) if at != chosen and one.rows]
+    if not others:
+        return sheet
+    note = message(
+        "{file}: only the sheet '{sheet}' was read; there is also: {others}.",
+        file=sheet.file,
+        sheet=sheets[chosen].title,
+        others=", ".join(others),
+    )
+    return replace(sheet, notes=(note,))
+
+
+def _sheets_of(source: Readable) -> Sequence[SheetAsText]:
+    try:
+        return read_spreadsheet(source)
+    except UnreadableSpreadsheetError as fault:
+        raise _failure(source, fault.what, fault.remedy) from fault
+
+
+def _has_headings(rows: Sequence[SheetRow], is_heading: IsHeading) -> bool:
+    known = (sum(map(is_heading, row.cells)) for row in rows if row.number <= _LAST_HEADING)
+    return max(known, default=0) > 0
 
 
 def _csv_sheet(source: Readable, is_heading: IsHeading) -> Sheet:
@@ -261,39 +286,6 @@ def _csv_rows(source: Readable, text: str, delimiter: str) -> list[SheetRow]:
             message("Look for a quotation mark that is opened and never closed."),
         ) from fault
     return [SheetRow(number, _stripped(row)) for number, row in enumerate(rows, start=1)]
-
-
-def _spreadsheet_rows(source: Readable) -> list[SheetRow]:
-    """Read the first sheet: stored results, and the formula where no result is stored."""
-    data = content_of(source)
-    rows = do_apart(_first_sheet, data, None, limits=_READERS, seconds=_SECONDS)
-    if rows is WhyRefused.TOO_LARGE or isinstance(rows, Lost):
-        raise _failure(
-            source,
-            message("The spreadsheet holds far more than a table of this kind does."),
-            message("Copy the table into a new spreadsheet, or save it as .csv (CSV UTF-8)."),
-        )
-    if isinstance(rows, WhyRefused):
-        raise _failure(
-            source,
-            message("The file is damaged, protected by a password, or no spreadsheet."),
-            message("Open it in a spreadsheet program and save it again as .xlsx."),
-        )
-    return [SheetRow(row.number, _stripped(map(_cell_text, row.cells))) for row in rows]
-
-
-def _first_sheet(data: bytes, _: None) -> tuple[TableRow, ...] | WhyRefused:
-    return first_sheet(data)
-
-
-def _cell_text(cell: object) -> str:
-    if cell is None:
-        return ""
-    if isinstance(cell, float) and cell.is_integer():
-        return str(int(cell))
-    if isinstance(cell, date | time):
-        return cell.isoformat()
-    return str(cell)
 
 
 def _stripped(cells: Iterable[str]) -> tuple[str, ...]:

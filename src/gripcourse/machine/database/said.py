@@ -42,6 +42,9 @@ def refusals_named(place: str) -> Iterator[None]:
         yield
     except SQLAlchemyError as fault:
         raise _refusal(place, fault) from fault
+    except ValueError as fault:
+        # A damaged file may still open, and hold texts that are none, moments, or words of ours.
+        raise unusable(place, f"{type(fault).__name__}: {fault}") from fault
 
 
 def another_was_faster(fault: GradebookError) -> bool:
@@ -51,7 +54,7 @@ def another_was_faster(fault: GradebookError) -> bool:
         return False
     if isinstance(cause.orig, sqlite3.Error):
         taken = (sqlite3.SQLITE_CONSTRAINT_PRIMARYKEY, sqlite3.SQLITE_CONSTRAINT_UNIQUE)
-        return cause.orig.sqlite_errorcode in taken
+        return _code(cause) in taken
     return _state(cause) == _TAKEN
 
 
@@ -113,7 +116,8 @@ def _sentence(said: str) -> str:
 
 
 def _code(fault: DBAPIError) -> int | None:
-    return fault.orig.sqlite_errorcode if isinstance(fault.orig, sqlite3.Error) else None
+    # The driver's own complaints, of texts that are no UTF-8 for one, carry no code.
+    return getattr(fault.orig, "sqlite_errorcode", None)
 
 
 def _state(fault: DBAPIError) -> str:

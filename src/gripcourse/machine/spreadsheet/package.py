@@ -199,6 +199,13 @@ class Package:
                 sheets.setdefault(element.get("name", ""), part)
         return sheets
 
+    def hidden_sheets(self, workbook: str) -> frozenset[str]:
+        """Return the titles of the sheets that nobody sees."""
+        found = (one for one in self.root(workbook).iter() if local(one) == "sheet")
+        return frozenset(
+            one.get("name", "") for one in found if one.get("state", "visible") != "visible"
+        )
+
     def workbook_part(self) -> str:
         """Return the name of the part that lists sheets and names."""
         found = (one.part for one in self.related("") if one.kind == _OFFICE_DOCUMENT)

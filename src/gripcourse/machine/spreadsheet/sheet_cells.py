@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.addresses import Place, place_of
@@ -28,15 +28,24 @@ class StoredCell(NamedTuple):
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
+Merged: TypeAlias = tuple[Place, Place]
+"""The first and the last cell of a merged range."""
+
+
 def first_of_merged(sheet: Element, places: Collection[Place]) -> dict[Place, Place]:
     """Return for each place the cell that shows there: the first of a merged range, or itself."""
     shown = {place: place for place in places}
     for element in sheet.iter(f"{namespace(sheet)}mergeCell"):
-        first, _, last = element.get("ref", "").partition(":")
-        one, other = place_of(first), place_of(last or first)
-        if one is not None and other is not None:
-            shown |= _first_of(one, other, places)
+        merged = _merged(element)
+        if merged is not None:
+            shown |= _first_of(*merged, places)
     return shown
+
+
+def _merged(element: Element) -> Merged | None:
+    first, _, last = element.get("ref", "").partition(":")
+    one, other = place_of(first), place_of(last or first)
+    return None if one is None or other is None else (one, other)
 
 
 def _first_of(one: Place, other: Place, places: Collection[Place]) -> Mapping[Place, Place]:
@@ -65,19 +74,32 @@ def stored_cells(sheet: Element, wanted: Collection[Place]) -> Mapping[Place, St
     return found
 
 
-def all_cells(elements: Iterable[Element]) -> Mapping[int, Mapping[int, StoredCell]]:
+def all_cells(
+    elements: Iterable[Element], merged: list[Merged]
+) -> Mapping[int, Mapping[int, StoredCell]]:
     """Read all cells of a long sheet that are stored: by row, then by column.
 
     Args:
         elements: of the sheet as they end; its rows are cleared.
+        merged: where its merged ranges are recorded.
     """
     found: dict[int, dict[int, StoredCell]] = {}
-    for number, row in _numbered(one for one in elements if local(one) == "row"):
+    for number, row in _numbered(_rows_of(elements, merged)):
         space = namespace(row)
         for (_, column), cell in _of_row(row, number, space):
             found.setdefault(number, {})[column] = _stored(cell, space)
         row.clear()
     return found
+
+
+def _rows_of(elements: Iterable[Element], merged: list[Merged]) -> Iterator[Element]:
+    """Yield the rows among elements, and record the merged ranges, which stand behind them."""
+    for one in elements:
+        kind = local(one)
+        if kind == "row":
+            yield one
+        elif kind == "mergeCell" and (found := _merged(one)) is not None:
+            merged.append(found)
 
 
 def _numbered(rows: Iterable[Element]) -> Iterator[tuple[int, Element]]:

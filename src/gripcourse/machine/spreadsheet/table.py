@@ -1,6 +1,10 @@
-"""All cells of the first sheet of a spreadsheet: a table that a person made."""
+"""All cells of the sheets of a spreadsheet: tables that a person made."""
 
+from bisect import bisect_right
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Final
+from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.cell_value import (
     GENERAL,
@@ -13,9 +17,15 @@ from gripcourse.machine.spreadsheet.cell_value import (
 from gripcourse.machine.spreadsheet.package import Package
 from gripcourse.machine.spreadsheet.preflight import TABLE, read_checked
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
-from gripcourse.machine.spreadsheet.sheet_cells import StoredCell, all_cells, shared_texts
+from gripcourse.machine.spreadsheet.sheet_cells import (
+    Merged,
+    StoredCell,
+    all_cells,
+    shared_texts,
+)
 
 MOST_COLUMNS = 2_000
+_MOST_FILLED: Final = 1_000_000  # cells of merged ranges
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,23 +42,40 @@ class TableRow:
     cells: tuple[CellValue, ...]
 
 
-def first_sheet(data: bytes) -> tuple[TableRow, ...] | WhyRefused:
-    """Read the first sheet of a spreadsheet of any content.
+@dataclass(frozen=True, slots=True)
+class TableSheet:
+    """A sheet that holds anything.
+
+    Attributes:
+        title: of the sheet.
+        rows: without blank ones.
+    """
+
+    title: str
+    rows: tuple[TableRow, ...]
+
+
+def visible_sheets(data: bytes) -> tuple[TableSheet, ...] | WhyRefused:
+    """Read the sheets of a spreadsheet of any content, as they are shown.
+
+    A cell of a merged range shows down to its end what its first row has.
 
     Returns:
-        Its rows without blank ones, or why it cannot be read; nothing is raised.
+        Those that are not hidden and not blank (where all are hidden, the first), in their order;
+        or why the file cannot be read; nothing is raised.
     """
     try:
-        return read_checked("", data, _rows, TABLE)
+        return read_checked("", data, _sheets, TABLE)
     except MemoryError:
         return WhyRefused.TOO_LARGE
     except Exception:  # noqa: BLE001 (whatever the bytes make a library raise)
         return WhyRefused.UNREADABLE_CONTENT
 
 
-def _rows(package: Package) -> tuple[TableRow, ...]:
+def _sheets(package: Package) -> tuple[TableSheet, ...]:
     workbook = package.workbook_part()
-    part = next(iter(package.sheets(workbook).values()))
+    sheets, hidden = package.sheets(workbook), package.hidden_sheets(workbook)
+    titles = [title for title in sheets if title not in hidden] or list(sheets)[:1]
     parts = {one.kind: one.part for one in package.related(workbook)}
     has_texts = "sharedStrings" in parts
     texts = shared_texts(package.elements(parts["sharedStrings"])) if has_texts else {}
@@ -60,11 +87,45 @@ def _rows(package: Package) -> tuple[TableRow, ...]:
         shown = shown_value(cell, number_format, texts, from_1904=from_1904)
         return cell.formula or None if shown.value is None else shown.value
 
-    rows: list[TableRow] = []
-    for number, cells in sorted(all_cells(package.elements(part)).items()):
-        values = {column: value_of(cell) for column, cell in cells.items()}
-        rows.append(TableRow(number, _in_a_row(values)))
+    # Two titles may lead to one part, which is read once.
+    once = {sheets[title]: title for title in reversed(titles)}
+    found = [
+        TableSheet(title, _rows(package.elements(part), value_of))
+        for part, title in reversed(once.items())
+    ]
+    if not found:
+        raise UnreadableContentError
+    return tuple(one for one in found if one.rows) or (found[0],)
+
+
+def _rows(
+    elements: Iterable[Element], value_of: Callable[[StoredCell], CellValue]
+) -> tuple[TableRow, ...]:
+    merged: list[Merged] = []
+    cells = all_cells(elements, merged)
+    values = {
+        number: {column: value_of(cell) for column, cell in of_row.items()}
+        for number, of_row in sorted(cells.items())
+    }
+    _fill_down(values, merged)
+    rows = (TableRow(number, _in_a_row(of_row)) for number, of_row in values.items())
     return tuple(row for row in rows if row.cells)
+
+
+def _fill_down(values: dict[int, dict[int, CellValue]], merged: Iterable[Merged]) -> None:
+    """Write what a merged range shows into its rows; a row without cells gets none."""
+    numbers = list(values)
+    left = _MOST_FILLED
+    for (first, column), (last, _) in merged:
+        value = values.get(first, {}).get(column)
+        if value is None:
+            continue
+        rows = numbers[bisect_right(numbers, first) : bisect_right(numbers, last)]
+        left -= len(rows)
+        if left < 0:  # ranges of a spreadsheet program do not overlap
+            raise UnreadableContentError
+        for number in rows:
+            values[number][column] = value
 
 
 def _in_a_row(values: dict[int, CellValue]) -> tuple[CellValue, ...]:

@@ -1,0 +1,113 @@
+"""What an office writes into a list of people besides people: sums, signatures, headings again."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+from gripcourse.text.shown import one_line
+from gripcourse.text.spelling import plain
+from gripcourse.text.words import Message, message
+from gripcourse.variants.headings import TableColumn, Vocabulary, declared_names
+from gripcourse.variants.sheet import Sheet, SheetRow
+
+PARTS_OF_NAME: Final = ("surname", "first", "patronymic")
+"""In the order in which they are printed."""
+
+_OF_NAMES: Final = ("name", *PARTS_OF_NAME)
+_SHOWN: Final = 40  # signs of a row that is left out
+# Behind the first words of a sum or a signature: nothing, a colon or a dash, a number. Somebody's
+# surname may be such a word; a first name follows it.
+_BEHIND: Final = re.compile(r"\s*(?:$|[-:(]|\d|студент|чел|student|осіб)")
+
+
+def with_names(sheet: Sheet, vocabulary: Vocabulary) -> Sheet:
+    """Return a list in which the column `Student` is the names, where it cannot be the ids.
+
+    Platforms head the names so and have ids besides; offices write whole names under it.
+    """
+    found = [vocabulary.find(one) for one in sheet.header]
+    if any(ids & set(_OF_NAMES) for ids in found):
+        return sheet
+    called = declared_names("people")
+    at = next((at for at, one in enumerate(sheet.header) if plain(one) in called), None)
+    if at is None:
+        return sheet
+    has_ids = sum("student" in ids for ids in found) > 1
+    if not has_ids and not any(" " in row.cells[at] for row in sheet.rows):
+        return sheet
+    header = tuple("name" if place == at else one for place, one in enumerate(sheet.header))
+    return replace(sheet, header=header)
+
+
+def with_somebody(
+    sheet: Sheet, columns: Mapping[str, TableColumn], vocabulary: Vocabulary
+) -> tuple[Sheet, tuple[Message, ...]]:
+    """Leave out the rows of a list that name nobody; a note says which, and what stands there.
+
+    Args:
+        sheet: the list.
+        columns: of it, by id.
+        vocabulary: what columns may be called: a long list repeats its headings.
+    """
+    reader = _Rows({id_: one.position for id_, one in columns.items()}, vocabulary)
+    nobody = [row for row in sheet.rows if reader.names_nobody(row)]
+    if not nobody:
+        return sheet, ()
+    kept = tuple(row for row in sheet.rows if row not in nobody)
+    said = message(
+        "Rows that name nobody were passed over: {rows}.",
+        rows=", ".join(map(reader.shown, nobody)),
+    )
+    return replace(sheet, rows=kept), (said,)
+
+
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """How the rows of a list are looked at.
+
+    Attributes:
+        places: of its columns, by id.
+        vocabulary: what columns may be called.
+    """
+
+    places: Mapping[str, int]
+    vocabulary: Vocabulary
+
+    def names_nobody(self, row: SheetRow) -> bool:
+        """Tell whether a row is of the form, a sum, a signature or headings once more."""
+        own = {id_: row.cells[at].strip() for id_, at in self.places.items()}
+        ordinal = own.pop("ordinal", "")
+        if not any(own.values()):
+            return True
+        if self._repeats_headings(own):
+            return True
+        name = " ".join(filter(None, (own.get(one) for one in _OF_NAMES)))
+        if not name:
+            # An id of several words is none; without a name it is what somebody wrote below.
+            texts = [ordinal, *(text for id_, text in own.items() if id_ != "email")]
+            return " " in own.get("student", "") or any(self._is_closing(one) for one in texts)
+        if ordinal.rstrip(".").isdecimal() and any(map(str.isalpha, name)):
+            return False
+        known = own.get("student") or own.get("email")
+        is_number = not known and not any(map(str.isalpha, name))
+        return is_number or (not own.get("email") and self._is_closing(name))
+
+    def shown(self, row: SheetRow) -> str:
+        """Return the number of a row and what stands in it."""
+        text = one_line(" ".join(one for one in row.cells if one and not one.isdecimal()))
+        text = text if len(text) <= _SHOWN else f"{text[: _SHOWN - 1]}…"
+        return f"{row.number} ({text})" if text else str(row.number)
+
+    def _repeats_headings(self, own: Mapping[str, str]) -> bool:
+        cells = [(id_, text) for id_, text in own.items() if text]
+        return all(id_ in self.vocabulary.find(text) for id_, text in cells)
+
+    @staticmethod
+    def _is_closing(text: str) -> bool:
+        """Tell whether a text begins as a sum or a signature does."""
+        written = plain(text)
+        return any(
+            written.startswith(word) and _BEHIND.match(written, len(word)) is not None
+            for word in declared_names("nobody")
+        )

@@ -1,0 +1,152 @@
+"""Lists as offices and platforms write them: what is no person is left out and named."""
+
+import unicodedata
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from gripcourse.errors import TableError
+from gripcourse.issuing.roster import Roster, read_roster
+from gripcourse.machine.content import NamedBytes
+from gripcourse.variants.model import Student
+
+
+def listed(*lines: str, encoding: str = "utf-8") -> Roster:
+    return read_roster(NamedBytes("list.csv", "\n".join(lines).encode(encoding)))
+
+
+def names(roster: Roster) -> list[str]:
+    return [one.name for one in roster.students]
+
+
+def said(roster: Roster) -> str:
+    return "\n".join(map(str, roster.notes))
+
+
+def test_sums_and_signatures_of_an_office_are_nobody() -> None:
+    roster = listed(
+        "Список студентов группы РК5-71Б;;;;",
+        "№ п/п;ФИО;№ зачётной книжки;Группа;E-mail",
+        "1;Ёлкин Артём;20Р341;РК5-71Б;elkin@x.example",
+        "2;Иванов Иван;20Р342;РК5-71Б;IVANOV@X.EXAMPLE",
+        ";;;;",
+        "Всего: 2 чел.;;;;",
+        ";;Декан факультета;;Петров С.С.",
+        encoding="cp1251",
+    )
+    assert names(roster) == ["Ёлкин Артём", "Иванов Иван"]
+    assert "6 (Всего: 2 чел.), 7 (Декан факультета Петров С.С.)" in said(roster)
+
+
+@pytest.mark.parametrize(
+    "last", [";Итого: 2;", "Всего;2;", "Итого:;;2", ";Куратор: Сидоров А.А.;", ";—;", ";РАЗОМ;2"]
+)
+def test_the_row_below_the_last_name_is_nobody(last: str) -> None:
+    roster = listed("№;ФИО;Группа", "1;Иванов Иван;A", "2;Петров Пётр;A", last)
+    assert names(roster) == ["Иванов Иван", "Петров Пётр"]
+    assert "passed over: 4 (" in said(roster)
+
+
+@pytest.mark.parametrize("name", ["Всего Анна", "Староста Иван", "Total Ivan", "Декан Олег"])
+def test_a_surname_that_is_such_a_word_stays(name: str) -> None:
+    assert names(listed("ФИО;Группа", f"{name};A")) == [name]
+
+
+def test_a_person_without_a_running_number_stays() -> None:
+    assert len(listed("№;ФИО", "1;Иванов Иван", ";Петров Пётр").students) == 2
+
+
+def test_an_id_without_a_name_is_no_sum_but_a_mistake() -> None:
+    with pytest.raises(TableError, match="no name"):
+        listed("Шифр;ФИО", "s1;Иванов Иван", "s2;")
+
+
+def test_headings_that_are_repeated_on_the_next_page_are_nobody() -> None:
+    roster = listed("№;ФИО;E-mail", "1;Иванов;i@x", "Группа 72;;", "№;ФИО;E-mail", "1;Ким;k@x")
+    assert names(roster) == ["Иванов", "Ким"]
+    assert "3 (Группа 72), 4 (№ ФИО E-mail)" in said(roster)
+
+
+def test_the_export_of_canvas_is_a_list_of_people() -> None:
+    roster = listed(
+        "Student,ID,SIS User ID,Section",
+        "    Points Possible,,,",
+        '"Иванов, Иван",101,a1,A',
+        '"Student, Test",102,,A',
+    )
+    assert roster.students == (Student("101", "Иванов, Иван", "A", "", "", ""),)
+
+
+@pytest.mark.parametrize(
+    ("row", "id_", "name"),
+    [("Иванов Иван;A", "иванов-иван", "Иванов Иван"), ("1;s1;Иванов", "s1", "Иванов")],
+)
+def test_students_are_names_or_ids_as_the_list_has_them(row: str, id_: str, name: str) -> None:
+    heading = "Студент;Группа" if row.count(";") == 1 else "№;Студент;ФИО"
+    (student,) = listed(heading, row).students
+    assert (student.id, student.name) == (id_, name)
+
+
+def test_a_list_without_headings_says_so() -> None:
+    with pytest.raises(TableError, match="No row of the roster has headings") as caught:
+        listed("Петрова Ольга;A-1", "Сидоров Пётр;A-1")
+    assert len(caught.value.problems) == 1
+
+
+def test_two_with_one_mail_address_are_named_by_it() -> None:
+    with pytest.raises(TableError, match="has the mail address IVANOV@X"):
+        listed("ФИО;E-mail", "Иванов;ivanov@x", "Петров;IVANOV@X")
+
+
+@pytest.mark.parametrize("sign", "'’‘ʼ`´")
+@pytest.mark.parametrize("form", ["NFC", "NFD"])
+def test_whoever_is_written_with_another_apostrophe_is_known(sign: str, form: str) -> None:
+    known = Student("oz", "Знам'янський Олексій", "МТ-21", "", "", "")
+    written = unicodedata.normalize(form, f"Знам{sign}янський Олексій".upper())
+    content = f"ПІБ;Група\n{written};МТ–21\n".encode()
+    (student,) = read_roster(NamedBytes("list.csv", content), [known]).students
+    assert student.id == "oz"
+
+
+class TestSpreadsheets:
+    def saved(self, folder: Path, book: openpyxl.Workbook) -> Roster:
+        book.save(folder / "list.xlsx")
+        return read_roster(folder / "list.xlsx")
+
+    def test_a_merged_cell_is_of_all_its_rows(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        sheet = book.active
+        for row in (("Группа", "ФИО"), ("71", "Егорова Алла"), (None, "Жуков Лев"), ("72", "Ким")):
+            sheet.append(row)
+        sheet.merge_cells("A2:A3")
+        roster = self.saved(tmp_path, book)
+        assert [one.group for one in roster.students] == ["71", "71", "72"]
+
+    def test_headings_of_two_rows_are_read_where_the_lower_is_filled(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        sheet = book.active
+        for row in (
+            ("ВЕДОМОСТЬ", None, None),
+            ("№", "Студент", None),
+            (None, "Фамилия", "Имя"),
+            (1, "Ли", "Цзин"),
+            ("Итого", 1, None),
+        ):
+            sheet.append(row)
+        for merged in ("A1:C1", "A2:A3", "B2:C2"):
+            sheet.merge_cells(merged)
+        assert names(self.saved(tmp_path, book)) == ["Ли Цзин"]
+
+    def test_the_sheet_with_headings_is_read_and_the_others_are_named(self, tmp_path: Path) -> None:
+        book = openpyxl.Workbook()
+        book.active.title = "Титул"
+        book.active.append(["Список групп факультета"])
+        for title in ("РК5-71", "РК5-72"):
+            book.create_sheet(title).append(["ФИО"])
+            book[title].append([f"Студент {title}"])
+        book.create_sheet("Черновик").sheet_state = "hidden"
+        book["Черновик"].append(["ФИО"])
+        roster = self.saved(tmp_path, book)
+        assert names(roster) == ["Студент РК5-71"]
+        assert "only the sheet 'РК5-71' was read; there is also: Титул, РК5-72." in said(roster)
