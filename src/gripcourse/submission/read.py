@@ -9,8 +9,9 @@ import hashlib
 import re
 import zipfile
 import zlib
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
@@ -41,7 +42,8 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
     stored_cells,
 )
 from gripcourse.machine.spreadsheet.xml_scan import local
-from gripcourse.submission.model import Identity, Rejected, WhyRefused
+from gripcourse.submission.identity import creator_of, identity_of
+from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
@@ -58,7 +60,7 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
     ((KeyError,), WhyRefused.PART_MISSING),
 )
 
-
+_SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
 _ANSWER: Final = names.cell_name(names.ANSWER, "")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
@@ -121,13 +123,13 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
         return WhyRefused.FOREIGN
     cells, beside = _cells(package, workbook, named)
-    stored = _properties(package)
-    identity, remarks = _identity(cells, stored)
+    identity, about_identity = identity_of(_of_role(cells, names.META), package)
+    remarks = (*about_identity, *_about_name(file))
     return RawWorkbook(
         file=file,
         digest=digest,
         identity=identity,
-        creator=_creator(package),
+        creator=creator_of(package),
         givens=_of_role(cells, names.GIVEN),
         answers=_of_role(cells, names.ANSWER),
         remarks=remarks,
@@ -259,44 +261,15 @@ def _of_role(cells: Mapping[str, RawCell], role: str) -> dict[str, RawCell]:
     }
 
 
-def _identity(
-    cells: Mapping[str, RawCell], stored: Mapping[str, str]
-) -> tuple[Identity, tuple[Message, ...]]:
-    """Read whose workbook it is: from the hidden sheet, else from the document's properties."""
-    meta = _of_role(cells, names.META)
-    hidden = {name: str(cell.value) for name, cell in meta.items() if cell.value is not None}
-    fields = {name: hidden.get(name) or stored.get(name, "") for name in names.FIELDS}
-    identity = Identity(
-        student=fields[names.STUDENT],
-        variant=fields[names.VARIANT],
-        scheme=fields[names.SCHEME],
-        options=names.read_options(fields[names.OPTIONS]),
-        signature=fields[names.SIGNATURE],
+def _about_name(file: str) -> tuple[Message, ...]:
+    """Say that a workbook was read whose name does not say that it is one."""
+    name = PurePath(file).name
+    if PurePath(name).suffix.lower() in _SUFFIXES:
+        return ()
+    return (
+        message(
+            "The file {name} is a workbook, though its name does not end in .xlsx. It was read as"
+            " what it is; call it .xlsx next time.",
+            name=name,
+        ),
     )
-    if hidden:
-        return identity, ()
-    return identity, (
-        message("The hidden sheet that says whose workbook this is has been removed."),
-    )
-
-
-def _properties(package: Package) -> Mapping[str, str]:
-    """Return our custom properties of the document."""
-    prefix = names.cell_name(names.PROPERTY, "")
-    return {
-        one.get("name", "").removeprefix(prefix): "".join(value.text or "" for value in one)
-        for one in _of_document(package, "custom-properties")
-        if local(one) == "property" and one.get("name", "").startswith(prefix)
-    }
-
-
-def _creator(package: Package) -> str:
-    """Return who saved a workbook last, or who made it; nothing else of its properties is read."""
-    found = {local(one): one.text or "" for one in _of_document(package, "core-properties")}
-    return found.get("lastModifiedBy") or found.get("creator") or ""
-
-
-def _of_document(package: Package, kind: str) -> Iterable[Element]:
-    parts = (one.part for one in package.related("") if one.kind == kind and package.has(one.part))
-    part = next(parts, None)
-    return () if part is None else package.root(part).iter()

@@ -17,6 +17,7 @@ from gripcourse.jobs.limits import Limits
 from gripcourse.jobs.lost import Lost
 from gripcourse.jobs.warm import do_apart
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
+from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import TableRow, first_sheet
 from gripcourse.text.words import Message, message
@@ -80,7 +81,8 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
 
     Args:
-        source: the file, or its bytes; its name tells what kind of table it is.
+        source: the file, or its bytes; its name tells what kind of table it is, but a workbook
+            is one whatever it is called.
         is_heading: knows what columns may be called, so that titles above the headings are passed
             over; where no row has known headings, the first one that is not blank holds them.
 
@@ -94,7 +96,7 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     if not is_there(source):
         raise _failure(source, message("There is no such file."), message("Check the path."))
     suffix = pure_path(source).suffix.lower()
-    if suffix == ".xlsx":
+    if suffix == ".xlsx" or is_workbook(source):
         return _sheet(source, _spreadsheet_rows(source), is_heading)
     if suffix in {".csv", ".txt", ".tsv"}:
         return _csv_sheet(source, is_heading)
