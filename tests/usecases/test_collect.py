@@ -197,6 +197,14 @@ def test_what_is_no_workbook_by_its_name_nor_by_its_content_is_named(tmp_path: P
     ]
 
 
+def test_a_workbook_in_a_hidden_file_waits_for_a_person(tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx")
+    (tmp_path / ".b.xlsx").write_bytes(WORKBOOK)
+    assert [(one.why, one.needs_person) for one in collect([tmp_path]).passed_over] == [
+        (WhyNot.HIDDEN_WORKBOOK, True)
+    ]
+
+
 def test_a_lock_file_is_none_whatever_is_in_it(tmp_path: Path) -> None:
     made(tmp_path, "a.xlsx")
     (tmp_path / "~$b.zip").write_bytes(WORKBOOK)

@@ -26,12 +26,14 @@ def identity_of(
     stored = _properties(package)
     hidden = {name: str(cell.value) for name, cell in meta.items() if cell.value is not None}
     fields = {name: hidden.get(name) or stored.get(name, "") for name in names.FIELDS}
+    stored_student = stored.get(names.STUDENT, "")
     identity = Identity(
         student=fields[names.STUDENT],
         variant=fields[names.VARIANT],
         scheme=fields[names.SCHEME],
         options=names.read_options(fields[names.OPTIONS]),
         signature=fields[names.SIGNATURE],
+        other=stored_student if stored_student != fields[names.STUDENT] else "",
     )
     if hidden:
         return identity, ()

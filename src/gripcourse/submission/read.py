@@ -44,6 +44,7 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
 from gripcourse.machine.spreadsheet.xml_scan import local
 from gripcourse.submission.identity import creator_of, identity_of
 from gripcourse.submission.model import Rejected, WhyRefused
+from gripcourse.submission.other_workbooks import about_other_workbooks
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
@@ -64,7 +65,7 @@ _SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
 _ANSWER: Final = names.cell_name(names.ANSWER, "")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
-# Rows below the last answer that inserted ones may have pushed an answer to.
+# Rows above the first answer and below the last one that an answer may have been moved to.
 _FURTHER: Final = 30
 
 
@@ -123,15 +124,16 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
         return WhyRefused.FOREIGN
     cells, beside = _cells(package, workbook, named)
+    answers = _of_role(cells, names.ANSWER)
     identity, about_identity = identity_of(_of_role(cells, names.META), package)
-    remarks = (*about_identity, *_about_name(file))
+    remarks = (*about_identity, *_about_name(file), *about_other_workbooks(answers.values()))
     return RawWorkbook(
         file=file,
         digest=digest,
         identity=identity,
         creator=creator_of(package),
         givens=_of_role(cells, names.GIVEN),
-        answers=_of_role(cells, names.ANSWER),
+        answers=answers,
         remarks=remarks,
         beside=beside,
     )
@@ -233,13 +235,13 @@ def _label_of(where: _Named) -> _Named:
 
 
 def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
-    """Yield the places of answers' columns that no name points to, some rows further down too."""
+    """Yield the places of answers' columns that no name points to, some rows further too."""
     columns: dict[tuple[str, int], set[int]] = {}
     for sheet, (row, column) in answers:
         columns.setdefault((sheet, column), set()).add(row)
     for (sheet, column), rows in columns.items():
         last = min(max(rows), min(rows) + _MOST_NAMES) + _FURTHER
-        for row in set(range(min(rows), last)) - rows:
+        for row in set(range(max(1, min(rows) - _FURTHER), last)) - rows:
             yield _Named(sheet, (row, column))
 
 

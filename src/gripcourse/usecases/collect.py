@@ -34,6 +34,7 @@ class WhyNot(StrEnum):
     NO_EXTENSION = "no_extension"
     LOCK_FILE = "lock_file"
     HIDDEN = "hidden"
+    HIDDEN_WORKBOOK = "hidden_workbook"
     LINK = "link"
     CLOSED = "closed"
     NO_FILE = Unusable.NO_FILE
@@ -54,6 +55,9 @@ REASONS: Final[Mapping[WhyNot, Message]] = {
         "The lock file of an open workbook; the workbook itself may not have been handed in."
     ),
     WhyNot.HIDDEN: message("A hidden file of some program."),
+    WhyNot.HIDDEN_WORKBOOK: message(
+        "A workbook in a hidden file; if it was handed in, take the full stop off its name."
+    ),
     WhyNot.LINK: message(
         "A link to another place, where anything may lie; put the file itself here."
     ),
@@ -142,6 +146,8 @@ def collect(paths: Iterable[Path]) -> Collected:
 def why_not(file: Readable) -> WhyNot | None:
     """Tell why a file is not looked at; None where it is: by its name, or by its content."""
     why = _by_name(pure_path(file))
+    if why is WhyNot.HIDDEN:
+        return WhyNot.HIDDEN_WORKBOOK if is_workbook(file) else why
     return None if why in _MAY_BE_CALLED_SO and is_workbook(file) else why
 
 
