@@ -6,14 +6,13 @@ it only time and memory count.
 """
 
 import functools
-import io
 import json
+import sys
 import tempfile
 import zipfile
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from enum import Enum, auto
 from pathlib import Path
 from typing import Final
 
@@ -44,24 +43,31 @@ from gripcourse.usecases.init import empty_course
 from gripcourse.web.pictures import picture_of
 from gripcourse.web.rest.bodies import usable
 from gripcourse.web.rest.wishes import MarkWish, PublishingReason, RegradeWish, RegradingWish
+
+if __name__ == "__main__":  # as a program it does not know where the tests are
+    sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from hostile.changes import Form
 from hostile.provenance import invented
 from hostile.reading import as_student, as_table, faults_of
+from hostile.samples import (
+    GRADEBOOK,
+    TYPED,
+    WORKSHEET,
+    drawn,
+    grades,
+    solution,
+    works_of_many,
+)
 from hostile.small_workbook import PARTS, archive, quantities
 
 ROOT: Final = Path(__file__).parents[2]
+FAILED: Final = Path(__file__).parent / "once_failed"
+"""Files that once failed, in folders called like their readers."""
 
 
 class NotAsItShouldBeError(AssertionError):
     """A reader came to what it must not come to."""
-
-
-class Form(Enum):
-    """What a file is made of: whatever, members of an archive, or a line that says what the rest is."""
-
-    PLAIN = auto()
-    PACKED = auto()
-    HEADED = auto()
-    JSON = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,98 +233,20 @@ def _declared() -> tuple[str, ...]:
 DECLARED: Final = _declared()
 
 
-def _with_members(members: Mapping[str, bytes]) -> bytes:
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as made:
-        for name, content in members.items():
-            made.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
-    return stream.getvalue()
-
-
-def _works_of_many() -> bytes:
-    names = ("s01/a.xlsx", "s01/b.xlsx", "Ольга_12_assignsubmission_file/ответ.xlsx", "c/")
-    return _with_members(dict.fromkeys((*names, "ivanovaolga_LATE_12_34_a.xlsx"), bytes(999)))
-
-
-WORKSHEET: Final = """\
-Identifier,"Full name",Status,Grade,"Maximum grade","Grade can be changed",\
-"Last modified (grade)","Feedback comments"
-"Participant 12","Ольга Иванова","Submitted",,100.00,Yes,-,
-"Participant 3","Іван Ковальчук","Submitted",,100.00,Yes,"Saturday, 21 November 2026","<p>a,
-b</p>"
-"""
-GRADEBOOK: Final = """\
-Student,ID,SIS User ID,SIS Login ID,Section,РГР 1 (9876),Current Score
-    Points Possible,,,,,"50.00",(read only)
-"Иванова, Ольга",501,u1,ivanova@uni.ua,РТ-41,,70
-"""
-_TYPED: Final = (
-    *(
-        "General\n22941,5 Н",
-        "0.0\n-12,5 кН",
-        "0.00%\n5,5",
-        "#,##0.0\\ кН\n1 234,5",
-        "@\n1,5·10³ мм",
-    ),
-    *("General\nда, выполняется", "General\n２２９４１", "0,,\n12.03.2026", "General\n45°30′15″"),
-    *("General\n= 12,5 ± 0,1 мм", "General\n1e400", "General\n1/2", "General\nØ63H7", "\n10^6 Па"),
-)
-
-
-def _solution() -> bytes:
-    source = {"work": "a", "equation": "1", "note": ""}
-    value = {
-        "symbol": "F",
-        "title": "force",
-        "unit": "N",
-        "value": 1.5,
-        "kind": "formula",
-        "section": "loads",
-        "source": source,
-    }
-    solution = {
-        "schema": "gripcourse/solution/1",
-        "scheme": "flat",
-        "variant": "1",
-        "options": {},
-        "convention": "corrected",
-        "values": {"force": value},
-        "assumed": ["x"],
-    }
-    return json.dumps(solution).encode()
-
-
-def _grades() -> bytes:
-    file = {"file": "a", "fate": "graded", "student": "s", "why": "", "message": ""}
-    made = {"schema": "gripcourse/grades/1", "reports": [], "needs_person": True, "files": [file]}
-    return json.dumps(made).encode()
-
-
-_DXF: Final = """0 SECTION 2 BLOCKS 0 BLOCK 2 b 70 0 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 5 0 ENDBLK
-0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 0 10 0 20 0 11 100 21 50 0 CIRCLE 8 0 10 40 20 40 40 20
-0 ARC 8 0 10 0 20 0 40 9 50 0 51 90 0 TEXT 8 0 10 1 20 2 40 3.5 1 %%c63H7 0 INSERT 8 0 2 b 10 5 20 5
-0 POLYLINE 8 0 66 1 70 1 0 VERTEX 8 0 10 0 20 0 0 VERTEX 8 0 10 9 20 9 0 SEQEND 8 0 0 ENDSEC 0 EOF"""
-
-
-def _drawn() -> bytes:
-    """Return a drawing of the oldest kind: a code on one line, its value on the next."""
-    return "\n".join(_DXF.split()).encode()
-
-
 READERS: Final[Mapping[str, Reader]] = {
     "workbook": Reader((archive(PARTS, zipfile.ZIP_STORED),), _workbook, Form.PACKED),
-    "answers": Reader(tuple(one.encode() for one in _TYPED), _answers, Form.HEADED),
+    "answers": Reader(tuple(one.encode() for one in TYPED), _answers, Form.HEADED),
     "roster": Reader(((ROOT / "variants" / "roster.csv").read_bytes(),), _roster),
     "roster_workbook": Reader((archive(PARTS, zipfile.ZIP_STORED),), _roster_workbook, Form.PACKED),
     "worksheet": Reader((WORKSHEET.encode(), WORKSHEET.encode("utf-16")), _worksheet),
     "gradebook": Reader((GRADEBOOK.encode("utf-8-sig"),), _gradebook),
-    "works": Reader((_works_of_many(),), _works, Form.PACKED),
+    "works": Reader((works_of_many(),), _works, Form.PACKED),
     "course": Reader(
         tuple(f"{one}\n".encode() + (_sound_course() / one).read_bytes() for one in DECLARED),
         _course,
         Form.HEADED,
     ),
-    "results": Reader((_solution(), _grades()), _results, Form.JSON),
+    "results": Reader((solution(), grades()), _results, Form.JSON),
     "bodies": Reader(
         (
             b'{"item": "force", "sentence": "why"}',
@@ -328,5 +256,9 @@ READERS: Final[Mapping[str, Reader]] = {
         _bodies,
         Form.JSON,
     ),
-    "drawing": Reader((_drawn(),), _drawing),
+    "drawing": Reader((drawn(),), _drawing),
 }
+
+
+if __name__ == "__main__":  # what `make` asks
+    sys.stdout.write("\n".join(READERS) + "\n")
