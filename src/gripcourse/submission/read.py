@@ -67,6 +67,8 @@ _ANSWER: Final = names.cell_name(names.ANSWER, "")
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
 # Rows above the first answer and below the last one that an answer may have been moved to.
 _FURTHER: Final = 30
+_LONGEST: Final = 1_000  # rows from the first answer of a column to where others are looked for
+_MOST_BESIDE: Final = 20_000  # places in columns of answers; a workbook has some hundreds
 
 
 class _Named(NamedTuple):
@@ -235,13 +237,22 @@ def _label_of(where: _Named) -> _Named:
 
 
 def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
-    """Yield the places of answers' columns that no name points to, some rows further too."""
+    """Yield the places of answers' columns that no name points to, some rows further too.
+
+    Raises:
+        OverflowError: names are scattered over far more places than answers take.
+    """
     columns: dict[tuple[str, int], set[int]] = {}
     for sheet, (row, column) in answers:
         columns.setdefault((sheet, column), set()).add(row)
+    spans = {
+        one: (max(1, min(rows) - _FURTHER), min(max(rows), min(rows) + _LONGEST) + _FURTHER)
+        for one, rows in columns.items()
+    }
+    if sum(last - first for first, last in spans.values()) > _MOST_BESIDE:
+        raise OverflowError(len(columns))
     for (sheet, column), rows in columns.items():
-        last = min(max(rows), min(rows) + _MOST_NAMES) + _FURTHER
-        for row in set(range(max(1, min(rows) - _FURTHER), last)) - rows:
+        for row in set(range(*spans[sheet, column])) - rows:
             yield _Named(sheet, (row, column))
 
 
