@@ -131,7 +131,8 @@ def names_of_whole_columns() -> bytes:
 def names_of_answers_scattered_over_all_columns() -> bytes:
     """Look through each column of answers: seven million places."""
     names = "".join(
-        f"<definedName name=\"answer.{one}{other}{row}\">'1. Расчёт'!${one}{other}${row}</definedName>"
+        f"<definedName name=\"answer.{one}{other}{row}\">'1. Расчёт'!${one}{other}${row}"
+        "</definedName>"
         for one, other in product(ascii_uppercase, repeat=2)
         for row in (1, 9_000)
     )
