@@ -69,15 +69,37 @@ def test_requests_are_allowed_so_often_and_later_again(desk: Desk) -> None:
     assert len(desk.requests()) == 2
 
 
-def test_checks_at_several_servers_are_all_counted(desk: Desk) -> None:
+def test_servers_together_tell_no_more_than_the_policy_says_and_keep_every_check(
+    desk: Desk,
+) -> None:
+    place = desk.engine.url.render_as_string(hide_password=False)
+    servers = [open_desk(place, "small") for _ in range(4)]
     with ThreadPoolExecutor(4) as pool:
-        for _ in pool.map(
-            lambda left: desk.log_check("s01", A, told=left % 2 == 0, left=left, now=NOW), range(12)
-        ):
-            pass
+        logged = list(pool.map(lambda n: servers[n % 4].log_check("s01", A, 3, NOW), range(12)))
+    assert sorted(one.left for one in logged if one.told) == [0, 1, 2]
+    assert [one.left for one in logged if not one.told] == [0] * 9
     found = desk.checks("s01")
     assert [one.number for one in found] == list(range(1, 13))
-    assert all(one.told is (one.left is not None and one.left % 2 == 0) for one in found)
+    assert set(found) == set(logged)
+    assert desk.log_check("s02", A, 3, NOW).left == 2
+
+
+def test_a_check_of_which_only_the_reading_is_told_uses_nothing_up(desk: Desk) -> None:
+    logged = [desk.log_check("s01", A, None, NOW) for _ in range(3)]
+    assert {(one.told, one.left) for one in logged} == {(False, None)}
+    assert desk.log_check("s01", A, 1, NOW).told
+    assert not desk.log_check("s01", A, 1, NOW).told
+
+
+def test_checks_are_allowed_so_often_by_all_servers_together(desk: Desk) -> None:
+    rate = Allowance(2, 600)
+    for _ in range(rate.times):
+        desk.log_check("s01", A, None, NOW, rate)
+    with pytest.raises(TooOftenError):
+        open_desk(desk.engine.url.render_as_string(hide_password=False), "small").log_check(
+            "s01", A, 3, NOW, rate
+        )
+    assert [one.told for one in desk.checks("s01")] == [False, False]
 
 
 def test_courses_in_one_database_know_nothing_of_each_other(desk: Desk) -> None:

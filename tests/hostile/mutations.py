@@ -61,7 +61,7 @@ def mutated(seed: int) -> bytes:
     draw = random.Random(seed)  # noqa: S311 (nothing secret)
     parts = dict(PARTS)
     for _ in range(draw.choice((1, 1, 2, 4))):
-        draw.choice(_CHANGES)(draw, parts)
+        draw.choice(CHANGES)(draw, parts)
     data = archive(parts, draw.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
     return _spoiled(draw, data) if draw.random() < 0.15 else data
 
@@ -71,7 +71,7 @@ def descended(line: Line) -> bytes:
     parts = dict(PARTS)
     for number in line:
         draw = random.Random(number)  # noqa: S311 (nothing secret)
-        draw.choice(_CHANGES)(draw, parts)
+        draw.choice(CHANGES)(draw, parts)
     draw = random.Random(-line[-1])  # noqa: S311 (as above)
     data = archive(parts, draw.choice((zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
     return _spoiled(draw, data) if draw.random() < 0.05 else data
@@ -158,7 +158,7 @@ def _encoding(draw: random.Random, parts: Parts) -> None:
     parts[name] = declared.encode(encoding, "replace")
 
 
-_CHANGES: Final[tuple[Change, ...]] = (
+CHANGES: Final[tuple[Change, ...]] = (
     _bytes,
     _members,
     _within(_TAG),

@@ -1,5 +1,8 @@
 """Names, styles, texts, properties and declarations that no spreadsheet program writes."""
 
+from itertools import product
+from string import ascii_uppercase
+
 from hostile.small_workbook import (
     PARTS,
     PROPERTIES,
@@ -123,6 +126,17 @@ def print_titles_of_fifty_kilobytes() -> bytes:
 
 def names_of_whole_columns() -> bytes:
     return _name("'1. Расчёт'!$A:$XFD")
+
+
+def names_of_answers_scattered_over_all_columns() -> bytes:
+    """Look through each column of answers: seven million places."""
+    names = "".join(
+        f"<definedName name=\"answer.{one}{other}{row}\">'1. Расчёт'!${one}{other}${row}"
+        "</definedName>"
+        for one, other in product(ascii_uppercase, repeat=2)
+        for row in (1, 9_000)
+    )
+    return replaced(WORKBOOK, _END_OF_NAMES, names.encode() + _END_OF_NAMES)
 
 
 def fifty_thousand_names() -> bytes:

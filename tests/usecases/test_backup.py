@@ -17,7 +17,7 @@ import pytest
 from gripcourse.demo.students import correct
 from gripcourse.desk.store import open_desk
 from gripcourse.errors import GradebookError, GripcourseError, RegisterError, UsageError
-from gripcourse.gradebook.checks import CheckLedger, left_of, take_one
+from gripcourse.gradebook.checks import CheckLedger, take_one
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing.store import read_register
 from gripcourse.machine.content import NamedBytes
@@ -118,7 +118,7 @@ class TestTheWholeTerm:
         (kept,) = context.desk.hand_ins()
         content = kept_path(context, kept.digest).read_bytes()
         assert hashlib.sha256(content).hexdigest() == kept.digest
-        assert left_of(CheckLedger(root / "private" / "checks.sqlite", "s01"), 3) == 2
+        assert take_one(CheckLedger(root / "private" / "checks.sqlite", "s01"), 3) == 1
         for one in (root / "private").rglob("*"):
             assert stat.S_IMODE(one.stat().st_mode) & 0o077 == 0
 

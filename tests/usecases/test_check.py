@@ -46,6 +46,15 @@ def test_a_workbook_is_checked_without_register_and_key(issued: "Classroom", sli
     assert (checked.sections, checked.left) == ((), None)
 
 
+@pytest.mark.parametrize("name", ["ответ.zip", "ответ.xls", "ответ"])
+def test_a_workbook_is_checked_whatever_it_is_called_and_that_is_said(
+    issued: "Classroom", slipped: Path, name: str
+) -> None:
+    renamed = slipped.rename(slipped.with_name(name))
+    (said,) = check_file(renamed, issued.course, issued.policy).remarks
+    assert f"The file {name} is a workbook" in Words("en").say(said)
+
+
 def test_whether_numbers_fit_is_told_as_often_as_the_policy_says(
     issued: "Classroom", slipped: Path, tmp_path: Path
 ) -> None:

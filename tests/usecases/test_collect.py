@@ -3,13 +3,14 @@
 import errno
 import os
 from pathlib import Path
-from zipfile import ZipFile
+from zipfile import ZIP_STORED, ZipFile
 
 import pytest
 
 from gripcourse.errors import UsageError
 from gripcourse.machine.content import shown_name
 from gripcourse.usecases.collect import REASONS, WhyNot, collect
+from hostile.small_workbook import PARTS, archive
 
 
 def made(folder: Path, *names: str) -> Path:
@@ -144,3 +145,67 @@ def test_a_zip_that_is_named_is_looked_into(tmp_path: Path) -> None:
         ("evil.xlsx", WhyNot.UNSAFE_PATH),
     }
     assert all(one.needs_person for one in found.passed_over)
+
+
+WORKBOOK = archive(PARTS)
+TEXT = archive({"[Content_Types].xml": b"<Types/>", "word/document.xml": b"<w/>"})
+OPEN_DOCUMENT = archive({"mimetype": b"application/vnd.oasis.opendocument.spreadsheet"}, ZIP_STORED)
+NO_WORKBOOK_EITHER = {
+    "a.docx": TEXT,
+    "b.zip": archive({"answers.xlsx": WORKBOOK}),
+    "c.zip": archive({"s01/[Content_Types].xml": b"", "s01/xl/workbook.xml": b""}),
+    "d.zip": WORKBOOK[: len(WORKBOOK) // 2],
+    "e": b"PK\x03\x04",
+    "f.pdf": b"%PDF-1.7",
+    "g.docx": b"",
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        *((name, WORKBOOK) for name in ("a.zip", "a.docx", "a.XLSX_", "a", "a.pdf", "a.7z")),
+        ("a.zip", archive({name.replace("/", "\\"): data for name, data in PARTS.items()})),
+        ("a.zip", archive({"[Content_Types].xml": b"", "xl/workbook.bin": b""})),
+        ("a.zip", OPEN_DOCUMENT),
+    ],
+)
+def test_a_workbook_is_graded_whatever_it_is_called(
+    name: str, content: bytes, tmp_path: Path
+) -> None:
+    (tmp_path / "work").mkdir()
+    (tmp_path / "work" / name).write_bytes(content)
+    assert collect([tmp_path / "work"]).files == (tmp_path / "work" / name,)
+    assert collect([tmp_path / "work" / name]).files == (tmp_path / "work" / name,)
+    packed = tmp_path / "all.zip"
+    packed.write_bytes(archive({f"s01/{name}": content}))
+    assert [shown_name(one) for one in collect([packed]).files] == [f"{packed}/s01/{name}"]
+
+
+def test_what_is_no_workbook_by_its_name_nor_by_its_content_is_named(tmp_path: Path) -> None:
+    (tmp_path / "all.zip").write_bytes(archive({**NO_WORKBOOK_EITHER, "s01.xlsx": WORKBOOK}))
+    found = collect([tmp_path / "all.zip"])
+    assert [Path(shown_name(one)).name for one in found.files] == ["s01.xlsx"]
+    assert [(Path(one.file).name, one.why.value) for one in found.passed_over] == [
+        ("a.docx", "text_document"),
+        ("b.zip", "archive"),
+        ("c.zip", "archive"),
+        ("d.zip", "archive"),
+        ("e", "no_extension"),
+        ("f.pdf", "other"),
+        ("g.docx", "text_document"),
+    ]
+
+
+def test_a_workbook_in_a_hidden_file_waits_for_a_person(tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx")
+    (tmp_path / ".b.xlsx").write_bytes(WORKBOOK)
+    assert [(one.why, one.needs_person) for one in collect([tmp_path]).passed_over] == [
+        (WhyNot.HIDDEN_WORKBOOK, True)
+    ]
+
+
+def test_a_lock_file_is_none_whatever_is_in_it(tmp_path: Path) -> None:
+    made(tmp_path, "a.xlsx")
+    (tmp_path / "~$b.zip").write_bytes(WORKBOOK)
+    assert [one.why for one in collect([tmp_path]).passed_over] == [WhyNot.LOCK_FILE]

@@ -5,11 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import pytest
-
 from gripcourse.simulation.write import fill
 from gripcourse.solver.solve import solve_variant
-from gripcourse.web.site import Site
 
 if TYPE_CHECKING:
     from starlette.testclient import TestClient
@@ -35,9 +32,8 @@ def asked(server: "Server", client: "TestClient", factor: float, folder: Path) -
 
 
 def test_all_checks_together_tell_no_more_bits_than_the_threat_model_states(
-    server: "Server", tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    server: "Server", tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(Site, "ledger", property(lambda _: tmp_path / "checks.sqlite"))
     client, times = server.client(), server.context.policy.check.times
     sections = len(server.context.course.sections)
     moved = [1 + 0.5**step for step in range(times + 2)]

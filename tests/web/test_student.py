@@ -13,7 +13,6 @@ import pytest
 
 from gripcourse.documents.pdf import template_environment
 from gripcourse.errors import UsageError
-from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.usecases.hand_in import kept_path, latest
 from gripcourse.usecases.handout import Handout, IssuingContext
 from gripcourse.usecases.issue import issue_order
@@ -89,8 +88,8 @@ def test_a_check_says_how_each_answer_was_read_and_how_many_are_left(
 ) -> None:
     client, home = server.client(), server.home("s01")
     times = server.context.policy.check.times
-    ledger = CheckLedger(server.context.private / "checks.sqlite", "s01")
-    left = left_of(ledger, times) - 1  # the browser has asked too, if it was here before
+    told = sum(one.told for one in server.context.desk.checks("s01"))
+    left = times - told - 1  # the browser has asked too, if it was here before
     page = unescape(client.post(f"{home}check", files=upload(filled)).text)
     assert page.count('class="state-read"') > 20
     assert f"{left} из {times}" in page
@@ -242,9 +241,3 @@ def test_pages_that_are_filled_at_once_do_not_take_each_others_functions(
     offered = environment.globals["when"]
     client.get(home)
     assert environment.globals["when"] is offered
-
-
-def test_a_page_can_be_opened_while_the_first_check_of_all_is_being_counted(tmp_path: Path) -> None:
-    half_made = tmp_path / "checks.sqlite"
-    half_made.touch()
-    assert left_of(CheckLedger(half_made, "s01"), 3) == 3

@@ -53,6 +53,8 @@ def test_checks_are_rationed_by_both_together(shared: Server, tmp_path: Path) ->
     assert {one.result().status_code for one in asked} == {200}
     told = [one.told for one in shared.context.desk.checks("s01")]
     assert (told.count(True), len(told)) == (times, times + 3)
+    # Nor is anything counted in a file, which another machine would not see.
+    assert not list(shared.context.private.glob("checks*"))
 
 
 def test_hand_ins_are_rationed_by_both_together_and_wait_no_longer_than_said(

@@ -1,14 +1,16 @@
 """The desk's part of the database: rows are added, nothing is ever changed or removed."""
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
+from functools import partial
 from typing import Any, Final, TypeVar
 
-from sqlalchemy import ColumnElement, Connection, Engine, Table, func, insert, select
+from sqlalchemy import Engine, Table, func, insert, select
 
 from gripcourse.desk import schema
+from gripcourse.desk.counting import Complete, ration, refuse_too_many
 from gripcourse.desk.model import (
     Allowance,
     GradedBatch,
@@ -16,7 +18,6 @@ from gripcourse.desk.model import (
     LoggedCheck,
     Publication,
     RegradeRequest,
-    TooOftenError,
 )
 from gripcourse.errors import GradebookError
 from gripcourse.machine.database.opening import (
@@ -68,11 +69,31 @@ class Desk:
         return self._rows(schema.hand_ins, HandIn, student)
 
     def log_check(
-        self, student: str, digest: str, *, told: bool, left: int | None, now: datetime
-    ) -> None:
-        """Keep that a student checked a workbook."""
-        row = {"digest": digest, "told": told, "left": left, "at": _utc(now)}
-        self._append(schema.checks, {"student": student}, row)
+        self,
+        student: str,
+        digest: str,
+        most: int | None,
+        now: datetime,
+        allowed: Allowance | None = None,
+    ) -> LoggedCheck:
+        """Keep that a student checked a workbook, and whether more than its reading may be told.
+
+        Args:
+            student: id.
+            digest: of the workbook.
+            most: how often more may be told, by all servers together; None where nobody asks.
+            now: with its zone.
+            allowed: how often may be checked at all; None for any number.
+
+        Raises:
+            TooOftenError: it would be more than is allowed, of all servers together.
+        """
+        row = {"digest": digest, "told": False, "left": None, "at": _utc(now)}
+        rationed = None if most is None else partial(ration, most=most)
+        kept = self._append(
+            schema.checks, {"student": student}, row, allowed=allowed, complete=rationed
+        )
+        return LoggedCheck(**_plain(kept))
 
     def checks(self, student: str | None = None) -> tuple[LoggedCheck, ...]:
         """Return the self-checks of one student or of all."""
@@ -190,11 +211,13 @@ class Desk:
         row: Mapping[str, Any],
         once: str = "",
         allowed: Allowance | None = None,
+        complete: Complete | None = None,
     ) -> Mapping[str, Any]:
         """Add a row with the next number; somebody faster only makes it the one after.
 
         Where the last row has the same in the column `once`, that row is returned, and none added.
         Counting and adding are one transaction: two servers never both add the last one allowed.
+        What `complete` returns of the rows that are the same is counted there too.
 
         Raises:
             TooOftenError: there are as many as are allowed about this time.
@@ -209,9 +232,10 @@ class Desk:
                     if before is not None and once and before[once] == row[once]:
                         return dict(before)
                     if allowed is not None:
-                        _refuse_too_many(connection, table, same, row["at"], allowed)
+                        refuse_too_many(connection, table, same, row["at"], allowed)
                     number = 1 if before is None else before["number"] + 1
                     made = {**fixed, "number": number, **row}
+                    made |= {} if complete is None else complete(connection, same)
                     connection.execute(insert(table), made)
             except GradebookError as fault:
                 if left and another_was_faster(fault):
@@ -230,21 +254,6 @@ class Desk:
                 return False
             raise
         return True
-
-
-def _refuse_too_many(
-    connection: Connection,
-    table: Table,
-    same: Sequence[ColumnElement[bool]],
-    now: datetime,
-    allowed: Allowance,
-) -> None:
-    # Either way in time: another server's clock, or its request before ours, may be ahead.
-    span = timedelta(seconds=allowed.seconds)
-    about_now = (table.c.at > now - span, table.c.at < now + span)
-    question = select(func.count()).select_from(table).where(*same, *about_now)
-    if connection.execute(question).scalar_one() >= allowed.times:
-        raise TooOftenError
 
 
 def open_desk(place: str, course: str) -> Desk:

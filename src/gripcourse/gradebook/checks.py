@@ -1,7 +1,7 @@
 """Counting self-checks: who may be told how often whether numbers fit each other.
 
-A file of its own beside the gradebook, kept by the server that answers: a workbook can be changed
-to name anybody, so who asks is what the server knows of whoever is signed in.
+A file, kept by a server that answers and has no desk (ours counts in its database): a workbook can
+be changed to name anybody, so who asks is what the server knows of whoever is signed in.
 """
 
 import sqlite3
@@ -63,23 +63,3 @@ def take_one(ledger: CheckLedger, most: int) -> int | None:
     except sqlite3.Error as fault:
         raise OSError(None, str(fault), str(ledger.path)) from fault
     return most - taken - 1 if taken < most else None
-
-
-def left_of(ledger: CheckLedger, most: int) -> int:
-    """Return how many self-checks are left, without taking one.
-
-    Raises:
-        OSError: the file cannot be read.
-    """
-    if not ledger.path.is_file():
-        return most
-    try:
-        with closing(sqlite3.connect(ledger.path, _SECONDS_TO_WAIT)) as file:
-            # Somebody may just be making the file: it is there before its table is.
-            made = "SELECT 1 FROM sqlite_master WHERE name = 'checks'"
-            question = "SELECT taken FROM checks WHERE who = ?"
-            known = file.execute(made).fetchone() is not None
-            row = file.execute(question, (ledger.who,)).fetchone() if known else None
-    except sqlite3.Error as fault:
-        raise OSError(None, str(fault), str(ledger.path)) from fault
-    return most if row is None else max(0, most - int(row[0]))

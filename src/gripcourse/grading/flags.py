@@ -58,6 +58,17 @@ def _identity_flags(submission: Submission, issued: Issued) -> Iterator[Flag]:
             FlagCode.SIGNATURE,
             message("The signature of the workbook is not the one that was issued."),
         )
+    if identity.other not in {"", issued.student.id}:
+        yield Flag(
+            FlagCode.IDENTITY_CHANGED,
+            message(
+                "The workbook was issued to {other}, as its properties say, and changed to say that"
+                " it is {student}'s.",
+                other=identity.other,
+                student=identity.student or "—",
+            ),
+            (identity.other,),
+        )
     if identity.student == issued.student.id and _is_changed(identity, issued):
         yield Flag(
             FlagCode.IDENTITY_CHANGED,

@@ -2,7 +2,8 @@
 
 A path tells only what a learning platform wrote by its one pattern, or a name that is a student's
 id and nothing else. Words that happen to be an id (`Lab 1`, `report (2)`) tell nothing. Where
-workbook and path disagree, somebody handed in another's work or took another's name: a person asks.
+workbook and path disagree, or the workbook with itself, somebody handed in another's work or took
+another's name: a person asks.
 """
 
 import unicodedata
@@ -59,6 +60,8 @@ def identify(
     if identity is not None and named in register:
         made_for = version_made_for(identity, versions_of(named, register, earlier))
         if is_signed_as(identity, made_for):
+            if identity.other in register:
+                return _doubtful(_two_inside(identity))
             said = _contradiction(file, made_for, by_path, register)
             return _doubtful(said) if said else HandedIn(made_for, KnownBy.SIGNATURE)
     if by_path.issued is None:
@@ -142,6 +145,16 @@ def _two_names(workbook: str, path: str) -> Message:
         " {other}. It was not graded and nobody's mark changes.",
         student=workbook,
         other=path,
+    )
+
+
+def _two_inside(identity: Identity) -> Message:
+    return message(
+        "Who handed this in? The hidden sheet of the workbook says {student}, its properties say"
+        " {other}: somebody's identity was put into another's workbook. It was not graded and"
+        " nobody's mark changes.",
+        student=identity.student,
+        other=identity.other,
     )
 
 

@@ -112,20 +112,25 @@ def read_member(archive: Path, place: int) -> bytes:
             in a way that is not read.
         OSError: the archive cannot be read.
     """
+    data = beginning_of_member(archive, place, LARGEST_MEMBER + 1)
+    if len(data) > LARGEST_MEMBER:
+        raise UnreadableMemberError(str(len(data)))
+    return data
+
+
+def beginning_of_member(archive: Path, place: int, count: int) -> bytes:
+    """Return the first bytes of a member; the rest stays packed. Errors: see `read_member`."""
     try:
         with zipfile.ZipFile(archive) as opened:
             info = opened.infolist()[place]
             if info.compress_type not in _METHODS:
                 raise NotImplementedError(info.compress_type)
             with opened.open(info) as stream:
-                data = stream.read(LARGEST_MEMBER + 1)
+                return stream.read(count)
     except (*_DAMAGE, OSError) as fault:
         if _is_of_the_disk(fault):
             raise
         raise UnreadableMemberError(str(fault)) from fault
-    if len(data) > LARGEST_MEMBER:
-        raise UnreadableMemberError(str(len(data)))
-    return data
 
 
 @contextmanager

@@ -60,6 +60,8 @@ class Identity:
         student, variant, scheme: ids.
         options: what the variant chooses.
         signature: hexadecimal, over all of it and the given values.
+        other: the student whom the document's properties name, where the hidden sheet names
+            another; no program writes that.
     """
 
     student: str
@@ -67,6 +69,7 @@ class Identity:
     scheme: str
     options: Mapping[str, str]
     signature: str
+    other: str = ""
 
 
 @dataclass(frozen=True, slots=True)

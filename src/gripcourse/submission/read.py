@@ -9,8 +9,9 @@ import hashlib
 import re
 import zipfile
 import zlib
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
@@ -41,7 +42,9 @@ from gripcourse.machine.spreadsheet.sheet_cells import (
     stored_cells,
 )
 from gripcourse.machine.spreadsheet.xml_scan import local
-from gripcourse.submission.model import Identity, Rejected, WhyRefused
+from gripcourse.submission.identity import creator_of, identity_of
+from gripcourse.submission.model import Rejected, WhyRefused
+from gripcourse.submission.other_workbooks import about_other_workbooks
 from gripcourse.submission.raw import RawCell, RawWorkbook
 from gripcourse.text.words import Message, message
 from gripcourse.workbook import names
@@ -58,12 +61,14 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
     ((KeyError,), WhyRefused.PART_MISSING),
 )
 
-
+_SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
 _ANSWER: Final = names.cell_name(names.ANSWER, "")
 # Columns from a title to its answer.
 _TO_TITLE: Final = SheetColumn.VALUE - SheetColumn.TITLE
-# Rows below the last answer that inserted ones may have pushed an answer to.
+# Rows above the first answer and below the last one that an answer may have been moved to.
 _FURTHER: Final = 30
+_LONGEST: Final = 1_000  # rows from the first answer of a column to where others are looked for
+_MOST_BESIDE: Final = 20_000  # places in columns of answers; a workbook has some hundreds
 
 
 class _Named(NamedTuple):
@@ -121,15 +126,16 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
         return WhyRefused.FOREIGN
     cells, beside = _cells(package, workbook, named)
-    stored = _properties(package)
-    identity, remarks = _identity(cells, stored)
+    answers = _of_role(cells, names.ANSWER)
+    identity, about_identity = identity_of(_of_role(cells, names.META), package)
+    remarks = (*about_identity, *_about_name(file), *about_other_workbooks(answers.values()))
     return RawWorkbook(
         file=file,
         digest=digest,
         identity=identity,
-        creator=_creator(package),
+        creator=creator_of(package),
         givens=_of_role(cells, names.GIVEN),
-        answers=_of_role(cells, names.ANSWER),
+        answers=answers,
         remarks=remarks,
         beside=beside,
     )
@@ -231,13 +237,22 @@ def _label_of(where: _Named) -> _Named:
 
 
 def _beside(answers: Collection[_Named]) -> Iterator[_Named]:
-    """Yield the places of answers' columns that no name points to, some rows further down too."""
+    """Yield the places of answers' columns that no name points to, some rows further too.
+
+    Raises:
+        OverflowError: names are scattered over far more places than answers take.
+    """
     columns: dict[tuple[str, int], set[int]] = {}
     for sheet, (row, column) in answers:
         columns.setdefault((sheet, column), set()).add(row)
+    spans = {
+        one: (max(1, min(rows) - _FURTHER), min(max(rows), min(rows) + _LONGEST) + _FURTHER)
+        for one, rows in columns.items()
+    }
+    if sum(last - first for first, last in spans.values()) > _MOST_BESIDE:
+        raise OverflowError(len(columns))
     for (sheet, column), rows in columns.items():
-        last = min(max(rows), min(rows) + _MOST_NAMES) + _FURTHER
-        for row in set(range(min(rows), last)) - rows:
+        for row in set(range(*spans[sheet, column])) - rows:
             yield _Named(sheet, (row, column))
 
 
@@ -259,44 +274,15 @@ def _of_role(cells: Mapping[str, RawCell], role: str) -> dict[str, RawCell]:
     }
 
 
-def _identity(
-    cells: Mapping[str, RawCell], stored: Mapping[str, str]
-) -> tuple[Identity, tuple[Message, ...]]:
-    """Read whose workbook it is: from the hidden sheet, else from the document's properties."""
-    meta = _of_role(cells, names.META)
-    hidden = {name: str(cell.value) for name, cell in meta.items() if cell.value is not None}
-    fields = {name: hidden.get(name) or stored.get(name, "") for name in names.FIELDS}
-    identity = Identity(
-        student=fields[names.STUDENT],
-        variant=fields[names.VARIANT],
-        scheme=fields[names.SCHEME],
-        options=names.read_options(fields[names.OPTIONS]),
-        signature=fields[names.SIGNATURE],
+def _about_name(file: str) -> tuple[Message, ...]:
+    """Say that a workbook was read whose name does not say that it is one."""
+    name = PurePath(file).name
+    if PurePath(name).suffix.lower() in _SUFFIXES:
+        return ()
+    return (
+        message(
+            "The file {name} is a workbook, though its name does not end in .xlsx. It was read as"
+            " what it is; call it .xlsx next time.",
+            name=name,
+        ),
     )
-    if hidden:
-        return identity, ()
-    return identity, (
-        message("The hidden sheet that says whose workbook this is has been removed."),
-    )
-
-
-def _properties(package: Package) -> Mapping[str, str]:
-    """Return our custom properties of the document."""
-    prefix = names.cell_name(names.PROPERTY, "")
-    return {
-        one.get("name", "").removeprefix(prefix): "".join(value.text or "" for value in one)
-        for one in _of_document(package, "custom-properties")
-        if local(one) == "property" and one.get("name", "").startswith(prefix)
-    }
-
-
-def _creator(package: Package) -> str:
-    """Return who saved a workbook last, or who made it; nothing else of its properties is read."""
-    found = {local(one): one.text or "" for one in _of_document(package, "core-properties")}
-    return found.get("lastModifiedBy") or found.get("creator") or ""
-
-
-def _of_document(package: Package, kind: str) -> Iterable[Element]:
-    parts = (one.part for one in package.related("") if one.kind == kind and package.has(one.part))
-    part = next(parts, None)
-    return () if part is None else package.root(part).iter()

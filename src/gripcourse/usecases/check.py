@@ -11,7 +11,7 @@ from gripcourse.policy.model import Policy, Tells
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.submission.apart import Read
 from gripcourse.submission.interpret import interpret
-from gripcourse.submission.model import Rejected
+from gripcourse.submission.model import Rejected, Submission
 from gripcourse.submission.read import read_workbook
 from gripcourse.text.words import Message, message
 
@@ -57,6 +57,33 @@ def check_file(
     Raises:
         UsageError: the file is no workbook that we can read, or not one that was issued.
     """
+    plan, submission = _understood(source, course, read)
+    tells, left = _told(policy, ledger)
+    return _checked(submission, plan, policy, tells, left)
+
+
+def check_both_ways(
+    source: Readable, course: Course, policy: Policy, read: Read = read_workbook
+) -> tuple[CheckedWorkbook, CheckedWorkbook | None]:
+    """Check a workbook for who counts afterwards, and then shows one of the two.
+
+    Args: see `check_file`.
+
+    Returns:
+        What is said of the reading alone, and all that the policy may tell; None for that where
+        it tells no more.
+
+    Raises:
+        UsageError: see `check_file`.
+    """
+    plan, submission = _understood(source, course, read)
+    alone = _checked(submission, plan, policy, Tells.READING, None)
+    if policy.check.tells is Tells.READING:
+        return alone, None
+    return alone, _checked(submission, plan, policy, policy.check.tells, None)
+
+
+def _understood(source: Readable, course: Course, read: Read) -> tuple[Plan, Submission]:
     file = shown_name(source)
     if not is_there(source):
         raise _refusal(file, message("There is no such file."), message("Name a workbook."))
@@ -76,8 +103,12 @@ def check_file(
     except UsageError as error:
         named = [replace(problem, file=file) for problem in error.problems]
         raise UsageError(named) from error
-    submission = interpret(raw, plan.quantities.values())
-    tells, left = _told(policy, ledger)
+    return plan, interpret(raw, plan.quantities.values())
+
+
+def _checked(
+    submission: Submission, plan: Plan, policy: Policy, tells: Tells, left: int | None
+) -> CheckedWorkbook:
     checked = self_check(submission, plan, policy, tells)
     return CheckedWorkbook(plan, checked.answers, checked.sections, submission.remarks, left)
 

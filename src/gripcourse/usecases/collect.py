@@ -1,5 +1,6 @@
 """Which files of a batch are looked at; every other one is named with the reason.
 
+A name tells what a file is, and where it says that it is no workbook, so does its content.
 A zip that is named itself is looked into, as a learning platform hands it out. One inside a folder
 or inside another zip may be a student's own bundle: it is named and a person unpacks it.
 """
@@ -13,7 +14,8 @@ from typing import Final
 
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.archive import Unusable, is_bundle, members_of
-from gripcourse.machine.content import PackedFile, Readable, shown_name
+from gripcourse.machine.content import PackedFile, Readable, pure_path, shown_name
+from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.versions import EARLIER
 
@@ -32,6 +34,7 @@ class WhyNot(StrEnum):
     NO_EXTENSION = "no_extension"
     LOCK_FILE = "lock_file"
     HIDDEN = "hidden"
+    HIDDEN_WORKBOOK = "hidden_workbook"
     LINK = "link"
     CLOSED = "closed"
     NO_FILE = Unusable.NO_FILE
@@ -46,12 +49,15 @@ REASONS: Final[Mapping[WhyNot, Message]] = {
     WhyNot.ARCHIVE: message("An archive; unpack it, there may be a workbook in it."),
     WhyNot.TEXT_DOCUMENT: message("A text document, not a workbook."),
     WhyNot.NO_EXTENSION: message(
-        "Its name has no extension; if it is a workbook, add .xlsx to the name."
+        "Its name has no extension, and its content is that of no .xlsx workbook; ask what it is."
     ),
     WhyNot.LOCK_FILE: message(
         "The lock file of an open workbook; the workbook itself may not have been handed in."
     ),
     WhyNot.HIDDEN: message("A hidden file of some program."),
+    WhyNot.HIDDEN_WORKBOOK: message(
+        "A workbook in a hidden file; if it was handed in, take the full stop off its name."
+    ),
     WhyNot.LINK: message(
         "A link to another place, where anything may lie; put the file itself here."
     ),
@@ -77,6 +83,11 @@ _MAY_BE_WORK: Final = frozenset(WhyNot) - {
     WhyNot.NO_FILE,
     WhyNot.OTHER,
 }
+
+# A workbook may be called like one of these.
+_MAY_BE_CALLED_SO: Final = frozenset(
+    {WhyNot.ARCHIVE, WhyNot.TEXT_DOCUMENT, WhyNot.NO_EXTENSION, WhyNot.OTHER}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,8 +143,15 @@ def collect(paths: Iterable[Path]) -> Collected:
     return Collected(tuple(files), left)
 
 
-def why_not(path: PurePath) -> WhyNot | None:
-    """Tell by its name why a file is not looked at; None where it is."""
+def why_not(file: Readable) -> WhyNot | None:
+    """Tell why a file is not looked at; None where it is: by its name, or by its content."""
+    why = _by_name(pure_path(file))
+    if why is WhyNot.HIDDEN:
+        return WhyNot.HIDDEN_WORKBOOK if is_workbook(file) else why
+    return None if why in _MAY_BE_CALLED_SO and is_workbook(file) else why
+
+
+def _by_name(path: PurePath) -> WhyNot | None:
     name, suffix = path.name, path.suffix.lower()
     if name.startswith(("~$", ".~lock.")):
         return WhyNot.LOCK_FILE
@@ -150,9 +168,8 @@ def why_not(path: PurePath) -> WhyNot | None:
 
 def _packed(archive: Path) -> Iterator[tuple[Readable, WhyNot | None]]:
     for one in members_of(archive):
-        unusable = None if one.unusable is None else WhyNot(one.unusable.value)
-        why = unusable or why_not(PurePath(one.name))
-        yield PackedFile(archive, one.place, one.name), why
+        file = PackedFile(archive, one.place, one.name)
+        yield file, why_not(file) if one.unusable is None else WhyNot(one.unusable.value)
 
 
 def _inside(folder: Path) -> Iterator[tuple[Readable, WhyNot | None]]:

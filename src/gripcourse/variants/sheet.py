@@ -13,6 +13,7 @@ from typing import TypeAlias
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable, content_of, is_there, pure_path, shown_name
+from gripcourse.machine.spreadsheet.by_content import is_workbook
 from gripcourse.text.words import Message, message
 from gripcourse.variants.spreadsheet import (
     SheetAsText,
@@ -75,7 +76,8 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     """Read a `.csv` or `.xlsx` file; of a spreadsheet the first sheet.
 
     Args:
-        source: the file, or its bytes; its name tells what kind of table it is.
+        source: the file, or its bytes; its name tells what kind of table it is, but a workbook
+            is one whatever it is called.
         is_heading: knows what columns may be called, so that titles above the headings are passed
             over; where no row has known headings, the first one that is not blank holds them.
 
@@ -89,7 +91,7 @@ def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> She
     if not is_there(source):
         raise _failure(source, message("There is no such file."), message("Check the path."))
     suffix = pure_path(source).suffix.lower()
-    if suffix == ".xlsx":
+    if suffix == ".xlsx" or is_workbook(source):
         return _spreadsheet(source, is_heading)
     if suffix in {".csv", ".txt", ".tsv"}:
         return _csv_sheet(source, is_heading)

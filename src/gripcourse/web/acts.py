@@ -1,12 +1,12 @@
 """What pages and programs ask for alike: counted, done by one call of the library, and kept."""
 
 import hashlib
+from dataclasses import replace
 from typing import Final
 
 from gripcourse.api.results import CheckResult
 from gripcourse.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.errors import GradebookError, GripcourseError, UsageError
-from gripcourse.gradebook.checks import CheckLedger, left_of
 from gripcourse.jobs.lost import Lost
 from gripcourse.machine.content import NamedBytes
 from gripcourse.text.shown import shown
@@ -14,7 +14,7 @@ from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import Receipt, hand_in
 from gripcourse.usecases.publish import publish, published_to, withdraw
 from gripcourse.variants.model import Issued
-from gripcourse.web.checking import CheckJob
+from gripcourse.web.checking import CheckedBothWays, CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
 from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, WebRefusal, refusal_of_problem
 from gripcourse.web.site import Site
@@ -37,19 +37,25 @@ def check(
         return NO_FILE
     known = site.context.desk.checks(student)
     count(site, CHECKS, student, (one.at for one in known))
-    result = site.checkers.do(CheckJob(file, student, site.ledger, words.language))
-    if isinstance(result, Lost):
+    found = site.checkers.do(CheckJob(file, words.language))
+    if isinstance(found, Lost):
         said = message("This file could not be read within the limits of the server.")
         return WebRefusal(Code.BEYOND_LIMITS, said)
-    assert isinstance(result, CheckResult)  # noqa: S101 (what the workers return)
-    digest, told = hashlib.sha256(file.data).hexdigest(), bool(result.sections)
-    site.context.desk.log_check(student, digest, told=told, left=result.left, now=site.clock())
-    return result
+    assert isinstance(found, CheckedBothWays)  # noqa: S101 (what the workers return)
+    digest = hashlib.sha256(file.data).hexdigest()
+    most = None if found.told is None else site.context.policy.check.times
+    try:
+        logged = site.context.desk.log_check(student, digest, most, site.clock(), CHECKS)
+    except TooOftenError as fault:
+        raise too_often(CHECKS) from fault
+    shown_result = found.told if found.told is not None and logged.told else found.reading
+    return replace(shown_result, left=logged.left)
 
 
 def checks_left(site: Site, student: str) -> int:
     """Return how often more than the reading will be told."""
-    return left_of(CheckLedger(site.ledger, student), site.context.policy.check.times)
+    told = sum(one.told for one in site.context.desk.checks(student))
+    return max(0, site.context.policy.check.times - told)
 
 
 def keep_file(site: Site, issued: Issued, file: NamedBytes | None) -> Receipt | WebRefusal:

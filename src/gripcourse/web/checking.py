@@ -1,20 +1,18 @@
 """What is done in a worker: what students upload is never opened by the server itself."""
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Final
 
 from gripcourse.api.make_results import check_result, refused_check
 from gripcourse.api.results import CheckResult
 from gripcourse.course.model import Course
 from gripcourse.errors import UsageError
-from gripcourse.gradebook.checks import CheckLedger
 from gripcourse.jobs.pools import PROCESSES, Pool
 from gripcourse.jobs.standing import StandingWorkers
 from gripcourse.machine.content import NamedBytes
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
-from gripcourse.usecases.check import check_file
+from gripcourse.usecases.check import check_both_ways
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.web.pictures import PaintedPage, picture_of
 
@@ -24,12 +22,23 @@ SECONDS: Final = 20.0
 
 @dataclass(frozen=True, slots=True)
 class CheckJob:
-    """What is checked: the file, for whom it is counted and where, and the reader's language."""
+    """What is checked: the file, and the reader's language."""
 
     file: NamedBytes
-    who: str
-    ledger: Path
     language: str
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedBothWays:
+    """What a worker found out; who asked it counts, and shows one of the two.
+
+    Attributes:
+        reading: how the answers were read, or why the file is refused.
+        told: all that the policy may tell; None where that is no more.
+    """
+
+    reading: CheckResult
+    told: CheckResult | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,22 +49,24 @@ class PaintJob:
     page: int
 
 
-def work(job: CheckJob | PaintJob, shared: tuple[Course, Policy]) -> CheckResult | PaintedPage:
+def work(job: CheckJob | PaintJob, shared: tuple[Course, Policy]) -> CheckedBothWays | PaintedPage:
     """Do what is asked of a worker of the server."""
     if isinstance(job, PaintJob):
         return picture_of(job.file.data, job.file.name, job.page)
     return check(job, shared)
 
 
-def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckResult:
+def check(job: CheckJob, shared: tuple[Course, Policy]) -> CheckedBothWays:
     """Check a workbook; a file that cannot be used is said in the result."""
     course, policy = shared
     words = Words(job.language)
     try:
-        checked = check_file(job.file, course, policy, ledger=CheckLedger(job.ledger, job.who))
+        reading, told = check_both_ways(job.file, course, policy)
     except UsageError as refused:
-        return refused_check(refused.problems, words)
-    return check_result(checked, words)
+        return CheckedBothWays(refused_check(refused.problems, words), None)
+    return CheckedBothWays(
+        check_result(reading, words), None if told is None else check_result(told, words)
+    )
 
 
 def make_checkers(

@@ -43,8 +43,3 @@ class Site:
     batches: BatchReader = field(default_factory=BatchReader)
     own_batch: OwnBatch = field(default_factory=OwnBatch)
     waiting: CapacityLimiter = field(default_factory=lambda: CapacityLimiter(_MOST_WAITING))
-
-    @property
-    def ledger(self) -> Path:
-        """Where it is counted how often a student was told whether numbers fit."""
-        return self.context.private / "checks.sqlite"

@@ -17,6 +17,7 @@ CellValue: TypeAlias = bool | int | float | str | datetime | date | time | timed
 GENERAL: Final = "General"
 _LONGEST_FORMAT: Final = 500  # characters; spreadsheet programs write 255 at most
 _NUMBER: Final = re.compile(r"\s*[+-]?(\d{1,4000}(\.\d*)?|\.\d+)([eE][+-]?\d{1,9})?\s*", re.ASCII)
+_NONZERO: Final = re.compile(r"[^eE]*[1-9]")
 _MOST_STYLES: Final = 100_000
 _DIGITS: Final = 9  # of an index
 
@@ -118,6 +119,8 @@ def counts_from_1904(package: Package, workbook: str) -> bool:
 
 def _number(text: str, number_format: str, *, from_1904: bool) -> CellContent:
     number = float(text) if set(".eE") & set(text) else int(text)
+    if not number and _NONZERO.match(text):  # too small to be held: it must not become a zero
+        return CellContent(text)
     if number_format in {GENERAL, ""}:
         return CellContent(number)
     from openpyxl.styles.numbers import is_date_format, is_timedelta_format  # noqa: PLC0415 (as above)

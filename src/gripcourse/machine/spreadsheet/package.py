@@ -186,7 +186,11 @@ class Package:
         )
 
     def sheets(self, workbook: str) -> Mapping[str, str]:
-        """Return the part of every sheet by its title; of two with one title the first counts."""
+        """Return the part of every sheet by its title.
+
+        Raises:
+            ValueError: two sheets have one title: programs disagree which of them is meant.
+        """
         parts = {
             one.identifier: one.part
             for one in self.related(workbook)
@@ -196,7 +200,10 @@ class Package:
         for element in self.root(workbook).iter():
             part = parts.get(_attribute(element, "id") or "")
             if local(element) == "sheet" and part is not None:
-                sheets.setdefault(element.get("name", ""), part)
+                title = element.get("name", "")
+                if title in sheets:
+                    raise ValueError(title)
+                sheets[title] = part
         return sheets
 
     def hidden_sheets(self, workbook: str) -> frozenset[str]:
