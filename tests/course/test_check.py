@@ -113,7 +113,7 @@ def test_a_quantity_in_two_parts_is_named_at_the_later_one(draft: "Draft") -> No
     )
     problem = draft.append(f"{SECTIONS}pin.toml", text).problem()
     assert (problem.file, problem.key) == (f"{SECTIONS}pin.toml", "quantity.lever_width")
-    assert str(problem.what) == "'lever_width' is declared in variants/sections/bent_lever.toml too."
+    assert str(problem.what) == f"'lever_width' is declared in {SECTIONS}bent_lever.toml too."
     assert "[override.lever_width]" in str(problem.remedy)
 
 

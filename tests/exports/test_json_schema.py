@@ -65,7 +65,7 @@ def test_the_page_names_every_key_with_its_meaning() -> None:
 def test_the_page_of_keys_says_how_a_form_of_its_own_is_written_and_what_names_stand_for() -> None:
     page = key_page(FILE_KINDS)
     assert '| `mark` | `["…" or 0, "…" or 0]` |' in page
-    assert '| `values` | `[0.5, …]` |' in page
+    assert "| `values` | `[0.5, …]` |" in page
     assert "### `work`\n\nWorks that declarations cite, by id.\n\n| key |" in page
     assert str(KeySort.OTHER) not in page
 

@@ -107,7 +107,7 @@ def _untranslated(
         fitting = [one for one in missing if (one == "en") is not bool(_CYRILLIC.search(written))]
         served = next(iter([*fitting, *missing]), languages[0])
         for language in missing:
-            if remarks[name] and language != served:
+            if written and language != served:
                 key = f"{name}.{language}"
                 what = message("The text in this language is missing.")
                 yield _problem(

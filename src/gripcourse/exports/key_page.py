@@ -13,22 +13,34 @@ _HEAD: Final = (
     "| key | holds | must be written | meaning |",
     "|---|---|---|---|",
 )
-_CATALOGUES: Final = """
-## A catalogue
-
-`variants/catalogues/*.csv`
-
-Commas between columns, points in numbers, UTF-8. Lines that begin with `#` stand on top:
-
-| line | must be written | meaning |
-|---|---|---|
-| `# source: …` | yes | Where the numbers come from. |
-| `# mark: …` | yes | How far that was read: for the reference, never on what is issued. |
-| `# title: …` | where answers are taken from it | What students call it. |
-| `# column.NAME: …` | of several columns, for those that students need | What they call the column; the others are not shown to them. |
-| `# title.uk: …` and so on | where the plain line is not of that language | The same in another language of the course. A heading that is a symbol, `d_1`, serves all languages. |
-
-Then the names of the columns with their units, `size [mm],mass [kg],count`, and the rows. The first column is the size, which grows from row to row; `CATALOGUE.NAME` in formulas is a column of `CATALOGUE.csv`."""
+_CATALOGUE: Final = (
+    "",
+    "## A catalogue",
+    "",
+    "`variants/catalogues/*.csv`",
+    "",
+    "Commas between columns, points in numbers, UTF-8. Lines that begin with `#` stand on top:",
+    "",
+    "| line | must be written | meaning |",
+    "|---|---|---|",
+    "| `# source: …` | yes | Where the numbers come from. |",
+    "| `# mark: …` | yes | How far that was read: for the reference, never on what is issued. |",
+    "| `# title: …` | where answers are taken from it | What students call it. |",
+    (
+        "| `# column.NAME: …` | of several columns, for those that students need |"
+        " What they call the column; the others are not shown to them. |"
+    ),
+    (
+        "| `# title.uk: …` and so on | where the plain line is not of that language |"
+        " The same in another language of the course. A symbol for a heading, `d_1`, serves all. |"
+    ),
+    "",
+    (
+        "Then the names of the columns with units, `size [mm],mass [kg],count`, and the rows. The"
+        " first column is the size, which grows from row to row; `CATALOGUE.NAME` in formulas is a"
+        " column of `CATALOGUE.csv`."
+    ),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,11 +72,10 @@ def key_page(kinds: Iterable[FileKind]) -> str:
         places = ", ".join(f"`{place}`" for place in kind.places)
         lines += ["", f"## {kind.title}", "", places]
         for heading, meaning, keys in _tables("", "", kind.shape, seen):
-            lines += [""]
-            lines += [f"### `{heading}`", "", *([meaning, ""] if meaning else [])] if heading else []
-            lines += _HEAD
+            named = [f"### `{heading}`", ""] if heading else []
+            lines += ["", *named, *([meaning, ""] if meaning else []), *_HEAD]
             lines += [_row(name, key) for name, key in keys.items()]
-    return "\n".join((*lines, _CATALOGUES, *formula_lines(), ""))
+    return "\n".join((*lines, *_CATALOGUE, *formula_lines(), ""))
 
 
 def _tables(

@@ -114,9 +114,7 @@ def differences(one: PrintedCalculation) -> Iterator[Problem]:
         )
 
 
-def _unmet(
-    one: PrintedCalculation, values: Mapping[str, float], names: Sequence[str]
-) -> list[str]:
+def _unmet(one: PrintedCalculation, values: Mapping[str, float], names: Sequence[str]) -> list[str]:
     """Return which numbers do not come out as they are printed."""
     return [name for name in names if not is_met(values[name], *one.expected[name])]
 

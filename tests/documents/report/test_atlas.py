@@ -61,7 +61,7 @@ def copied(the_course: Course, tmp_path: Path) -> Callable[[str, str], Course]:
     ("old", "new", "told"),
     [
         ('work = "arms_paper"', 'work = "arm_paper"', "work: The name 'arm_paper' is not known"),
-        ('against = "lever_length"', 'against = "length"', r"figure\[1\]\.against: The name 'length'"),
+        ('against = "lever_length"', 'against = "len"', r"figure\[1\]\.against: The name 'len'"),
         ('"arm_far_at_max"', '"arm_far_atmax"', r"curves\[1\]\.quantity: The name 'arm_far_atmax'"),
         ("at = { diameter_max", "at = { diameter", r"at\.diameter: The name 'diameter'"),
         ("prism_angle/2 - at", "tilted/2 - at", r"row\[2\]\.size\.inclination: The name 'tilted'"),
