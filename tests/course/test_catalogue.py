@@ -131,3 +131,26 @@ def test_a_language_that_a_printed_name_lacks_is_told(draft: "Draft", file: str,
     assert (problem.file, str(problem.key)) == (file, line)
     assert "in this language is missing" in str(problem.what)
     assert f"'# {line}: …'" in str(problem.remedy)
+
+
+BORE = "variants/catalogues/bore_pneumatic.csv"
+ROD = "# column.rod: rod d\n# column.rod.ru: шток d\n# column.rod.uk: шток d\n"
+
+
+@pytest.mark.parametrize(
+    ("heading", "missing"),
+    [
+        ("rod d", ["ru", "uk"]),
+        ("шток d", ["en", "uk"]),
+        ("d", []),
+        ("d_max", []),
+        ("√(D² − d²), sin(α)", []),
+        ("HRC", []),
+    ],
+)
+def test_a_heading_in_words_serves_one_language_and_a_symbol_all(
+    draft: "Draft", heading: str, missing: list[str]
+) -> None:
+    found = draft.edit(BORE, ROD, f"# column.rod: {heading}\n").problems()
+    keys = {str(one.key) for one in found if one.file == BORE}
+    assert keys == {f"column.rod.{one}" for one in missing}

@@ -82,7 +82,7 @@ def test_faults_that_hide_nothing_are_one_problem_each_all_at_once(draft: "Draft
 
 def _shuffle(draft: "Draft") -> None:
     titles = "# title: made up\n# title.ru: так\n# title.uk: так\n"
-    heads = f"{titles}# column.size: size\n# column.mass: mass\n"
+    heads = f"{titles}# column.size: d\n# column.mass: m\n"
     text = f"# source: made up\n# mark: made up\n{heads}size [mm],mass [kg]\n10,30\n20,10\n"
     draft.put("variants/catalogues/shuffled.csv", text.encode())
 
@@ -113,7 +113,7 @@ def test_a_quantity_in_two_parts_is_named_at_the_later_one(draft: "Draft") -> No
     )
     problem = draft.append(f"{SECTIONS}pin.toml", text).problem()
     assert (problem.file, problem.key) == (f"{SECTIONS}pin.toml", "quantity.lever_width")
-    assert str(problem.what) == "'lever_width' is declared more than once."
+    assert str(problem.what) == f"'lever_width' is declared in {SECTIONS}bent_lever.toml too."
     assert "[override.lever_width]" in str(problem.remedy)
 
 

@@ -1,5 +1,6 @@
 """What editors are told of a file agrees with the files of the reference course."""
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -59,6 +60,25 @@ def test_the_page_names_every_key_with_its_meaning() -> None:
     assert "| `default` | number |  | What it is where an example" in page
     assert '### `quantity.* with kind = "given"`' in page
     assert "| `relative` | number from 0 to 0.5 |" in page
+
+
+def test_the_page_of_keys_says_how_a_form_of_its_own_is_written_and_what_names_stand_for() -> None:
+    page = key_page(FILE_KINDS)
+    assert '| `mark` | `["…" or 0, "…" or 0]` |' in page
+    assert "| `values` | `[0.5, …]` |" in page
+    assert "### `work`\n\nWorks that declarations cite, by id.\n\n| key |" in page
+    assert str(KeySort.OTHER) not in page
+
+
+def test_the_page_of_keys_says_what_an_element_is_drawn_with_where_nothing_is_written() -> None:
+    [gear] = re.findall(r'with kind = "gear"`\n(.*?)\n#', key_page(FILE_KINDS), re.DOTALL)
+    assert "at which another gear or a rack meshes" in gear
+    assert "`gap` where not written" in gear
+
+
+def test_the_page_of_keys_tells_the_lines_that_a_catalogue_begins_with() -> None:
+    page = key_page(()).split("## A catalogue")[1]
+    assert all(f"`# {line}: …`" in page for line in ("source", "mark", "title", "column.NAME"))
 
 
 def test_the_page_names_every_function_of_formulas_and_every_unit() -> None:

@@ -25,6 +25,7 @@ def test_a_symbol_in_a_sentence_ends_with_its_subscript() -> None:
         ("h_1", "h₁"),
         ("D_max, Δl_12", "Dₘₐₓ, Δl₁₂"),
         ("d_ш", "dш"),
+        ("not below m′_1; d'_2, w″_3", "not below m′₁; d'₂, w″₃"),
         ("d_c1", "dc1"),
         ("σ_и ≤ [σ]_и", "σи ≤ [σ]и"),
         ("bare words", "bare words"),

@@ -152,6 +152,16 @@ def test_symbols_stand_side_by_side_and_numbers_have_a_sign_between() -> None:
                 None,
             ),
         ),
+        (
+            "[σ_F]",
+            Row(
+                (
+                    Text("upright", "["),
+                    Script(Text("variable", "σ"), Text("upright", "F"), None),
+                    Text("upright", "]"),
+                )
+            ),
+        ),
         ("Δl", Row((Text("upright", "Δ"), Text("variable", "l")))),
     ],
 )

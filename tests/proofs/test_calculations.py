@@ -41,6 +41,30 @@ def test_a_torque_that_is_printed_wrongly_is_named(calculation: PrintedCalculati
     assert prove_calculation(changed).verdict is Verdict.FAILS
 
 
+def test_what_only_follows_from_a_wrong_number_is_told_beside_it(
+    calculation: PrintedCalculation,
+) -> None:
+    """A part of the example that begins with a wrong number: one sentence, not one for each."""
+    values = solve_variant(calculation.plan, calculation.known)
+    doubled = {**calculation.known, "grip_force": 2 * values["grip_force"]}
+    later = solve_variant(calculation.plan, doubled)
+    expected = {name: (later[name], 1e-9) for name in ("drive_force", "grip_force", "gear_torque")}
+    [problem] = differences(replace(calculation, expected=expected))
+    assert problem.key == "corrected.expected.grip_force"
+    assert "these would come out, too: gear_torque, drive_force" in str(problem.what)
+    assert "Compare the formula of grip_force" in str(problem.remedy)
+
+
+def test_two_numbers_that_are_wrong_for_themselves_are_two_problems(
+    calculation: PrintedCalculation,
+) -> None:
+    values = solve_variant(calculation.plan, calculation.known)
+    expected = {name: (2 * values[name], 1e-9) for name in ("grip_force", "gear_torque")}
+    expected["gear_torque"] = (3 * values["gear_torque"], 1e-9)
+    found = [one.key for one in differences(replace(calculation, expected=expected))]
+    assert found == ["corrected.expected.grip_force", "corrected.expected.gear_torque"]
+
+
 def test_a_number_without_a_value_is_named(calculation: PrintedCalculation) -> None:
     without = replace(calculation, known={**calculation.known, "friction": 0.0})
     assert any("has no value here" in str(one.what) for one in differences(without))

@@ -42,6 +42,8 @@ def problems(root: Path) -> list[tuple[str, str, str]]:
                      SCHEME, "quantity.load.formula", "'gravity' is not known", id="no constant"),
         pytest.param([(COURSE, r"\[constant\.gravity\].*?\n\n", "")],
                      POLICY, "rounding.habits.gravity", "means nothing", id="its habits"),
+        pytest.param([(SCHEME, '"tension"', '"tention"')],
+                     SCHEME, "parts", "'tention'", id="no such part"),
         pytest.param([(COURSE, r"\[title\]", 'convention = "as_printed"\n[title]')],
                      COURSE, "convention", "lists no errata", id="no erratum"),
         pytest.param([(COURSE, r"\[\[section\]\].*?\n\n", "")],

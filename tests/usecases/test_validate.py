@@ -20,7 +20,7 @@ from gripcourse.issuing.store import extend_register
 from gripcourse.machine.database.home import gradebook_path
 from gripcourse.machine.database.opening import open_engine
 from gripcourse.usecases.check_lists import list_problems
-from gripcourse.usecases.validate import all_problems, scheme_problems
+from gripcourse.usecases.validate import all_problems, scheme_problems, validated
 from gripcourse.variants.model import Student, Variant
 
 COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
@@ -82,7 +82,17 @@ def test_spaces_are_not_judged_against_a_broken_course(broken: Callable[..., Pat
         (SPACE, "[given.power]", "[given.powr]"),
         ("grader/policy.toml", "total = 100", "total = 99"),
     )
-    assert [one.file for one in all_problems(root)] == ["grader/policy.toml"]
+    found = validated(root)
+    assert [one.file for one in found.problems] == ["grader/policy.toml"]
+    assert not found.computed
+
+
+def test_an_example_that_does_not_come_out_is_told_with_what_was_computed(
+    broken: Callable[..., Path],
+) -> None:
+    found = validated(broken(("variants/sections/open_belt.toml", "pi - 2*asin", "pi - 3*asin")))
+    assert found.computed
+    assert any("wrap_angle" in str(one.key) for one in found.problems)
 
 
 def test_tables_of_variants_are_judged_with_row_and_column(broken: Callable[..., Path]) -> None:

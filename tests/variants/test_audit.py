@@ -51,6 +51,17 @@ def raw_audit(
     return audit(course, policy, raw, spaces)
 
 
+def test_a_table_in_which_a_quantity_never_comes_out_is_audited(
+    course: Course, policy: Policy, sound: tuple[Variant, ...]
+) -> None:
+    """Nothing rubs: the force that would have to hold by friction has no value in any variant."""
+    rubbing = [one for one in sound if "friction" in one.given][:1]
+    still = [replace(one, given={**one.given, "friction": 0.0}) for one in rubbing]
+    found = audit(course, policy, (*still, *(replace(one, id="twin") for one in still)))
+    assert still
+    assert all(one.broken for one in found.variants if "friction" in one.variant.given)
+
+
 def planted(course: Course, sound: tuple[Variant, ...]) -> tuple[Variant, ...]:
     """The table with a near-duplicate of its first variant: the least important number differs."""
     first = sound[0]

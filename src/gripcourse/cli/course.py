@@ -46,12 +46,17 @@ def validate(
     language: LanguageOption = None,
 ) -> None:
     """Check a whole course and list all its problems at once."""
-    from gripcourse.usecases.validate import all_problems, scheme_problems
+    from gripcourse.usecases.validate import scheme_problems, validated
 
     words, root = words_for(language), course_folder(course)
-    problems = (
-        all_problems(root, thorough=prove) if scheme is None else scheme_problems(root, scheme)
-    )
+    if scheme is not None:
+        problems = scheme_problems(root, scheme)
+    else:
+        found = validated(root, thorough=prove)
+        problems = found.problems
+        if problems and not found.computed:
+            late = message("Examples, variants and documents are tried once this is mended:")
+            typer.echo(words.say(late), err=True)
     if problems:
         raise GripcourseError(problems)
     confirm(

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from gripcourse.usecases.issue import Issuing
     from gripcourse.variants.audit import VariantAudit
     from gripcourse.variants.draw import Drawn
+    from gripcourse.variants.tally import Refusal
 
 Step = Callable[[str, int | None], Callable[[], None]]
 _MOST_TOLD = 10
@@ -108,19 +109,28 @@ def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
         lines.append(
             words.say(
                 message(
-                    "{scheme}: {share} % of {tried} candidates are feasible.",
+                    "{scheme}: {share} % of {tried} candidates can be solved.",
                     scheme=tally.scheme,
                     share=round(100 * tally.acceptance, 1),
                     tried=tally.tried,
                 )
             )
         )
-        refusals = (*tally.refusals[:5], *tally.set_aside)
         lines += [
             f"  {refusal.count} ({refusal.count / tally.tried:.0%}): {words.say(refusal.what)}"
-            for refusal in refusals
+            for refusal in tally.refusals[:5]
         ]
+        lines += [f"  {words.say(_left_out(refusal, tally.tried))}" for refusal in tally.set_aside]
     return "\n".join(lines)
+
+
+def _left_out(refusal: "Refusal", tried: int) -> Message:
+    return message(
+        "{count} ({share}) can be solved and are left out: {why}",
+        count=refusal.count,
+        share=f"{refusal.count / tried:.0%}",
+        why=refusal.what,
+    )
 
 
 def audit_text(audited: "WrittenAudit", words: Words) -> str:

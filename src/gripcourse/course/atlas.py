@@ -1,6 +1,6 @@
 """An atlas: published figures and tables that a course reproduces from its own formulas."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,7 +8,7 @@ from gripcourse.course.keys import ATLAS
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.course.unit_words import unit_remedy
 from gripcourse.course.written_formula import written_formula
-from gripcourse.errors import CourseError, Problem
+from gripcourse.errors import Problem
 from gripcourse.formula.tree import Formula
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import known as known_unit
@@ -79,19 +79,23 @@ class Atlas:
     rows: tuple[AtlasRow, ...]
 
 
-def load_atlas(root: Path, identifier: str, schemes: Collection[str]) -> Atlas:
-    """Load `variants/atlas/<identifier>.toml`.
+def atlas_path(root: Path, identifier: str) -> Path:
+    """Where a course keeps an atlas."""
+    return root / "variants" / "atlas" / f"{identifier.replace('-', '_')}.toml"
+
+
+def read_atlas(
+    root: Path, identifier: str, languages: Sequence[str], problems: list[Problem]
+) -> Atlas | None:
+    """Read `variants/atlas/<identifier>.toml`; None: its file is missing or no TOML.
 
     Args:
         root: folder of the course.
         identifier: of the atlas, with hyphens.
-        schemes: ids of the course's schemes.
-
-    Raises:
-        CourseError: with all problems of the file.
+        languages: that the course is written in.
+        problems: those of the file are added to them.
     """
-    problems: list[Problem] = []
-    path = root / "variants" / "atlas" / f"{identifier.replace('-', '_')}.toml"
+    path = atlas_path(root, identifier)
     if not path.exists():
         known = [one.stem.replace("_", "-") for one in path.parent.glob("*.toml")]
         what = message("The course has no atlas '{name}'.", name=identifier)
@@ -100,13 +104,14 @@ def load_atlas(root: Path, identifier: str, schemes: Collection[str]) -> Atlas:
             if known
             else message("Write one: its keys are on the page that 'gripcourse schema' makes.")
         )
-        raise CourseError([Problem(path.relative_to(root).as_posix(), "", what, remedy)])
-    table = read_toml(path, root, problems, ATLAS)
+        problems.append(Problem(path.relative_to(root).as_posix(), "", what, remedy))
+        return None
+    table = read_toml(path, root, problems, ATLAS, languages)
     if table is None:
-        raise CourseError(problems)
+        return None
     table.known_keys()
     sizes = _sizes(table, "size")
-    atlas = Atlas(
+    return Atlas(
         identifier,
         table.text("scheme"),
         table.text("work"),
@@ -116,12 +121,6 @@ def load_atlas(root: Path, identifier: str, schemes: Collection[str]) -> Atlas:
         tuple(_figure(one) for one in table.tables("figure")),
         tuple(_row(one, sizes) for one in table.tables("row")),
     )
-    if atlas.scheme and atlas.scheme not in schemes:
-        what = message("The course has no scheme '{scheme}'.", scheme=atlas.scheme)
-        table.add("scheme", what, did_you_mean(atlas.scheme, schemes))
-    if problems:
-        raise CourseError(problems)
-    return atlas
 
 
 def atlas_schemes(root: Path) -> frozenset[str]:

@@ -6,8 +6,10 @@ heading such as `size [mm],mass [kg]`, then the rows. `# title.en: …` is as go
 """
 
 import csv
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,9 @@ from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import LANGUAGES, Message, Texts, message
 
 _REMARKS = ("source", "mark")
+# Three letters or more that are no index, no function, and no name such as HRC.
+_WORD: Final = re.compile(r"(?<![\w_])(?!(?:sin|cos|tan|max|min)\b|[A-Z]+\b)[^\W\d_]{3,}")
+_CYRILLIC: Final = re.compile(r"[а-яёіїєґ]", re.IGNORECASE)
 
 
 def read_catalogue(
@@ -91,16 +96,17 @@ def _untranslated(
 ) -> Iterator[Problem]:
     """Yield a problem for each text that students read and that lacks a language of the course.
 
-    The line without a language serves one: English, or the first where the course has no English.
-    A heading may be a symbol and serve all: only one that is partly translated lacks something.
+    The line without a language serves one that lacks its own: one of its letters, if there is one.
+    A heading may be a symbol and serve all: one that is a word, or is partly translated, does not.
     """
-    plain = _plain(languages)
     for name, text in _served(written, languages).items():
         missing = [one for one in languages if not written.get(f"{name}.{one}")]
         is_heading = name.startswith("column.") and name.count(".") == 1
-        if name != "title" and not (is_heading and len(missing) < len(languages)):
+        in_words = len(missing) < len(languages) or _WORD.search(text) is not None
+        if name != "title" and not (is_heading and in_words):
             continue
-        served = plain if plain in missing else next(iter(missing), plain)
+        fitting = [one for one in missing if (one == "en") is not bool(_CYRILLIC.search(text))]
+        served = next(iter([*fitting, *missing]), languages[0])
         for language in missing:
             if text and (language != served or name not in written):
                 key = f"{name}.{language}"

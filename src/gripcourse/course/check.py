@@ -189,22 +189,25 @@ def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
                     message("There is no part '{part}'.", part=part),
                     did_you_mean(part, course.parts),
                 )
-        declared = set(course.constants)
+        declared = dict.fromkeys(course.constants, "variants/course.toml")
         parts = [course.parts[part] for part in ids if part in course.parts]
         for file, own in (
             *((one.file, one.quantities) for one in parts),
             (scheme.file, scheme.quantities),
         ):
-            yield from (_doubled(file, name) for name in own if name in declared)
-            declared |= own.keys()
+            yield from (_doubled(file, name, declared[name]) for name in own if name in declared)
+            declared |= dict.fromkeys(own, file)
 
 
-def _doubled(file: str, name: str) -> Problem:
+def _doubled(file: str, name: str, other: str) -> Problem:
     return Problem(
         file,
         f"quantity.{name}",
-        message("'{name}' is declared more than once.", name=name),
-        message("Remove a part, or change single keys under [override.{name}].", name=name),
+        message("'{name}' is declared in {file} too.", name=name, file=other),
+        message(
+            "Remove one of them or a part, or change single keys under [override.{name}].",
+            name=name,
+        ),
     )
 
 

@@ -14,13 +14,53 @@ _MEANINGS: Final[Mapping[Sort, str]] = {
     Sort.LENGTH: "Formula of a length, drawn to scale.",
     Sort.ANGLE: "Formula of an angle, counter-clockwise from the axis.",
     Sort.NUMBER: "A number, or its formula; of millimetres on paper, or a count.",
-    Sort.WORD: "How it looks; the first word where nothing is written.",
+    Sort.WORD: "How it looks.",
     Sort.QUANTITY: "Id of the quantity whose symbol is written beside it.",
+}
+# What the sort of a role does not say: by the element, or by the name of the role in any.
+_OWN: Final[Mapping[str, str]] = {
+    "gear.mesh": "Angle at which another gear or a rack meshes: so that teeth stand in gaps there.",
+    "gear.has": "What it has at `mesh`: of two gears one has a gap, the other a tooth.",
+    "gear.start": "Angle at which a sector begins.",
+    "gear.sweep": "Angle that a sector extends over.",
+    "link.corner": "Whether a link of three points and more is marked as rigid.",
+    "ground.side": "Of the way through the points: which side is hatched.",
+    "rack.side": "Of the way through the points: which side the teeth stand on.",
+    "contact.holds": "Name of the point in the middle of what it presses on.",
+    "contact.surface": "Of its face; a convex or concave one takes a `radius`.",
+    "contact.angle": "Half the angle of a vee; not written: one face.",
+    "contact.mouth": "Opening of a vee.",
+    "contact.smallest": "Least diameter of what it presses on.",
+    "contact.largest": "Greatest diameter of what it presses on.",
+    "cylinder.base": "Whether it is fastened or hangs on a joint.",
+    "cylinder.rod": "Which side of the piston is under pressure.",
+    "floating_cylinder.rod": "Which side of the piston is under pressure.",
+    "force.shift": "Millimetres on paper by which it stands to the left of its point.",
+    "force.most": "How long it may be at most, to scale: the room that it has.",
+    "force.end": "Which end of the arrow stands at the point.",
+    "moment.start": "Angle at which the arrow begins.",
+    "moment.sweep": "Angle that the arrow extends over; negative: clockwise.",
+    "length.shift": "Millimetres on paper from the points to the dimension line, to the left.",
+    "length.past": "Name of a point that the dimension line lies beyond, too.",
+    "length.along": "Whether it is measured along the line of its points or along an axis.",
+    "angle.start": "Where the angle begins.",
+    "angle.sweep": "How large it is; negative: clockwise.",
+    "end_view.count": "How many of the mechanism stand round the axis.",
+    "repeat": "How often it is drawn along the picture.",
+    "pitch": "How far these stand apart: formula of a length, to scale.",
+    "rows": "How often it is drawn across the picture.",
+    "row_pitch": "How far these stand apart: formula of a length, to scale.",
 }
 
 
-def _key(role: Role) -> Key:
-    meaning, required = _MEANINGS[role.sort], role.default is None
+def _meaning(kind: str, name: str, role: Role) -> str:
+    said = _OWN.get(f"{kind}.{name}") or _OWN.get(name) or _MEANINGS[role.sort]
+    left_out = role.words[0] if role.words else role.default
+    return f"{said} `{left_out}` where not written." if left_out else said
+
+
+def _key(kind: str, name: str, role: Role) -> Key:
+    meaning, required = _meaning(kind, name, role), role.default is None
     match role.sort:
         case Sort.POINTS:
             return strings(meaning)
@@ -46,7 +86,7 @@ ELEMENT: Final = Shape(
     _COMMON,
     by="kind",
     kinds={
-        kind: {name: _key(role) for name, role in word.roles.items()}
+        kind: {name: _key(kind, name, role) for name, role in word.roles.items()}
         for kind, word in VOCABULARY.items()
     },
 )

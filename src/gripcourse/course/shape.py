@@ -22,7 +22,7 @@ class KeySort(StrEnum):
     PAIR = "two numbers"
     TABLE = "table"
     TABLES = "array of tables"
-    OTHER = "see the meaning"  # read by its own reader, which says how it is written
+    OTHER = "a form of its own"  # read by its own reader; `Key.form` says how it is written
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,7 +72,7 @@ _PART: Final = Shape(
         "count": text("Formula: how many there are."),
         "sizes": strings("Quantities that the parts list shows."),
         "material": texts("In the parts list; absent: that of the view."),
-        "mark": other("Where the leader of its position ends.", _TWO),
+        "mark": other("Where the leader of its position ends; needed where it has a title.", _TWO),
         "moves": flag("Whether the other position of the view shows it too."),
         "meets": strings("Parts that it may overlap: a pin in its hole, teeth in mesh."),
         "touches": strings("Parts that it may press into by 0.2 mm: what it holds."),

@@ -1,9 +1,10 @@
 """The page of all keys of a course's files, as Markdown, from the shapes that their readers use."""
 
+import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from gripcourse.course.shape import Key, KeySort, Shape
 from gripcourse.exports.formula_page import formula_lines
@@ -11,6 +12,34 @@ from gripcourse.exports.formula_page import formula_lines
 _HEAD: Final = (
     "| key | holds | must be written | meaning |",
     "|---|---|---|---|",
+)
+_CATALOGUE: Final = (
+    "",
+    "## A catalogue",
+    "",
+    "`variants/catalogues/*.csv`",
+    "",
+    "Commas between columns, points in numbers, UTF-8. Lines that begin with `#` stand on top:",
+    "",
+    "| line | must be written | meaning |",
+    "|---|---|---|",
+    "| `# source: …` | yes | Where the numbers come from. |",
+    "| `# mark: …` | yes | How far that was read: for the reference, never on what is issued. |",
+    "| `# title: …` | where answers are taken from it | What students call it. |",
+    (
+        "| `# column.NAME: …` | of several columns, for those that students need |"
+        " What they call the column; the others are not shown to them. |"
+    ),
+    (
+        "| `# title.uk: …` and so on | where the plain line is not of that language |"
+        " The same in another language of the course. A symbol for a heading, `d_1`, serves all. |"
+    ),
+    "",
+    (
+        "Then the names of the columns with units, `size [mm],mass [kg],count`, and the rows. The"
+        " first column is the size, which grows from row to row; `CATALOGUE.NAME` in formulas is a"
+        " column of `CATALOGUE.csv`."
+    ),
 )
 
 
@@ -32,7 +61,7 @@ class FileKind:
 
 
 def key_page(kinds: Iterable[FileKind]) -> str:
-    """Return the page: the tables of each kind of file with their keys; then the formulas."""
+    """Return the page: each kind of file with its keys; then catalogues, and the formulas."""
     lines = [
         "# Keys of the files of a course",
         "",
@@ -42,19 +71,21 @@ def key_page(kinds: Iterable[FileKind]) -> str:
     for kind in kinds:
         places = ", ".join(f"`{place}`" for place in kind.places)
         lines += ["", f"## {kind.title}", "", places]
-        for heading, keys in _tables("", kind.shape, seen):
-            lines += ["", *([f"### `{heading}`", ""] if heading else []), *_HEAD]
+        for heading, meaning, keys in _tables("", "", kind.shape, seen):
+            named = [f"### `{heading}`", ""] if heading else []
+            lines += ["", *named, *([meaning, ""] if meaning else []), *_HEAD]
             lines += [_row(name, key) for name, key in keys.items()]
-    return "\n".join((*lines, *formula_lines(), ""))
+    return "\n".join((*lines, *_CATALOGUE, *formula_lines(), ""))
 
 
 def _tables(
-    heading: str, shape: Shape, seen: list[Shape]
-) -> Iterator[tuple[str, Mapping[str, Key]]]:
-    """Yield the tables of a shape, outer ones first, each with the keys that stand in it.
+    heading: str, meaning: str, shape: Shape, seen: list[Shape]
+) -> Iterator[tuple[str, str, Mapping[str, Key]]]:
+    """Yield the tables of a shape, outer ones first, with meanings and the keys that stand in them.
 
     Args:
         heading: where the shape stands, its names joined by points.
+        meaning: of the table.
         shape: its keys.
         seen: shapes that stand on the page already, as the declaration of a quantity does for parts
             and for schemes: they are not repeated.
@@ -66,18 +97,19 @@ def _tables(
     own = shared if shape.each is None else shared | {"*": shape.each}
     leaves = {name: key for name, key in own.items() if not _is_only_names(key)}
     if leaves:
-        yield heading, leaves
+        yield heading, meaning, leaves
     below = own
     for kind, keys in shape.kinds.items():
         further = {name: key for name, key in keys.items() if name not in shared}
         if further:
-            yield f'{heading} with {shape.by} = "{kind}"', further
+            yield f'{heading} with {shape.by} = "{kind}"', "", further
         below = below | further
     for name, key in below.items():
         if key.inside is not None:
             place = f"{heading}.{name}" if heading else name
             inner = f"{place}[]" if key.sort is KeySort.TABLES else place
-            yield from _tables(inner, key.inside, seen)
+            meant = "" if name == "*" else key.meaning
+            yield from _tables(inner, meant, key.inside, seen)
 
 
 def _shared(shape: Shape) -> dict[str, Key]:
@@ -109,4 +141,26 @@ def _holds(key: Key) -> str:
         return f"{'list of' if key.sort is KeySort.STRINGS else 'one of'} {words}"
     if key.sort is KeySort.NUMBER and not math.isinf(key.low):
         return f"number from {key.low:g}" + ("" if math.isinf(key.high) else f" to {key.high:g}")
-    return str(key.sort)
+    return f"`{_form(key.form)}`" if key.sort is KeySort.OTHER else str(key.sort)
+
+
+def _form(form: Mapping[str, Any]) -> str:
+    """Write a JSON Schema as a pattern of what stands in the file: `["…" or 0, "…" or 0]`."""
+    if "const" in form:
+        return json.dumps(form["const"])
+    if "enum" in form:
+        return " or ".join(json.dumps(one) for one in form["enum"])
+    if "anyOf" in form:
+        return " or ".join(_form(one) for one in form["anyOf"])
+    sorts = form["type"] if isinstance(form["type"], list) else [form["type"]]
+    return " or ".join(_of_sort(sort, form) for sort in sorts)
+
+
+def _of_sort(sort: str, form: Mapping[str, Any]) -> str:
+    if sort == "array":
+        one, least = _form(form["items"]), form.get("minItems", 1)
+        more = [] if form.get("maxItems") == least else ["…"]
+        return f"[{', '.join([one] * least + more)}]"
+    if sort == "object":
+        return "{ … }"
+    return {"string": '"…"', "boolean": "true"}.get(sort, "0.5")

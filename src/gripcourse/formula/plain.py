@@ -10,6 +10,7 @@ from gripcourse.formula.boxes import Applied, Box, Fence, Fraction, Root, Row, S
 
 _SUPERSCRIPTS: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _LETTERS: Final = frozenset({"variable", "upright"})
+_OPEN: Final = Text("upright", "[")
 _RADICALS: Final = {"": "√", "3": "∛"}
 
 
@@ -88,8 +89,10 @@ def _below(bottom: Box) -> str:
     match bottom:
         case Text(_, run):
             alone = "·" not in run
-        case Row(items):  # a symbol of several runs, for example [τ]
-            alone = all(isinstance(part, Text) and part.kind in _LETTERS for part in items)
+        case Row(items):  # a symbol of several runs, for example [τ], or in brackets with its index
+            alone = items[0] == _OPEN or all(
+                isinstance(part, Text) and part.kind in _LETTERS for part in items
+            )
         case Value(number, unit):
             alone = not (unit or bottom.negative or "·" in number)
         case Script() | Root() | Fence() | Applied():

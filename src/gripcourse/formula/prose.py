@@ -4,9 +4,9 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
-# A letter, perhaps in brackets or after a Δ, and its subscript; a power ends it.
+# A letter, perhaps in brackets, after a Δ or with primes, and its subscript; a power ends it.
 SYMBOL: Final = re.compile(
-    r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_])_[-−]?[^\W_²³]{1,8}(?![^\W²³])"
+    r"(?<![\w\]])(?:\[[^\W\d_]{1,2}\]|Δ?[^\W\d_][′″'’]{0,2})_[-−]?[^\W_²³]{1,8}(?![^\W²³])"
 )
 
 _SMALL: Final = str.maketrans(

@@ -65,6 +65,7 @@ _ALL_DIGITS: Final = 15
 _RELATION: Final = re.compile(r"\s+([≤≥<>=])\s+|([,;])\s+")
 # A sign between symbols; a bracket, where what it holds has a subscript of its own.
 _SIGN: Final = re.compile(r"(\s*[·/−+]\s*|\[(?=[^\]]*_)|(?<=\w)\](?=$|\s*[·/−+]))")
+_BRACKETED: Final = re.compile(r"\[([^\[\]]+_[^\[\]]+)\]")
 _RUN: Final = re.compile(r"[A-Za-z]+|[α-ωϑϕϰϱϵ]|[^A-Za-zα-ωϑϕϰϱϵ]+")
 
 
@@ -84,8 +85,12 @@ def symbol_box(symbol: str) -> Box:
     """Lay out a symbol as declarations write it: what follows `_` is a subscript, `τ_-1` too.
 
     Single Latin letters and small Greek ones stand for quantities and are italic; everything else
-    (several letters, Cyrillic, digits, brackets, subscripts) is upright.
+    (several letters, Cyrillic, digits, brackets, subscripts) is upright. Brackets round a symbol
+    hold its subscript too: `[σ_F]`.
     """
+    inner = _BRACKETED.fullmatch(symbol)
+    if inner is not None:
+        return Row((Text("upright", "["), symbol_box(inner[1]), Text("upright", "]")))
     base, _, sub = symbol.partition("_")
     runs = [_run(found[0]) for found in _RUN.finditer(base)]
     body: Box = runs[0] if len(runs) == 1 else Row(tuple(runs))

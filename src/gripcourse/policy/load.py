@@ -177,9 +177,12 @@ def _main_points(points: Table, course: Course) -> Mapping[str, float]:
 
 
 def _quantities_of(course: Course, scheme: Scheme) -> Iterator[Quantity]:
-    """Yield what any variant of a scheme may have; of options, all choices."""
+    """Yield what any variant of a scheme may have; of options, all choices.
+
+    A part that there is not is told where the scheme names it.
+    """
     for part in all_part_ids(scheme):
-        if part in course.parts:  # else that is said of the course
+        if part in course.parts:
             yield from course.parts[part].quantities.values()
     yield from scheme.quantities.values()
 

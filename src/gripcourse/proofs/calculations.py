@@ -91,21 +91,40 @@ def prove_calculation(one: PrintedCalculation) -> ProofResult:
 
 
 def differences(one: PrintedCalculation) -> Iterator[Problem]:
-    """Yield every printed number that does not come out."""
+    """Yield every printed number that does not come out; what only follows from it, beside it."""
     values = solve_variant(one.plan, one.known)
-    for name, (printed, difference) in one.expected.items():
-        value = values[name]
-        if not is_met(value, printed, difference):
-            yield Problem(
-                one.file,
-                f"{one.key}.{name}",
-                _what(one.plan, name, value, printed, difference),
-                message(
-                    "Compare the formula of {name} and of what it uses with the source; if they"
-                    " are right, mend the printed number or what is given.",
-                    name=name,
-                ),
-            )
+    known = dict(one.known)
+    wrong = _unmet(one, values, [name for name in one.plan.quantities if name in one.expected])
+    while wrong:
+        name, *others = wrong
+        printed, difference = one.expected[name]
+        known[name] = printed
+        wrong = _unmet(one, solve_variant(one.plan, known), others) if others else []
+        what = _what(one.plan, name, values[name], printed, difference)
+        follow = [other for other in others if other not in wrong]
+        yield Problem(
+            one.file,
+            f"{one.key}.{name}",
+            _with_followers(what, follow) if follow else what,
+            message(
+                "Compare the formula of {name} and of what it uses with the source; if they"
+                " are right, mend the printed number or what is given.",
+                name=name,
+            ),
+        )
+
+
+def _unmet(one: PrintedCalculation, values: Mapping[str, float], names: Sequence[str]) -> list[str]:
+    """Return which numbers do not come out as they are printed."""
+    return [name for name in names if not is_met(values[name], *one.expected[name])]
+
+
+def _with_followers(what: Message, names: Sequence[str]) -> Message:
+    return message(
+        "{what} With the printed number these would come out, too: {names}.",
+        what=what,
+        names=", ".join(names),
+    )
 
 
 def is_met(value: float, printed: float, difference: float) -> bool:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gripcourse.course.atlas import Atlas, load_atlas
+from gripcourse.course.check_atlas import load_atlas
 from gripcourse.course.model import Course
 from gripcourse.documents.report.atlas import atlas_pdf, plates
 from gripcourse.errors import Problem, UsageError
@@ -24,8 +24,7 @@ def draw_atlas(course: Course, identifier: str, out: Path, words: Words) -> list
     if identifier not in known:
         what = message("The course has no atlas '{atlas}'.", atlas=identifier)
         raise UsageError([Problem("", "", what, did_you_mean(identifier, known))])
-    atlas = load_atlas(course.root, identifier, course.schemes)
-    _check(atlas, course)
+    atlas = load_atlas(course, identifier)
     drawn = plates(atlas, course, words)
     written = []
     for plate in drawn:
@@ -34,10 +33,3 @@ def draw_atlas(course: Course, identifier: str, out: Path, words: Words) -> list
     written.append(out / f"{identifier}.pdf")
     write_bytes(written[-1], atlas_pdf(atlas, drawn, course, words))
     return written
-
-
-def _check(atlas: Atlas, course: Course) -> None:
-    for name, known in ((atlas.scheme, course.schemes), (atlas.work, course.works)):
-        if name not in known:
-            what = message("The name '{name}' is not known.", name=name)
-            raise UsageError([Problem("", atlas.id, what, did_you_mean(name, known))])

@@ -1,7 +1,7 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -46,8 +46,27 @@ NOT_JUDGED = ("tables", "roster.csv")
 _NEEDED = ("pango", "harfbuzz-subset", "translation")
 
 
+@dataclass(frozen=True, slots=True)
+class Validation:
+    """What is wrong with a course.
+
+    Attributes:
+        problems: all that were found.
+        computed: whether its examples, variants and documents were tried: those of a course whose
+            declarations are wrong would only add noise.
+    """
+
+    problems: list[Problem]
+    computed: bool
+
+
 def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
-    """Return every problem of a course, whatever file it is in, and of this machine with it.
+    """Return every problem of a course that can be told at once; see `validated`."""
+    return validated(root, thorough=thorough).problems
+
+
+def validated(root: Path, *, thorough: bool = False) -> Validation:
+    """Find every problem of a course, whatever file it is in, and of this machine with it.
 
     Args:
         root: of the course.
@@ -56,15 +75,15 @@ def all_problems(root: Path, *, thorough: bool = False) -> list[Problem]:
     """
     # Nearly everything that is read lives to the end.
     with few_collections():
-        return _all_problems(root, thorough=thorough)
+        return _validated(root, thorough=thorough)
 
 
-def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
+def _validated(root: Path, *, thorough: bool) -> Validation:
     # Of what schemes are judged from, and documents are filled with: taken before it is read.
     digests = scheme_digests(root, NOT_JUDGED)
     course, problems = _judged(root, thorough=thorough)
     if course is None:
-        return problems
+        return Validation(problems, computed=False)
     policy, unfit = read_policy(course)
     problems += unfit
     problems += [*check_equations(course), *_mix_problems(course)]
@@ -88,7 +107,7 @@ def _all_problems(root: Path, *, thorough: bool) -> list[Problem]:
         problems += unless_sound("numbers", root, own, partial(_number_problems, course, digests))
         filled = partial(trial_problems, course, digests, templates, read)
         problems += unless_sound("templates", root, [*own, *own_templates], filled)
-    return [*problems, *_machine_problems(root)]
+    return Validation([*problems, *_machine_problems(root)], computed=is_sound)
 
 
 def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]]:

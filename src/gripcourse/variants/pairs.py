@@ -116,6 +116,8 @@ def _equal(item: AnswerItem, own: Rows, other: Rows, size: int) -> tuple[Mask, R
     """Tell for which pairs the other's answer fits, and return the entries of who gets it."""
     places = _places(item, size)
     mine, theirs = places[own], places[other]
+    if not item.rows.size:  # it comes out in no variant
+        return np.zeros(len(own), dtype=np.bool_), mine
     distance = np.abs(item.values[theirs] - item.values[mine])
     fits = distance <= item.half_widths[mine] * SLACK
     return (mine >= 0) & (theirs >= 0) & fits, mine
@@ -123,7 +125,7 @@ def _equal(item: AnswerItem, own: Rows, other: Rows, size: int) -> tuple[Mask, R
 
 def _share(items: Sequence[AnswerItem], own: Rows, other: Rows, size: int) -> Array:
     got, total = np.zeros(len(own)), np.zeros(len(own))
-    for item in items:
+    for item in (one for one in items if one.rows.size):
         same, entry = _equal(item, own, other, size)
         got += np.where(same, item.points[entry], 0.0)
         total += np.where(entry >= 0, item.points[entry], 0.0)

@@ -37,6 +37,15 @@ def test_a_page_is_a_file_that_leads_home_where_there_is_one(
     assert all('href="../index.html"' in path.read_text(encoding="utf-8") for path in written)
 
 
+def test_a_page_tells_titles_in_the_languages_of_its_course_alone(course: Course) -> None:
+    scheme = course.schemes["rack_parallelogram"]
+    only = replace(course, schemes={scheme.id: scheme}, languages=("en", "uk"))
+    page = pages(only, Words("en"))[RACK]
+    assert scheme.title.of("uk") in page
+    assert scheme.title.of("ru") not in page
+    assert 'lang="ru"' not in page
+
+
 def test_every_scheme_is_drawn(course: Course, english: Mapping[str, str]) -> None:
     assert {name: english[f"{name}.html"].count("<svg") for name in course.schemes} == (
         dict.fromkeys(course.schemes, 1)

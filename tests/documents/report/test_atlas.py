@@ -1,11 +1,15 @@
 """The papers' curves and cases come out of the course's own formulas."""
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from gripcourse.course.atlas import Atlas, AtlasRow, load_atlas
+from gripcourse.course.atlas import Atlas, AtlasRow
+from gripcourse.course.check_atlas import load_atlas
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.documents.report.atlas import atlas_pdf, case_values, curve_values, plates
@@ -23,7 +27,7 @@ def the_course() -> Course:
 
 @pytest.fixture(scope="module")
 def atlas(the_course: Course) -> Atlas:
-    return load_atlas(the_course.root, "lever-arms", the_course.schemes)
+    return load_atlas(the_course, "lever-arms")
 
 
 @pytest.fixture(scope="module")
@@ -32,8 +36,55 @@ def lever_plan(the_course: Course, atlas: Atlas) -> Plan:
 
 
 def test_a_scheme_that_the_course_does_not_have_is_named(the_course: Course) -> None:
-    with pytest.raises(CourseError, match=r"lever_arms\.toml: scheme: The course has no scheme"):
-        load_atlas(the_course.root, "lever-arms", ["another_scheme"])
+    schemes = {name: one for name, one in the_course.schemes.items() if name != "prism_lever"}
+    only = replace(the_course, schemes=schemes)
+    with pytest.raises(CourseError, match=r"lever_arms\.toml: scheme: The name 'prism_lever' is"):
+        load_atlas(only, "lever-arms")
+
+
+@pytest.fixture
+def copied(the_course: Course, tmp_path: Path) -> Callable[[str, str], Course]:
+    """Return what makes a course whose atlas says something else."""
+
+    def changed(old: str, new: str) -> Course:
+        file = Path("variants/atlas/lever_arms.toml")
+        text = (the_course.root / file).read_text(encoding="utf-8")
+        assert old in text
+        (tmp_path / file).parent.mkdir(parents=True)
+        (tmp_path / file).write_text(text.replace(old, new, 1), encoding="utf-8")
+        return replace(the_course, root=tmp_path)
+
+    return changed
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('work = "arms_paper"', 'work = "arm_paper"', "work: The name 'arm_paper' is not known"),
+        ('against = "lever_length"', 'against = "len"', r"figure\[1\]\.against: The name 'len'"),
+        ('"arm_far_at_max"', '"arm_far_atmax"', r"curves\[1\]\.quantity: The name 'arm_far_atmax'"),
+        ("at = { diameter_max", "at = { diameter", r"at\.diameter: The name 'diameter'"),
+        ("prism_angle/2 - at", "tilted/2 - at", r"row\[2\]\.size\.inclination: The name 'tilted'"),
+        ("tilt = 0 }", "tile = 0 }", r"row\[1\]\.example\.tile: .* Did you mean 'tilt'"),
+    ],
+)  # fmt: skip
+def test_a_name_that_means_nothing_in_an_atlas_is_told(
+    copied: Callable[[str, str], Course], old: str, new: str, told: str
+) -> None:
+    with pytest.raises(CourseError, match=rf"lever_arms\.toml: .*{told}"):
+        load_atlas(copied(old, new), "lever-arms")
+
+
+def test_an_atlas_is_written_in_the_languages_of_its_course(
+    copied: Callable[[str, str], Course],
+) -> None:
+    course = copied('ru = "Плечи сил зажимных рычагов", ', "")
+    with pytest.raises(CourseError, match=r"title\.ru: The text in this language is missing"):
+        load_atlas(course, "lever-arms")
+    without_russian = replace(course, languages=("en", "uk"))
+    assert load_atlas(without_russian, "lever-arms").title.of("en") == (
+        "Arms of the forces of clamping levers"
+    )
 
 
 def ordinate(atlas: Atlas, plan: Plan, figure: int, curve: int, abscissa: float) -> float:

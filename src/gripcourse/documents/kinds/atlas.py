@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from gripcourse.course.atlas import load_atlas
+from gripcourse.course.check_atlas import load_atlas
 from gripcourse.documents.kind import DocumentKind, Maker, SampleDocument
 from gripcourse.documents.pdf import Document
 from gripcourse.documents.report.atlas import STYLES, TEMPLATE, atlas_values, plates
@@ -16,7 +16,7 @@ def _samples(sample: SampleDocument) -> Mapping[str, Maker]:
 
 
 def _drawn(sample: SampleDocument, name: str) -> Document:
-    loaded = load_atlas(sample.course.root, name, sample.course.schemes)
+    loaded = load_atlas(sample.course, name)
     drawn = plates(loaded, sample.course, sample.words)
     values = atlas_values(loaded, drawn, sample.course, sample.words)
     return Document(TEMPLATE, STYLES, values)

@@ -171,7 +171,7 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> ReferenceEntry:
         tolerance=_tolerance(quantity, words),
         symbol=symbol_of(quantity, language) if quantity.symbol.of(language) else None,
         title=quantity.title.of(language),
-        others=_others(quantity, language),
+        others=_others(quantity, content.course, language),
         part=one.part,
         when=tuple(bringing_option(each, language) for each in one.conditions),
         changed=one.changed,
@@ -198,9 +198,13 @@ def entry_of(one: Occurrence, content: Content, words: Words) -> ReferenceEntry:
     )
 
 
-def titles_elsewhere(title: Texts, language: str) -> tuple[NamedValue, ...]:
-    """Return a title in the languages that are not the page's."""
-    return tuple(NamedValue(each, None, title.of(each)) for each in LANGUAGES if each != language)
+def titles_elsewhere(title: Texts, course: Course, language: str) -> tuple[NamedValue, ...]:
+    """Return a title in the course's languages that are not the page's."""
+    return tuple(NamedValue(one, None, title.of(one)) for one in _elsewhere(course, language))
+
+
+def _elsewhere(course: Course, language: str) -> tuple[str, ...]:
+    return tuple(one for one in LANGUAGES if one in course.languages and one != language)
 
 
 def citation(source: Source, course: Course, language: str) -> Citation:
@@ -225,7 +229,7 @@ def bringing_option(condition: OptionCondition, language: str) -> BringingOption
     return BringingOption(condition.option.title.of(language), choices)
 
 
-def _others(quantity: Quantity, language: str) -> tuple[NamedValue, ...]:
+def _others(quantity: Quantity, course: Course, language: str) -> tuple[NamedValue, ...]:
     """Return titles in the other languages, with the symbols that are not the page's own."""
     own = quantity.symbol.of(language)
     return tuple(
@@ -234,8 +238,7 @@ def _others(quantity: Quantity, language: str) -> tuple[NamedValue, ...]:
             symbol_of(quantity, each) if quantity.symbol.of(each) != own else None,
             quantity.title.of(each),
         )
-        for each in LANGUAGES
-        if each != language
+        for each in _elsewhere(course, language)
     )
 
 

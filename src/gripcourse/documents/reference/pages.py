@@ -156,7 +156,7 @@ def page_documents(course: Course, words: Words, home: str = "") -> dict[str, Do
 def index_values(course: Course, words: Words) -> dict[str, object]:
     """Return what the index page needs besides what every page has."""
     return {
-        "others": titles_elsewhere(course.title, words.language),
+        "others": titles_elsewhere(course.title, course, words.language),
         "works": [(work.id, work.title.of(words.language)) for work in course.works.values()],
     }
 
@@ -167,7 +167,7 @@ def scheme_values(content: Content, words: Words) -> dict[str, object]:
     return {
         "id": scheme.id,
         "title": scheme.title.of(language),
-        "others": titles_elsewhere(scheme.title, language),
+        "others": titles_elsewhere(scheme.title, content.course, language),
         "task": scheme.task.of(language),
         "diagram": diagram_of(content, words),
         "always": scheme.parts,
@@ -187,7 +187,7 @@ def _listed(content: Content, language: str) -> Listed:
     return Listed(
         scheme.id,
         scheme.title.of(language),
-        titles_elsewhere(scheme.title, language),
+        titles_elsewhere(scheme.title, content.course, language),
         tuple(option.title.of(language) for option in scheme.options),
         len(answered),
     )
@@ -198,12 +198,12 @@ def _options(content: Content, language: str) -> tuple[Offered, ...]:
         Offered(
             option.id,
             option.title.of(language),
-            titles_elsewhere(option.title, language),
+            titles_elsewhere(option.title, content.course, language),
             tuple(
                 ReferenceChoice(
                     choice.id,
                     choice.title.of(language),
-                    titles_elsewhere(choice.title, language),
+                    titles_elsewhere(choice.title, content.course, language),
                     choice.parts,
                 )
                 for choice in option.choices
@@ -266,7 +266,7 @@ def _chapter(
     return ReferenceChapter(
         f"section-{identifier}",
         title.by_language.get(words.language, ""),
-        titles_elsewhere(title, words.language) if title.by_language else (),
+        titles_elsewhere(title, content.course, words.language) if title.by_language else (),
         tuple(entry for kind, entry in entries if kind in _TABULATED),
         tuple(entry for kind, entry in entries if kind not in _TABULATED),
     )
