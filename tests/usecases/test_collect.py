@@ -158,6 +158,9 @@ NO_WORKBOOK_EITHER = {
     "e": b"PK\x03\x04",
     "f.pdf": b"%PDF-1.7",
     "g.docx": b"",
+    # Packed as they are, works have their lists of members inside; so has half of a download.
+    "h.zip": archive({"s01.xlsx": WORKBOOK, "s02.xlsx": WORKBOOK}, ZIP_STORED),
+    "i.zip": archive({"s01.xlsx": WORKBOOK, "s02.txt": b"?"}, ZIP_STORED).partition(b"s02.txt")[0],
 }
 
 
@@ -194,6 +197,8 @@ def test_what_is_no_workbook_by_its_name_nor_by_its_content_is_named(tmp_path: P
         ("e", "no_extension"),
         ("f.pdf", "other"),
         ("g.docx", "text_document"),
+        ("h.zip", "archive"),
+        ("i.zip", "archive"),
     ]
 
 
