@@ -60,6 +60,7 @@ def main(name: str, options: list[str]) -> None:
     """Try files until the options say that it is enough."""
     reader, known = READERS[name], set[str]()
     folder = FAILED / name
+    folder.mkdir(parents=True, exist_ok=True)
 
     def one_input(data: bytes) -> None:
         fault = fault_of(reader, data)
@@ -67,7 +68,6 @@ def main(name: str, options: list[str]) -> None:
         kind = fault.rpartition(" at ")[2] if " at " in fault else fault.rpartition(" ")[2]
         if fault and kind not in known:
             known.add(kind)
-            folder.mkdir(parents=True, exist_ok=True)
             file = folder / hashlib.sha256(data).hexdigest()[:12]
             file.write_bytes(data)
             sys.stderr.write(f"FAILED {file}: {fault[:300]}\n")
@@ -80,7 +80,11 @@ def main(name: str, options: list[str]) -> None:
             for data in reader.sound:  # some packages are imported where they are used
                 reader.read(data)
         atheris.Setup(
-            [__file__, f"-max_len={LARGEST}", "-len_control=0", *options, corpus],
+            [
+                *(__file__, f"-max_len={LARGEST}", "-len_control=0"),
+                f"-artifact_prefix={folder}/",  # what no Python could catch: no end, no memory
+                *(*options, corpus),
+            ],
             one_input,
             enable_python_coverage=True,
             **({} if change is None else {"custom_mutator": change}),
