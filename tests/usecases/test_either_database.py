@@ -1,7 +1,7 @@
 """A term comes to the same, byte for byte, in a file and in PostgreSQL, which may go away in it."""
 
 import importlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from datetime import UTC, date, datetime
 from itertools import count
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import pytest
-from sqlalchemy import Engine, event
+from sqlalchemy import Connection, Engine, Table, event
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
@@ -19,6 +19,7 @@ from gripcourse.gradebook import store
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed
 from gripcourse.gradebook.timing import Waiver
+from gripcourse.machine.database.adding import add_many
 from gripcourse.text.words import Words
 from gripcourse.usecases.batch_tables import FILES_CSV, GRADES_CSV, GRADES_JSON, json_text
 from gripcourse.usecases.grade import write_results
@@ -143,18 +144,22 @@ def test_a_batch_that_loses_the_server_is_kept_whole_when_it_is_back(
     issued: "Classroom",
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    add = store._insert  # noqa: SLF001 (the middle of a transaction)
+    tables: list[str] = []
 
-    def stop_after_attempts(connection: object, wanted: store.Writing) -> None:
-        add(connection, wanted[:1])  # type: ignore[arg-type]
-        postgresql.stop()
-        add(connection, wanted[1:])  # type: ignore[arg-type]
+    def stop_after_attempts(
+        connection: Connection, table: Table, rows: Iterable[Mapping[str, object]]
+    ) -> None:
+        if tables:  # in the middle of the transaction
+            postgresql.stop()
+        tables.append(table.name)
+        add_many(connection, table, rows)
 
     store.open_gradebook(away)
     with monkeypatch.context() as patch:
-        patch.setattr(store, "_insert", stop_after_attempts)
+        patch.setattr(store, "add_many", stop_after_attempts)
         with pytest.raises(GradebookError, match="gone away"):
             keep(graded, issued.context, away, NOW)
+    assert tables == ["gradebook_attempt", "gradebook_result"]
     postgresql.start()
     assert store.open_gradebook(away).attempts() == ()
     for _ in range(2):

@@ -60,7 +60,6 @@ def made_by_office(
         reports: of every file of the batch, as our reader alone sees it.
         office: the command that starts LibreOffice.
         language: of the course.
-
     """
     named = {
         f"{number}{_suffix(reports[number])}": data

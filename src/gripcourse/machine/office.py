@@ -86,7 +86,6 @@ def converted(files: Mapping[str, bytes], office: str, language: str) -> Convers
         files: content by name; names end as the format does, and without that they differ.
         office: the command that starts it.
         language: of the course; formulas read texts as numbers as it writes them.
-
     """
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
