@@ -5,6 +5,8 @@ import pickle
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
+
 from gripcourse.course.model import Course
 from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import report_json, said_in
@@ -18,6 +20,7 @@ from gripcourse.grading.folded import (
     digest_of_report,
     folded,
 )
+from gripcourse.grading.model import Report
 from gripcourse.likeness.works import TYPED
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
@@ -26,9 +29,14 @@ from gripcourse.simulation.mix import load_mix
 from gripcourse.text.words import LANGUAGES, Words
 
 
-def test_nothing_is_lost_and_little_is_kept(course: Course, policy: Policy) -> None:
+@pytest.fixture(scope="module")
+def report(course: Course, policy: Policy) -> Report:
+    """Of a work that was judged."""
     room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
-    report = judge_one(next(iter(room.behaviours)), room).report
+    return judge_one(next(iter(room.behaviours)), room).report
+
+
+def test_nothing_is_lost_and_little_is_kept(report: Report) -> None:
     small = folded(report)
     assert isinstance(small.findings, Folded)
     assert small == report
@@ -48,16 +56,12 @@ def test_nothing_is_lost_and_little_is_kept(course: Course, policy: Policy) -> N
     assert len(pickle.dumps(held[0])) == len(pickle.dumps(small))
 
 
-def test_without_room_for_a_file_findings_stay_in_memory(course: Course, policy: Policy) -> None:
-    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
-    report = judge_one(next(iter(room.behaviours)), room).report
+def test_without_room_for_a_file_findings_stay_in_memory(report: Report) -> None:
     with Path("/dev/full").open("r+b", buffering=0) as full:
         assert [Shelf(file).put(report) for file in (None, full)] == [report, report]
 
 
-def test_what_will_be_wanted_of_findings_lies_beside_them(course: Course, policy: Policy) -> None:
-    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
-    report = judge_one(next(iter(room.behaviours)), room).report
+def test_what_will_be_wanted_of_findings_lies_beside_them(report: Report) -> None:
     asked: list[int] = []
     counted = Derivation("counted", lambda found: asked.append(len(found)) or f"{len(found)} found")
     small = folded(report, [counted])
@@ -71,11 +75,7 @@ def test_what_will_be_wanted_of_findings_lies_beside_them(course: Course, policy
     assert derived(travelled.findings, another) == derived(report.findings, another)
 
 
-def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(
-    course: Course, policy: Policy
-) -> None:
-    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
-    report = judge_one(next(iter(room.behaviours)), room).report
+def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(report: Report) -> None:
     wanted: tuple[Derivation[object], ...] = (RESULTS, TYPED, FOUND)
     small = Shelf().put(folded(report, wanted))
     plain = Shelf().put(folded(report))
@@ -85,10 +85,8 @@ def test_whatever_a_batch_asks_of_findings_is_the_same_whoever_derived_it(
 
 
 def test_a_report_is_the_same_line_of_json_whoever_said_its_findings(
-    course: Course, policy: Policy
+    report: Report, course: Course, policy: Policy
 ) -> None:
-    room = make_classroom(course, policy, load_mix(course), 1, 3, "rack_parallelogram")
-    report = judge_one(next(iter(room.behaviours)), room).report
     small = Shelf().put(folded(report, [said_in(course.language)]))
     for language in LANGUAGES:
         words = Words(language)
