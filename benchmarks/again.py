@@ -16,8 +16,8 @@ from pathlib import Path
 from time import perf_counter
 
 from gripcourse.batch.one_file import grade_file
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
-from gripcourse.demo.students import correct
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.write import fill

@@ -31,10 +31,10 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import compared, grade_files
 from gripcourse.course.load import load_course
 from gripcourse.issuing.register_file import read_register_file
-from gripcourse.jobs.cluster import open_workers
-from gripcourse.jobs.limits import peak_memory
-from gripcourse.jobs.pools import Pool
-from gripcourse.jobs.workers import in_order, run_each
+from gripcourse.machine.jobs.cluster import open_workers
+from gripcourse.machine.jobs.limits import peak_memory
+from gripcourse.machine.jobs.pools import Pool
+from gripcourse.machine.jobs.workers import in_order, run_each
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.on_disk import register_of

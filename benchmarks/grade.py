@@ -11,9 +11,9 @@ from time import process_time
 from openpyxl import load_workbook
 
 from gripcourse.batch.one_file import GradingContext, grade_file, methods_of
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import correct
 from gripcourse.grading.judge import judge
 from gripcourse.grading.rounding import figure_half_unit
 from gripcourse.machine.resources import course_root

@@ -27,9 +27,9 @@ from pathlib import Path
 
 import httpx2
 
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.demo.students import correct
 from gripcourse.machine.content import NamedBytes
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.write import fill

@@ -35,9 +35,9 @@ from xml.sax.saxutils import escape
 import psutil
 from cluster import cluster
 
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.demo.students import correct
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.signature import KEY_BYTES, key_path, read_key

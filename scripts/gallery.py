@@ -16,9 +16,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
+from gripcourse.cli.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.demo.run import DEADLINE, GRADED_ON, ISSUED_ON
 from gripcourse.documents.assignment_sheet import assignment_sheet
 from gripcourse.documents.kind import DocumentKind
 from gripcourse.documents.pdf import pdf_from_html, render_pdf

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 import gripcourse as gc
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import correct
 from gripcourse.errors import CourseError, TableError, UsageError
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.self_check import State

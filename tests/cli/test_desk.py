@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.access.desk.links import Refused
+from gripcourse.access.desk.store import open_desk
 from gripcourse.cli import main as cli
-from gripcourse.desk.links import Refused
-from gripcourse.desk.store import open_desk
 from gripcourse.exports.grades import grades_csv
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.content import NamedBytes

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.access.lti.platforms import load_platforms, platforms_path
 from gripcourse.errors import CourseError
-from gripcourse.lti.platforms import load_platforms, platforms_path
 from gripcourse.machine.resources import course_root
 from support.command_line import Run, call
 

@@ -9,8 +9,8 @@ import pytest
 
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
+from gripcourse.cli.demo.students import correct
 from gripcourse.cli.regrade_text import regrade_text
-from gripcourse.demo.students import correct
 from gripcourse.text.words import Words
 from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.regrade import Regrading, regrade

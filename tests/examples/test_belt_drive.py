@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
+from gripcourse.cli.demo.run import Demo, run_demo
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.demo.run import Demo, run_demo
 from gripcourse.documents.pdf import pdf_from_html, render_html
 from gripcourse.documents.registry import document_kinds
 from gripcourse.policy.load import load_policy

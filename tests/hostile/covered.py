@@ -21,7 +21,7 @@ if __name__ == "__main__":  # as a program it does not know where the tests are
 
 with atheris.instrument_imports(include=["gripcourse"]):
     from gripcourse.errors import GripcourseError
-    from gripcourse.jobs.limits import peak_memory
+    from gripcourse.machine.jobs.limits import peak_memory
     from hostile.changes import LARGEST, change_of
     from hostile.readers import FAILED, READERS, Reader
 

@@ -15,7 +15,7 @@ from types import CodeType, FrameType
 from typing import Any, Final, TypeAlias
 
 from gripcourse import machine, submission
-from gripcourse.jobs.limits import peak_memory
+from gripcourse.machine.jobs.limits import peak_memory
 from gripcourse.machine.spreadsheet.table import visible_sheets
 from gripcourse.submission.raw import RawWorkbook
 

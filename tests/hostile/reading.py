@@ -5,8 +5,8 @@ from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 
 from gripcourse.course.quantity import Quantity
-from gripcourse.jobs.limits import peak_memory
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.jobs.limits import peak_memory
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import visible_sheets
 from gripcourse.submission.interpret import interpret

@@ -8,8 +8,8 @@ from typing import Final, TypeAlias
 
 import pytest
 
-from gripcourse.jobs.pools import PROCESSES, Pool
-from gripcourse.jobs.workers import Lost, in_order, run_each
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.apart import READERS
 from gripcourse.submission.model import Reading, Rejected

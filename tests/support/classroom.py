@@ -9,10 +9,10 @@ from typing import TypeAlias
 import pytest
 
 from gripcourse.batch.one_file import GradingContext
+from gripcourse.cli.demo.students import Behaviour
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import Behaviour
 from gripcourse.issuing.store import read_register
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.write import Typed, fill

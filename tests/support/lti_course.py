@@ -12,9 +12,9 @@ import httpx2
 from starlette.testclient import TestClient
 from starlette.types import ASGIApp
 
-from gripcourse.desk.store import open_desk
-from gripcourse.lti.platforms import Platform
-from gripcourse.lti.user_rule import UserRule
+from gripcourse.access.desk.store import open_desk
+from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.desk import DeskContext

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import pytest
 
-from gripcourse.demo.students import correct
-from gripcourse.desk.store import open_desk
+from gripcourse.access.desk.store import open_desk
+from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, GripcourseError, RegisterError, UsageError
 from gripcourse.gradebook.checks import CheckLedger, take_one
 from gripcourse.gradebook.store import open_gradebook

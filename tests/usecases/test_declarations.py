@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from gripcourse.batch.one_file import grade_file
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
-from gripcourse.demo.students import correct
 from gripcourse.grading.model import Report
 from gripcourse.issuing.reissue import Correction
 from gripcourse.issuing.store import read_register

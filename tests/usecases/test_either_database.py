@@ -13,7 +13,7 @@ from sqlalchemy import Connection, Engine, Table, event
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.demo.students import correct
+from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError
 from gripcourse.gradebook import store
 from gripcourse.gradebook.enter import Draft

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.batch.one_file import GradingContext
+from gripcourse.cli.demo.students import blank, correct
 from gripcourse.course.quantity import Kind
-from gripcourse.demo.students import blank, correct
 from gripcourse.exports.report_result import GradesResult
 from gripcourse.text.words import LANGUAGES, Words
 from gripcourse.usecases.batch_tables import json_text

@@ -12,7 +12,7 @@ import pytest
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.demo.students import correct
+from gripcourse.cli.demo.students import correct
 from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text

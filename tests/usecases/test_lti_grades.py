@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from gripcourse.access.lti.model import Bond
+from gripcourse.access.lti.platforms import platforms_path
+from gripcourse.access.lti.tool_key import make_tool_key
 from gripcourse.cli import main as cli
 from gripcourse.exports.report_result import GradesResult, ReportResult
-from gripcourse.lti.model import Bond
-from gripcourse.lti.platforms import platforms_path
-from gripcourse.lti.tool_key import make_tool_key
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.lti import store_of

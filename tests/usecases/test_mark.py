@@ -11,7 +11,7 @@ import pytest
 
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.demo.students import correct
+from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, GripcourseError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.grading.model import Finding, Outcome, Report

@@ -11,7 +11,7 @@ import pytest
 from gripcourse.batch.kept_reports import KeptReports
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.demo.students import correct
+from gripcourse.cli.demo.students import correct
 from gripcourse.errors import GradebookError, NextStep, UsageError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Signed

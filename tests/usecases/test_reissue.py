@@ -11,7 +11,7 @@ from openpyxl import load_workbook
 
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded, compared
-from gripcourse.demo.students import correct
+from gripcourse.cli.demo.students import correct
 from gripcourse.documents.assignment_sheet import sheet_values
 from gripcourse.errors import GradebookError, GripcourseError, UsageError
 from gripcourse.gradebook.store import open_gradebook

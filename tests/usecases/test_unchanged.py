@@ -20,8 +20,8 @@ from zoneinfo import ZoneInfo
 
 import pytest
 
+from gripcourse.cli.demo.students import correct
 from gripcourse.course.model import Course
-from gripcourse.demo.students import correct
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.gradebook.timing import Waiver

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
+from gripcourse.access.desk.store import open_desk
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.desk.store import open_desk
 from gripcourse.exports.grades import grades_csv
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of

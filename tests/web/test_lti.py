@@ -15,8 +15,8 @@ import pytest
 from starlette.testclient import TestClient
 from starlette.types import ASGIApp
 
-from gripcourse.lti.platforms import add_platform, load_platforms
-from gripcourse.lti.states import MINUTES
+from gripcourse.access.lti.platforms import add_platform, load_platforms
+from gripcourse.access.lti.states import MINUTES
 from gripcourse.policy.model import Policy
 from gripcourse.usecases.links import revoke_links
 from gripcourse.usecases.lti import bind, store_of, user_key

@@ -13,11 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gripcourse.lti.key_sets import KeySets
-from gripcourse.lti.launch import MEMBERS_SCOPE, PlatformRole, read_launch
-from gripcourse.lti.platforms import Platform
-from gripcourse.lti.refused import LaunchRefusedError, PlatformFailedError
-from gripcourse.lti.services import Access, students_of
+from gripcourse.access.lti.key_sets import KeySets
+from gripcourse.access.lti.launch import MEMBERS_SCOPE, PlatformRole, read_launch
+from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.refused import LaunchRefusedError, PlatformFailedError
+from gripcourse.access.lti.services import Access, students_of
 from support.lti_course import declared_as
 from support.platform import CLAIM, StandIn, new_key, public_jwk, signed
 

@@ -1,6 +1,6 @@
 """How often somebody may do something does not depend on how many others try."""
 
-from gripcourse.desk.model import Allowance
+from gripcourse.access.desk.model import Allowance
 from gripcourse.web.rates import MOST_KEPT, Counter
 
 RATE = Allowance(2, 600)

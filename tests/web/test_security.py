@@ -11,7 +11,7 @@ import pytest
 from starlette.routing import Route
 from starlette.types import Message, Receive, Scope, Send
 
-from gripcourse.desk.links import SignedLink, link_text
+from gripcourse.access.desk.links import SignedLink, link_text
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.guard import LARGEST_BODY, Guard
 from gripcourse.web.rates import HAND_INS

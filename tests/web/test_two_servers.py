@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.desk.model import Allowance
-from gripcourse.desk.store import open_desk
+from gripcourse.access.desk.model import Allowance
+from gripcourse.access.desk.store import open_desk
 from gripcourse.machine.database.home import address_path
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.issue import issue_order

@@ -16,9 +16,9 @@ from gripcourse.grading.folded import Derivation, Shelf, folded
 from gripcourse.grading.model import Report
 from gripcourse.grading.recalculated import not_recalculated_flag
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.pools import PROCESSES, Pool
-from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import NamedBytes, Readable, in_memory, shown_name
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE
 from gripcourse.machine.spreadsheet.refusals import OF_THE_MACHINE
 from gripcourse.text.shown import shown

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from gripcourse.grading.model import Report
-from gripcourse.jobs.lost import Lost
 from gripcourse.machine.content import Readable, content_of
+from gripcourse.machine.jobs.lost import Lost
 from gripcourse.machine.office import converted
 from gripcourse.submission.second import OTHER_FORMATS
 

@@ -147,8 +147,8 @@ class _Manner:
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
     from gripcourse.grading.path_pattern import path_pattern
-    from gripcourse.jobs.cluster import open_workers
     from gripcourse.machine.files import make_private_folder
+    from gripcourse.machine.jobs.cluster import open_workers
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.batch_tables import batch_result

@@ -15,7 +15,7 @@ from gripcourse.text.words import Words, message
 
 if TYPE_CHECKING:
     from gripcourse.batch.one_file import GradingContext
-    from gripcourse.demo.run import Demo
+    from gripcourse.cli.demo.run import Demo
     from gripcourse.gradebook.waiting import Waiting
     from gripcourse.grading.model import Report
     from gripcourse.usecases.grade import GradingOutcome
@@ -262,7 +262,7 @@ def marking_text(marking: "Marking", context: "GradingContext", words: Words) ->
 
 def demo_text(demo: "Demo", words: Words) -> str:
     """Return what each scripted student did and got, and where everything is."""
-    from gripcourse.demo.students import TOLD
+    from gripcourse.cli.demo.students import TOLD
 
     by_student = {one.student: one for one in demo.outcome.reports}
     # The copied workbook is nobody's until a person has asked.

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.cli import text as cli_text
 from gripcourse.cli.desk import AddressOption, ByOption
 from gripcourse.cli.help import SpokenCommand, command_group
@@ -22,7 +23,6 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.errors import Problem, UsageError
-from gripcourse.lti.user_rule import UserRule
 from gripcourse.text.words import message
 
 # Every command imports what it needs itself: the database and signatures cost half a second.
@@ -60,7 +60,7 @@ def card(
     from gripcourse.course.load import load_course
 
     with _needs_library():
-        from gripcourse.lti.usual import canvas_configuration, tool_addresses
+        from gripcourse.access.lti.usual import canvas_configuration, tool_addresses
 
     words, loaded = words_for(language), load_course(course_folder(course))
     base = address or loaded.address
@@ -127,7 +127,7 @@ def register(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Declare a platform whose people are let in; the first one makes our key."""
     with _needs_library():
-        from gripcourse.lti import usual
+        from gripcourse.access.lti import usual
         from gripcourse.usecases.lti import register_platform
 
     if sum(map(bool, (moodle, canvas, endpoints))) != 1:
@@ -159,7 +159,7 @@ def register(  # noqa: PLR0913 (one parameter per option)
 def rotate(*, course: CourseOption = None, language: LanguageOption = None) -> None:
     """Sign with a new key from now on; the former ones are still published for a while."""
     with _needs_library():
-        from gripcourse.lti.tool_key import make_tool_key
+        from gripcourse.access.lti.tool_key import make_tool_key
 
     said = message(
         "A new key signs from now on: {place}.", place=str(make_tool_key(course_folder(course)))
@@ -241,7 +241,7 @@ def send_grades(
 ) -> None:
     """Send published results to the platform's gradebook: what is new or changed."""
     with _needs_library():
-        from gripcourse.lti.web_client import make_client
+        from gripcourse.access.lti.web_client import make_client
         from gripcourse.usecases import lti_grades as command
         from gripcourse.usecases.desk import open_context
         from gripcourse.usecases.lti import chosen_platform
@@ -279,7 +279,7 @@ def roster(
 ) -> None:
     """Write the students of the platform's course as a roster."""
     with _needs_library():
-        from gripcourse.lti.web_client import make_client
+        from gripcourse.access.lti.web_client import make_client
         from gripcourse.usecases import lti_roster as command
         from gripcourse.usecases.desk import open_context
         from gripcourse.usecases.lti import chosen_platform
@@ -295,7 +295,7 @@ def roster(
 
 @contextmanager
 def _platform_answers() -> Iterator[None]:
-    from gripcourse.lti.refused import PlatformFailedError
+    from gripcourse.access.lti.refused import PlatformFailedError
 
     try:
         yield

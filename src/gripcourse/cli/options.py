@@ -150,7 +150,7 @@ def gradebook_place(chosen: str | None, root: Path) -> str:
 
 def say_limits(words: Words) -> None:
     """Say on the error output what a person should know of the memory of workers, if anything."""
-    from gripcourse.jobs.limits import Limits, memory_notice  # noqa: PLC0415 (not for --help)
+    from gripcourse.machine.jobs.limits import Limits, memory_notice  # noqa: PLC0415 (not for --help)
 
     notice = memory_notice(Limits())
     if notice is not None:

@@ -166,7 +166,7 @@ def demo(
     language: LanguageOption = None,
 ) -> None:
     """Run the whole main job: issue to a roster, let scripted students answer, grade, report."""
-    from gripcourse.demo.run import run_demo
+    from gripcourse.cli.demo.run import run_demo
 
     words = words_for(language)
     say_limits(words)

@@ -4,12 +4,12 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from gripcourse.analytics.difficulty import difficulty_table
-from gripcourse.analytics.reliability import reliability_table
-from gripcourse.analytics.shares import item_table, score_table, share_table
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Regrade
 from gripcourse.gradebook.model import Attempt
+from gripcourse.grading.analytics.difficulty import difficulty_table
+from gripcourse.grading.analytics.reliability import reliability_table
+from gripcourse.grading.analytics.shares import item_table, score_table, share_table
 from gripcourse.grading.model import FlagCode
 
 # pandas takes 400 ms to import.

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from gripcourse.batch.one_file import judge_read
 from gripcourse.batch.run import Graded, compared
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.model import SimulatedWork
 from gripcourse.simulation.student import Classroom, work_of

@@ -13,8 +13,8 @@ from gripcourse.batch.run import grade_files
 from gripcourse.course.model import Course
 from gripcourse.issuing.register import Register
 from gripcourse.issuing.register_file import read_register_file, write_register_file
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.confusion import JudgedWork
 from gripcourse.simulation.model import Conduct, SimulatedWork

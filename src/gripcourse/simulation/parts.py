@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from gripcourse.course.model import Course
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.cohort import make_classroom
 from gripcourse.simulation.confusion import GraderEvaluation, evaluate

@@ -9,8 +9,8 @@ import numpy as np
 
 from gripcourse.batch.one_file import GradingContext, judge_read
 from gripcourse.course.quantity import Kind, Quantity
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Identity

@@ -14,8 +14,8 @@ from typing import TypeAlias
 from gripcourse.course.composition import Composition
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity, Tolerance
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.bands import tolerance_of
 from gripcourse.policy.model import Policy
 from gripcourse.simulation.honest import hands_of, work_honestly

@@ -4,10 +4,10 @@ import hashlib
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
-from gripcourse.jobs.limits import Limits
-from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.warm import do_apart, start_early
 from gripcourse.machine.content import NamedBytes, Readable, content_of, shown_name
+from gripcourse.machine.jobs.limits import Limits
+from gripcourse.machine.jobs.lost import Lost
+from gripcourse.machine.jobs.warm import do_apart, start_early
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook

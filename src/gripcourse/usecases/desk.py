@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from gripcourse.access.desk.store import Desk, open_desk
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
-from gripcourse.desk.store import Desk, open_desk
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of

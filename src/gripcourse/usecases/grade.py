@@ -12,8 +12,6 @@ from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.model import RESULTS
 from gripcourse.grading.model import Flag, FlagCode, Report
-from gripcourse.jobs.pools import PROCESSES, Pool
-from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.likeness.works import TYPED
 from gripcourse.machine.content import Readable
 from gripcourse.machine.files import (
@@ -21,6 +19,8 @@ from gripcourse.machine.files import (
     write_bytes,
     write_text,
 )
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.workers import Lost, run_each
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.text.words import message
 from gripcourse.usecases.batch_tables import (

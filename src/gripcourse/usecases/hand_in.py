@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path, PurePath
 from typing import Final
 
-from gripcourse.desk.model import Allowance, HandIn
+from gripcourse.access.desk.model import Allowance, HandIn
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import make_private_folder, write_bytes

@@ -4,8 +4,8 @@ from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
-from gripcourse.desk.model import GradedBatch
-from gripcourse.desk.store import batches_by_time
+from gripcourse.access.desk.model import GradedBatch
+from gripcourse.access.desk.store import batches_by_time
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.journal import publications, regrades, waivers
 from gripcourse.gradebook.model import Attempt, GradebookEntry

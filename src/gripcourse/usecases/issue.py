@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 from typing import TypeAlias
 
+from gripcourse.access.desk.store import open_desk
 from gripcourse.course.model import Course
-from gripcourse.desk.store import open_desk
 from gripcourse.documents.assignment_sheet import STYLES
 from gripcourse.errors import Problem, UsageError
 from gripcourse.gradebook.fingerprint import fingerprints
@@ -18,10 +18,10 @@ from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.roster import read_roster
 from gripcourse.issuing.signature import KEY_BYTES, key_of, key_path, make_key
 from gripcourse.issuing.store import extend_register, read_register
-from gripcourse.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.content import Readable
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import discard_unfinished, make_private_folder
+from gripcourse.machine.jobs.workers import Lost, in_order, run_each
 from gripcourse.machine.resources import TEMPLATES
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from pathlib import Path
 
+from gripcourse.access.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
 from gripcourse.course.model import Course
-from gripcourse.desk.links import Refused, SignedLink, link_text, read_link, refusal_of
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.machine.files import write_bytes

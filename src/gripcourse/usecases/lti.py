@@ -6,13 +6,13 @@ from datetime import datetime
 from enum import StrEnum
 from pathlib import Path
 
+from gripcourse.access.lti.launch import Launch, Person
+from gripcourse.access.lti.model import Bond, PlatformPlace, Stranger, UserKey
+from gripcourse.access.lti.platforms import Platform, add_platform, load_platforms
+from gripcourse.access.lti.store import LtiStore
+from gripcourse.access.lti.tool_key import make_tool_key, tool_key_path
+from gripcourse.access.lti.user_rule import UserRule
 from gripcourse.errors import Problem, UsageError
-from gripcourse.lti.launch import Launch, Person
-from gripcourse.lti.model import Bond, PlatformPlace, Stranger, UserKey
-from gripcourse.lti.platforms import Platform, add_platform, load_platforms
-from gripcourse.lti.store import LtiStore
-from gripcourse.lti.tool_key import make_tool_key, tool_key_path
-from gripcourse.lti.user_rule import UserRule
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.variants.model import Issued

@@ -7,16 +7,16 @@ from enum import StrEnum
 
 import httpx2
 
+from gripcourse.access.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
+from gripcourse.access.lti.model import Bond, PlatformPlace, SentScore
+from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.refused import PlatformFailedError
+from gripcourse.access.lti.services import Access, Score, line_item_of, open_access, send_score
+from gripcourse.access.lti.store import LtiStore
+from gripcourse.access.lti.tool_key import read_tool_keys
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.report_result import ReportResult
-from gripcourse.lti.launch import LINE_ITEM_SCOPE, SCORE_SCOPE
-from gripcourse.lti.model import Bond, PlatformPlace, SentScore
-from gripcourse.lti.platforms import Platform
-from gripcourse.lti.refused import PlatformFailedError
-from gripcourse.lti.services import Access, Score, line_item_of, open_access, send_score
-from gripcourse.lti.store import LtiStore
-from gripcourse.lti.tool_key import read_tool_keys
 from gripcourse.text.words import Message, Words, message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.lti import store_of

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import httpx2
 
+from gripcourse.access.lti.launch import MEMBERS_SCOPE, Person
+from gripcourse.access.lti.platforms import Platform
+from gripcourse.access.lti.services import open_access, students_of
+from gripcourse.access.lti.tool_key import read_tool_keys
 from gripcourse.errors import Problem, UsageError
 from gripcourse.exports.csv_text import table_text, text_cell
-from gripcourse.lti.launch import MEMBERS_SCOPE, Person
-from gripcourse.lti.platforms import Platform
-from gripcourse.lti.services import open_access, students_of
-from gripcourse.lti.tool_key import read_tool_keys
 from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext

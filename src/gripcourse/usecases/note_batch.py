@@ -2,7 +2,7 @@
 
 from datetime import datetime
 
-from gripcourse.desk.store import open_desk
+from gripcourse.access.desk.store import open_desk
 from gripcourse.machine.database.home import exists
 
 

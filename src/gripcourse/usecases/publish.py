@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from gripcourse.desk.model import Publication
+from gripcourse.access.desk.model import Publication
 from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Signed

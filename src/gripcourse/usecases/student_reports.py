@@ -12,10 +12,10 @@ from gripcourse.documents.look import Look, look_of, with_look
 from gripcourse.documents.report.totals import peers_text
 from gripcourse.grading.known_by import KnownBy
 from gripcourse.grading.model import Report
-from gripcourse.jobs.pools import PROCESSES, Pool
-from gripcourse.jobs.workers import Lost, run_each
 from gripcourse.machine.enclosed import file_below
 from gripcourse.machine.files import discard_all_unfinished, make_private_folder, write_bytes
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.workers import Lost, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.solver.plan import plan_of
 from gripcourse.text.words import Words

@@ -10,7 +10,7 @@ from typing import Final
 
 from gripcourse.course.model import Course
 from gripcourse.errors import Problem, TableError
-from gripcourse.jobs.workers import Lost, all_done, in_order, run_each
+from gripcourse.machine.jobs.workers import Lost, all_done, in_order, run_each
 from gripcourse.variants.bodies import bodies_check
 from gripcourse.variants.draw import DrawingOrder, Drawn, Found, draw, draw_space, mixed, orders_of
 from gripcourse.variants.screening import buildable

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from gripcourse.course.model import Course
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.policy.model import Policy
 from gripcourse.variants.answers import solve_groups
 from gripcourse.variants.model import Variant

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from datetime import date, time
 from typing import Final
 
-from gripcourse.jobs.limits import Limits
-from gripcourse.jobs.lost import Lost
-from gripcourse.jobs.warm import do_apart
 from gripcourse.machine.content import Readable, content_of
+from gripcourse.machine.jobs.limits import Limits
+from gripcourse.machine.jobs.lost import Lost
+from gripcourse.machine.jobs.warm import do_apart
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.table import TableSheet, visible_sheets
 from gripcourse.text.words import Message, message

@@ -4,11 +4,11 @@ import hashlib
 from dataclasses import replace
 from typing import Final
 
+from gripcourse.access.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.api.results import CheckResult
-from gripcourse.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.errors import GradebookError, GripcourseError, UsageError
-from gripcourse.jobs.lost import Lost
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.shown import shown
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.hand_in import Receipt, hand_in

@@ -7,9 +7,9 @@ from gripcourse.api.make_results import check_result, refused_check
 from gripcourse.api.results import CheckResult
 from gripcourse.course.model import Course
 from gripcourse.errors import UsageError
-from gripcourse.jobs.pools import PROCESSES, Pool
-from gripcourse.jobs.standing import StandingWorkers
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.jobs.pools import PROCESSES, Pool
+from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.policy.model import Policy
 from gripcourse.text.words import Words
 from gripcourse.usecases.check import check_both_ways

@@ -9,10 +9,10 @@ from urllib.parse import quote
 from starlette.responses import FileResponse, Response
 from starlette.routing import Route
 
-from gripcourse.desk.model import HandIn
-from gripcourse.jobs.lost import Lost
+from gripcourse.access.desk.model import HandIn
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.files import write_bytes
+from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.words import message
 from gripcourse.usecases.hand_in import kept_path
 from gripcourse.web import acts

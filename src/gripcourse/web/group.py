@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gripcourse.desk.model import HandIn
+from gripcourse.access.desk.model import HandIn
 from gripcourse.gradebook.model import Attempt, GradebookEntry, latest_marks_of_all
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.gradebook.works import latest_judged, points_of

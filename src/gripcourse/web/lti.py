@@ -19,13 +19,13 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 
-from gripcourse.lti.key_sets import KeySets
-from gripcourse.lti.launch import Launch, PlatformRole, read_launch
-from gripcourse.lti.platforms import Platform, load_platforms
-from gripcourse.lti.refused import LaunchRefusal, LaunchRefusedError
-from gripcourse.lti.states import MINUTES, Signer, check_state, is_of, new_state, nonce_of
-from gripcourse.lti.tool_key import public_keys
-from gripcourse.lti.web_client import make_client
+from gripcourse.access.lti.key_sets import KeySets
+from gripcourse.access.lti.launch import Launch, PlatformRole, read_launch
+from gripcourse.access.lti.platforms import Platform, load_platforms
+from gripcourse.access.lti.refused import LaunchRefusal, LaunchRefusedError
+from gripcourse.access.lti.states import MINUTES, Signer, check_state, is_of, new_state, nonce_of
+from gripcourse.access.lti.tool_key import public_keys
+from gripcourse.access.lti.web_client import make_client
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.links import token_of
 from gripcourse.usecases.lti import NotTold, note_place, store_of, student_of

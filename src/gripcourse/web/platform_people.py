@@ -6,9 +6,9 @@ from typing import Final
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import Route
 
+from gripcourse.access.lti.model import Stranger
+from gripcourse.access.lti.platforms import load_platforms
 from gripcourse.errors import GradebookError, GripcourseError
-from gripcourse.lti.model import Stranger
-from gripcourse.lti.platforms import load_platforms
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.lti import bind, chosen_platform, platform_names, store_of
 from gripcourse.web.refusals import NOT_FOUND, Code, refusal_of_problem

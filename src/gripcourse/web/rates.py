@@ -4,7 +4,7 @@ import threading
 from collections import OrderedDict, deque
 from typing import Final
 
-from gripcourse.desk.model import Allowance
+from gripcourse.access.desk.model import Allowance
 
 # Of each allowance: whoever tries with ever new names cannot fill the memory.
 MOST_KEPT: Final = 10_000

@@ -11,7 +11,7 @@ from typing import Final
 
 from starlette.exceptions import HTTPException
 
-from gripcourse.desk.links import Refused
+from gripcourse.access.desk.links import Refused
 from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.text.words import Message, message
 

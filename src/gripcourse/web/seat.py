@@ -12,7 +12,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from gripcourse.lti.platforms import platforms_path
+from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.text.words import Words, message
 from gripcourse.web.pages import notice, page, visitor_words
 from gripcourse.web.refusals import SIGN_IN, WebRefusal

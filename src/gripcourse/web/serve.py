@@ -8,8 +8,8 @@ from typing import Final
 
 from starlette.routing import Route
 
+from gripcourse.access.lti.platforms import platforms_path
 from gripcourse.errors import Problem, UsageError
-from gripcourse.lti.platforms import platforms_path
 from gripcourse.text.words import message
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.web.app import make_app

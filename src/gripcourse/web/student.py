@@ -12,9 +12,9 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Route
 
+from gripcourse.access.desk.links import Refused
+from gripcourse.access.desk.model import DRAWINGS, HandIn, is_drawing
 from gripcourse.api.results import CheckResult
-from gripcourse.desk.links import Refused
-from gripcourse.desk.model import DRAWINGS, HandIn, is_drawing
 from gripcourse.documents.assignment_sheet import given_data
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of

@@ -10,7 +10,7 @@ from starlette.datastructures import UploadFile
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
-from gripcourse.desk.model import Allowance
+from gripcourse.access.desk.model import Allowance
 from gripcourse.machine.content import NamedBytes
 from gripcourse.web.guard import declares_too_much
 from gripcourse.web.site import Site

@@ -17,11 +17,11 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.engine import Dialect
 from sqlalchemy.schema import CreateTable
 
-from gripcourse.desk import schema as desk
+from gripcourse.access.desk import schema as desk
+from gripcourse.access.lti import schema as lti
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
-from gripcourse.lti import schema as lti
 from gripcourse.machine.database.migrate import NEWEST, REVISIONS, VERSION_TABLE, revision_of
 from gripcourse.machine.database.opening import open_engine
 

@@ -15,12 +15,12 @@ from sqlalchemy import Engine, MetaData, create_engine, event, func, insert, sel
 from sqlalchemy.engine import make_url
 from sqlalchemy.pool import NullPool
 
-from gripcourse.desk import schema as desk
+from gripcourse.access.desk import schema as desk
+from gripcourse.access.lti import schema as platforms
 from gripcourse.errors import GradebookError
 from gripcourse.gradebook import schema as gradebook
 from gripcourse.gradebook.store import open_gradebook
 from gripcourse.issuing import schema as register
-from gripcourse.lti import schema as platforms
 from gripcourse.machine.database import opening
 from gripcourse.machine.database.migrate import (
     NEWEST,

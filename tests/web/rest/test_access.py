@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.desk.links import SignedLink, link_text
+from gripcourse.access.desk.links import SignedLink, link_text
 from gripcourse.web.rest.app import OPERATIONS, REST
 from gripcourse.web.rest.declare import PLACES, ApiOperation, TokenRole
 

@@ -4,10 +4,10 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gripcourse.analytics.difficulty import EqualDifficulty, equally_hard
-from gripcourse.analytics.reliability import reliability_table
-from gripcourse.analytics.shares import FEWEST, VIEWS, score_table, share_table
 from gripcourse.course.model import Course
+from gripcourse.grading.analytics.difficulty import EqualDifficulty, equally_hard
+from gripcourse.grading.analytics.reliability import reliability_table
+from gripcourse.grading.analytics.shares import FEWEST, VIEWS, score_table, share_table
 from gripcourse.grading.model import Report
 from gripcourse.text.words import Message, Words, message
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from gripcourse.batch.one_file import GradingContext, judge_read, methods_of
 from gripcourse.batch.run import Graded, compared
 from gripcourse.grading.unjudged import incident_report
-from gripcourse.jobs.pools import pool_for
-from gripcourse.jobs.workers import all_done, in_order, run_each
+from gripcourse.machine.jobs.pools import pool_for
+from gripcourse.machine.jobs.workers import all_done, in_order, run_each
 from gripcourse.simulation.foreign.cohort import draw_doings, work_of
 from gripcourse.simulation.foreign.kinds import Doing
 from gripcourse.simulation.foreign.model import JudgedForeign

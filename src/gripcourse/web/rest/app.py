@@ -12,7 +12,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, JSONResponse, Response
 from starlette.routing import Route
 
-from gripcourse.desk.links import Refused
+from gripcourse.access.desk.links import Refused
 from gripcourse.errors import GradebookError
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message

@@ -4,7 +4,7 @@ from http import HTTPStatus
 from types import NoneType
 from typing import Final
 
-from gripcourse.desk.model import Publication
+from gripcourse.access.desk.model import Publication
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.usecases.hand_in import kept_path, receipt_of
 from gripcourse.usecases.publish import current, published_grades, published_to

@@ -5,9 +5,9 @@ from http import HTTPStatus
 from pathlib import Path
 from typing import Final
 
+from gripcourse.access.desk.model import RegradeRequest
 from gripcourse.api.results import CheckResult
 from gripcourse.course.quantity import Quantity
-from gripcourse.desk.model import RegradeRequest
 from gripcourse.machine.content import NamedBytes
 from gripcourse.policy.model import Tells
 from gripcourse.solver.plan import plan_of

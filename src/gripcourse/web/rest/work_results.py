@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import ClassVar
 
-from gripcourse.desk.model import GradedBatch
+from gripcourse.access.desk.model import GradedBatch
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.usecases.progress import BatchProgress
 

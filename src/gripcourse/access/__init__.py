@@ -1,0 +1,1 @@
+"""Who comes in by a server: by a personal link to the desk, or from a learning platform."""

@@ -1,0 +1,208 @@
+"""Jobs in workers, bounded in time and memory: one that fails takes none along.
+
+A library below us can hang, swallow memory or abort its process. When a worker dies, its executor
+is of no use any more: the few jobs that were on their way to a worker are done again one by one,
+and only the one that ends its worker again is lost. Where no worker can even start, all are lost.
+"""
+
+import pickle
+import uuid
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
+from dataclasses import dataclass
+from typing import Any, TypeAlias, TypeVar
+
+from gripcourse.machine.jobs.child import DIED
+from gripcourse.machine.jobs.lost import JobLostError, Lost
+from gripcourse.machine.jobs.pools import PROCESSES, Executing, Pool
+from gripcourse.machine.jobs.work import Task, do, install, known, perform
+
+__all__ = ["Lost", "all_done", "in_order", "run_each"]
+
+# Jobs handed to the workers at a time: enough to keep them busy, few enough that a worker that
+# dies takes few along.
+_AHEAD = 2
+
+Item = TypeVar("Item")
+Shared = TypeVar("Shared")
+Result = TypeVar("Result")
+
+_Waiting: TypeAlias = deque[tuple[int, Any]]
+_Done: TypeAlias = Iterator[tuple[int, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Crew:
+    """Workers that can be opened again and again for one task, which they know by its name.
+
+    Attributes:
+        pool: kind of workers.
+        name, packed: the task.
+        send: returns what travels of an item.
+    """
+
+    pool: Pool
+    name: str
+    packed: bytes
+    send: Callable[[Any], Any]
+
+    def open(self, workers: int) -> Executing:
+        """Open an executor whose workers know the task."""
+        first = (self.name, self.packed, self.pool.limits)
+        return self.pool.open(workers, install if self.pool.apart else _nothing, first)
+
+
+def _as_it_is(item: Item) -> Item:
+    return item
+
+
+def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves as they are)
+    work: Callable[[Item, Shared], Result],
+    items: Sequence[Item],
+    shared: Shared,
+    *,
+    workers: int,
+    seconds: float,
+    pool: Pool | None = PROCESSES,
+    send: Callable[[Item], Item] = _as_it_is,
+) -> Iterator[tuple[int, Result | Lost]]:
+    """Do a job with every item, in parallel.
+
+    Args:
+        work: does one job; with workers apart it must be found by its name in another process.
+        items: one for each job.
+        shared: what every job needs; it is sent to each worker once.
+        workers: how many at most; 0 for none: here, one after the other, nothing bounded, for who
+            may not start processes and trusts what it has.
+        seconds: that one job may take, where workers are bounded.
+        pool: kind of workers; None for none.
+        send: makes of an item what a worker can use that shares no disk with this process; where it
+            raises `OSError`, the job is done by a process of this machine at the end.
+
+    Yields:
+        The place of an item in `items` and what it came to, in the order in which jobs are done;
+        `in_order` sorts them.
+    """
+    if pool is None or workers == 0:
+        task = Task(work, shared, seconds, None)
+        yield from ((number, do(task, item)) for number, item in enumerate(items))
+        return
+    task = Task(work, shared, seconds, pool.limits)
+    name = uuid.uuid4().hex
+    if not pool.apart:
+        with known(name, task):
+            yield from _each(items, _Crew(pool, name, b"", _as_it_is), workers, [])
+        return
+    stay: list[int] = []
+    crew = _Crew(pool, name, pickle.dumps(task), _as_it_is if pool.shares_disk else send)
+    yield from _each(items, crew, workers, stay)
+    if stay:
+        here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
+        yield from ((stay[place], outcome) for place, outcome in here)
+
+
+def in_order(
+    jobs: Iterable[tuple[int, Result]], on_done: Callable[[int], None] = lambda _: None
+) -> tuple[Result, ...]:
+    """Return what jobs came to, in the order of their items.
+
+    Args:
+        jobs: as `run_each` yields them.
+        on_done: called with the place of each item as its job is done.
+    """
+    done: dict[int, Result] = {}
+    for number, outcome in jobs:
+        done[number] = outcome
+        on_done(number)
+    return tuple(done[number] for number in sorted(done))
+
+
+def all_done(jobs: Iterable[tuple[int, Result | Lost]]) -> Iterator[tuple[int, Result]]:
+    """Yield what jobs came to, where nothing is worth having without all of them.
+
+    Raises:
+        JobLostError: a job came to nothing; its text is the trace.
+    """
+    for number, outcome in jobs:
+        if isinstance(outcome, Lost):
+            raise JobLostError(outcome.trace)
+        yield number, outcome
+
+
+def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _Done:
+    """Do all jobs but those whose items cannot travel: their numbers are added to `stay`."""
+    waiting: _Waiting = deque(enumerate(items))
+    while waiting:
+        count = min(workers, len(waiting))
+        # Who was taken along when a worker died may be the one that it died of.
+        suspects, has_started = yield from _until_worker_dies(
+            waiting, crew, count, count * _AHEAD, stay
+        )
+        if suspects and not has_started and not _can_start(crew):
+            lost = Lost("No worker could start; what it wrote to its error output says why.\n")
+            left = sorted((*suspects, *(number for number, _ in waiting)))
+            yield from ((number, lost) for number in left)
+            return
+        alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
+        while alone:
+            lost_alone, _ = yield from _until_worker_dies(alone, crew, 1, 1, stay)
+            yield from ((number, Lost(DIED)) for number in lost_alone)
+
+
+def _until_worker_dies(
+    waiting: _Waiting, crew: _Crew, workers: int, ahead: int, stay: list[int]
+) -> Generator[tuple[int, Any], None, tuple[list[int], bool]]:
+    """Do jobs from the left of `waiting`, until none is left or a worker dies.
+
+    Yields:
+        The number of each job that was done, with what it came to.
+
+    Returns:
+        The numbers of the jobs that a worker took along, and whether a worker did any job.
+    """
+    executor = crew.open(workers)
+    taken_along: list[int] = []
+    has_started = False
+    running: dict[Future[Any], int] = {}
+    try:
+        while running or (waiting and not taken_along):
+            while waiting and not taken_along and len(running) < ahead:
+                number, item = waiting.popleft()
+                try:
+                    sent = crew.send(item)
+                except OSError:
+                    stay.append(number)
+                    continue
+                try:
+                    running[executor.submit(perform, crew.name, sent)] = number
+                except BrokenExecutor:
+                    taken_along.append(number)
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                number = running.pop(future)
+                try:
+                    outcome = future.result()
+                except BrokenExecutor:
+                    taken_along.append(number)
+                else:
+                    has_started = True
+                    yield number, outcome
+    finally:
+        executor.shutdown(cancel_futures=True)
+    return taken_along, has_started
+
+
+def _can_start(crew: _Crew) -> bool:
+    """Tell whether a worker that is given nothing to do lives."""
+    executor = crew.open(1)
+    try:
+        executor.submit(_nothing).result()
+    except BrokenExecutor:
+        return False
+    finally:
+        executor.shutdown(cancel_futures=True)
+    return True
+
+
+def _nothing(*_: object) -> None:
+    """Begin without anything: a thread knows what this process knows."""
