@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gripcourse.grading.model import Against, Finding, Outcome
+from gripcourse.slips.model import SlipId
 
 if TYPE_CHECKING:
     from conftest import Case
@@ -45,9 +46,19 @@ def test_the_first_width_that_holds_is_sound_and_the_next_one_too(
         (65.0, "This size is not in the series."),
     ],
 )
-def test_what_is_wrong_is_named(flat_belt: "Case", width: float, said: str) -> None:
+def test_what_is_wrong_is_said(flat_belt: "Case", width: float, said: str) -> None:
     found = finding(flat_belt, belt_width=width)
-    assert (found.outcome, found.points, str(found.message)) == (Outcome.WRONG, 0, said)
+    assert (found.points, str(found.message)) == (0, said)
+    assert found.outcome.traits.mistake
+
+
+def test_a_width_that_slips_has_a_name_and_no_other_wrong_one_has(flat_belt: "Case") -> None:
+    named = finding(flat_belt, belt_width=63.0)
+    assert (named.outcome, named.slip) == (Outcome.SLIP, SlipId.not_stepped_up("belt_width"))
+    assert SlipId.parse(str(named.slip)) == named.slip
+    for width in (50.0, 65.0, 90.0):
+        other = finding(flat_belt, belt_width=width)
+        assert (other.outcome, other.slip) == (Outcome.WRONG, None)
 
 
 def test_the_width_that_was_not_stepped_up_costs_once(flat_belt: "Case") -> None:
@@ -74,7 +85,7 @@ class TestOwnNumbers:
     @pytest.mark.parametrize(("width", "said"), [(90.0, NOT_STEPPED_UP), (140.0, WASTEFUL)])
     def test_any_other_one_is(self, flat_belt: "Case", width: float, said: str) -> None:
         found = finding(flat_belt, peripheral_force=700.0, belt_width=width)
-        assert (found.outcome, str(found.message)) == (Outcome.WRONG, said)
+        assert (found.outcome.traits.mistake, str(found.message)) == (True, said)
 
     def test_where_no_width_holds_the_first_one_will_do(self, flat_belt: "Case") -> None:
         """Wrapped by 10° only, a belt of 500 mm would slip at 220 N."""

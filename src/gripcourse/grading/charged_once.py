@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gripcourse.grading.judge_blank import coarse_in_blank
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.shortened import shortened_in
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
@@ -40,7 +41,9 @@ def _constant(judged: JudgedAnswer) -> tuple[str, float] | None:
     if judged.comparison is None or not coarse:
         return None
     found = shortened_in(judged.comparison)
-    return None if found is None else (found[0].name, found[0].value)
+    if found is None:
+        return coarse_in_blank(judged.comparison)
+    return found[0].name, found[0].value
 
 
 def _carried(case: GradingCase, judged: JudgedAnswer, root: str) -> JudgedAnswer:

@@ -12,6 +12,7 @@ from gripcourse.course.quantity import Choice, Quantity, Rounding
 from gripcourse.formula.evaluate import evaluate_number
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.size_condition import Satisfies, conditions_at_own
+from gripcourse.slips.model import SlipId
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.size_numbers import entry_number
@@ -26,10 +27,17 @@ _SLACK = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class ChoiceVerdict:
-    """Whether a decision is sound, and what is wrong with it where it is not."""
+    """Whether a decision is sound, and what is wrong with it where it is not.
+
+    Attributes:
+        sound: whether it is.
+        fault: for the student; None for none.
+        slip: that this is; None where the fault has no name.
+    """
 
     sound: bool
     fault: Message | None
+    slip: SlipId | None = None
 
 
 def judge_choice(
@@ -58,7 +66,8 @@ def judge_choice(
     if fault is not None:
         return ChoiceVerdict(sound=False, fault=fault)
     if not satisfies(chosen):
-        return ChoiceVerdict(sound=False, fault=_unsatisfied(plan, quantity))
+        slip = SlipId.not_stepped_up(quantity.id) if quantity.steps_up else None
+        return ChoiceVerdict(sound=False, fault=_unsatisfied(plan, quantity), slip=slip)
     return ChoiceVerdict(sound=True, fault=None)
 
 

@@ -67,6 +67,10 @@ class ExpectedRange:
             return math.nan  # `min` and `max` would give the value back, which then fits itself
         return min(max(value, self.low), self.high)
 
+    def moved(self, by: float) -> "ExpectedRange":
+        """Return the range moved as a whole."""
+        return ExpectedRange(self.value + by, self.low + by, self.high + by)
+
 
 NOWHERE = ExpectedRange(math.nan, math.nan, math.nan)
 
@@ -134,7 +138,7 @@ class Comparison:
         """Do the same; the range is only looked at where it may come so near to the answer."""
         value = self._number(formula, self.follow_through.numbers.values)
         declared = value / factor(self.quantity.unit)
-        if not abs(self.value - declared) <= self._widest(declared) + furthest:
+        if not abs(self.value - declared) <= self.widest_round(declared) + furthest:
             return ExpectedRange(declared, declared, declared)
         return self._range(value, self._ends(formula, self.follow_through.moved.values))
 
@@ -159,6 +163,12 @@ class Comparison:
         """Return the half width of the band round an expected value, in the declared unit."""
         return self.bands.round(expected)
 
+    def widest_round(self, value: float) -> float:
+        """Return how far what is lost on the way may move a value, in the declared unit."""
+        if self.quantity.kind is Kind.VERDICT:
+            return 1.0  # at the edge a last digit decides between yes and no
+        return self.policy.widest * self.widest.round(value)
+
     @property
     def own_inputs(self) -> frozenset[str]:
         """The quantities whose values at the student's numbers are not those of the reference."""
@@ -168,13 +178,8 @@ class Comparison:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""
         size = factor(self.quantity.unit)
         value, low, high = value / size, ends[0] / size, ends[1] / size
-        most = self._widest(value)
+        most = self.widest_round(value)
         return ExpectedRange(value, max(low, value - most), min(high, value + most))
-
-    def _widest(self, value: float) -> float:
-        if self.quantity.kind is Kind.VERDICT:
-            return 1.0  # at the edge a last digit decides between yes and no
-        return self.policy.widest * self.widest.round(value)
 
     def _number(self, formula: Formula, values: Mapping[str, float]) -> float:
         return evaluate_number(formula, self.quantity.unit, values, self.plan.columns)

@@ -10,8 +10,9 @@ from gripcourse.grading.choices import judge_choice, printed_choice, same_size
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_value import ANOTHER_READING, other_reading
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.rounding import cuts_off, figure_half_unit
+from gripcourse.grading.rounding import endings, kept_figures
 from gripcourse.grading.size_condition import Satisfies, by_formulas, conditions_at_own
+from gripcourse.grading.through_blank import through_blank
 from gripcourse.text.units import factor
 from gripcourse.text.words import message
 
@@ -55,7 +56,8 @@ def _judge_size(comparison: Comparison) -> Judgement:
     follow_through = verdicts[0]
     # After a slip no entry may satisfy a further condition; the rule's own pick is no new fault.
     picked = any(same_size(chosen, one) for one in _by_the_rule(comparison))
-    if picked or any(verdict.sound for verdict in verdicts):
+    sound = picked or any(verdict.sound for verdict in verdicts)
+    if sound or _is_sound_through_blank(comparison, own_required.value):
         said = message("A sound decision for your own earlier numbers.")
         credit = comparison.policy.carried_credit
         return conclude(comparison, Outcome.CARRIED, Against.OWN_INPUTS, credit, said)
@@ -64,10 +66,22 @@ def _judge_size(comparison: Comparison) -> Judgement:
         or _judge_printed(comparison, chosen, own_required.value * scale)
     ) or conclude(
         comparison,
-        Outcome.WRONG,
+        Outcome.WRONG if follow_through.slip is None else Outcome.SLIP,
         Against.NOTHING,
         0.0,
         follow_through.fault or message("The required value cannot be told from your numbers."),
+        slip=follow_through.slip,
+    )
+
+
+def _is_sound_through_blank(comparison: Comparison, required: float) -> bool:
+    """Tell whether a size is sound by constants and digits as people lose them in blank steps."""
+    plan, quantity, scale = comparison.plan, comparison.quantity, factor(comparison.quantity.unit)
+    conditions = _own_conditions(comparison, required)
+    return any(
+        judge_choice(plan, quantity, comparison.value * scale, needed * scale, one).sound
+        for needed in {way.expected.value for way in through_blank(comparison) if not way.coarse}
+        for one in conditions
     )
 
 
@@ -104,11 +118,10 @@ def _as_written(required: float, comparison: Comparison) -> tuple[float, ...]:
     It is computed on the way to the size and no answer of its own, so it was not typed: whoever
     rounds or cuts off every number does so with this one too.
     """
-    unit = 2 * figure_half_unit(required, comparison.policy.figures)
-    if not unit:
+    if not required or not math.isfinite(required):
         return ()
-    cut = (math.floor(required / unit) * unit,) if cuts_off(comparison.policy) else ()
-    return (round(required / unit) * unit, *cut)
+    policy = comparison.policy
+    return tuple(kept_figures(required, policy.figures, cut=cut) for cut in endings(policy))
 
 
 def _judge_alternative(comparison: Comparison, chosen: float) -> Judgement | None:

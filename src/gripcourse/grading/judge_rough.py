@@ -1,10 +1,9 @@
 """Judging a number that is right but rounded too far: whole millimetres where tenths matter."""
 
-import math
-
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.rounding import figure_half_unit
+from gripcourse.policy.bands import SLACK
 from gripcourse.submission.model import Answer
 from gripcourse.text.words import message
 
@@ -22,17 +21,11 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
         What is concluded; None where the last typed digit does not explain the difference, or the
         answer is one that is taken as it stands.
     """
-    quantity, value = comparison.quantity, comparison.value
-    half_unit = comparison.answer.half_unit
-    nearest = max(half_unit, _of_zeros(comparison.answer))
-    if quantity.exact or quantity.integer or value == 0 or nearest == 0:
-        return None
+    value = comparison.value
     own = comparison.follows.nearest(value)
     for target, against in ((comparison.reference, Against.REFERENCE), (own, Against.OWN_INPUTS)):
-        off = abs(value - target)
-        cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
-        if math.isfinite(target) and off <= max(nearest, cut):
-            earns = off <= ROUGHEST * abs(target)
+        if is_rounded_from(comparison, target):
+            earns = abs(value - target) <= ROUGHEST * abs(target)
             credit = comparison.policy.rough_credit if earns else 0.0
             said = message(
                 "Right, but rounded too far: give at least {figures} significant figures.",
@@ -40,6 +33,16 @@ def judge_rough(comparison: Comparison) -> Judgement | None:
             )
             return conclude(comparison, Outcome.ROUGH, against, credit, said)
     return None
+
+
+def is_rounded_from(comparison: Comparison, target: float) -> bool:
+    """Tell whether a number is another one, rounded or cut off where it was typed to end."""
+    value, half_unit = comparison.value, comparison.answer.half_unit
+    if value == 0 or comparison.quantity.exact or comparison.quantity.integer:
+        return False
+    nearest = max(half_unit, _of_zeros(comparison.answer))
+    cut = 2 * half_unit * comparison.policy.last_digit if abs(value) < abs(target) else 0.0
+    return nearest > 0 and abs(value - target) <= max(nearest, cut) * SLACK
 
 
 def _of_zeros(answer: Answer) -> float:

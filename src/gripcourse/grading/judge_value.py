@@ -7,6 +7,7 @@ from typing import Final
 from gripcourse.course.quantity import Alternative, Kind
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison, ExpectedRange, Judgement, conclude
+from gripcourse.grading.judge_blank import judge_through_blank
 from gripcourse.grading.judge_rough import judge_rough
 from gripcourse.grading.model import Against, Outcome
 from gripcourse.grading.shortened import judge_shortened
@@ -32,10 +33,17 @@ def judge_value(comparison: Comparison) -> Judgement:
             break
     return (
         best
-        or judge_rough(comparison)
-        or judge_shortened(comparison)
+        or _judge_coarse(comparison)
         or _conclude(comparison, Outcome.WRONG, Against.NOTHING, 0.0, _wrong(comparison))
     )
+
+
+def _judge_coarse(comparison: Comparison) -> Judgement | None:
+    """Judge an answer by what rounding and shortened constants lead to; what earns most counts."""
+    through_blank = judge_through_blank(comparison)
+    if through_blank is not None and not through_blank.outcome.traits.coarse:
+        return through_blank
+    return judge_rough(comparison) or judge_shortened(comparison) or through_blank
 
 
 def _matches(comparison: Comparison) -> Iterator[Judgement]:

@@ -5,6 +5,7 @@ import math
 from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Answer
 
+_FINEST = 1e-6  # relative: what the route of a calculation makes of its last digits
 _MORE = 5.0  # a digit more is ten times; binary fractions are not exact
 
 
@@ -32,6 +33,11 @@ def cuts_off(policy: Policy) -> bool:
     return 2 * policy.last_digit > 1.0
 
 
+def endings(policy: Policy) -> tuple[bool, ...]:
+    """Return whether digits may have been cut off, for each way in which people lose them."""
+    return (False, True) if cuts_off(policy) else (False,)
+
+
 def typed_half_unit(answer: Answer, policy: Policy) -> float:
     """Return half a unit of the last digit that an answer counts as written with."""
     if answer.value is None:
@@ -50,8 +56,37 @@ def without_zeros(answer: Answer, policy: Policy) -> float:
     return half_unit if half_unit > answer.half_unit * _MORE else 0.0
 
 
+def met_as_typed(answer: Answer, value: float, result: float, policy: Policy) -> bool:
+    """Tell whether a result is a typed number as exactly as that was typed.
+
+    Args:
+        answer: what was typed.
+        value: of it, in the declared unit.
+        result: in the declared unit; NaN is met by nothing.
+        policy: how people type.
+    """
+    half_unit = max(
+        typed_half_unit(answer, policy), without_zeros(answer, policy), _FINEST * abs(value)
+    )
+    return abs(value - result) <= 2 * policy.last_digit * half_unit
+
+
 def figure_half_unit(value: float, figures: int) -> float:
     """Return half a unit of the last of so many significant figures of a value; 0 for zero."""
     if value == 0 or not math.isfinite(value):
         return 0.0
     return 0.5 * 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)
+
+
+def kept_figures(value: float, figures: int, *, cut: bool) -> float:
+    """Return a value as it is written with so many significant figures.
+
+    Args:
+        value: in the unit that it is written in.
+        figures: how many are kept.
+        cut: whether the others are cut off, not rounded.
+    """
+    unit = 2 * figure_half_unit(value, figures)
+    if not unit:
+        return value
+    return (math.trunc(value / unit) if cut else round(value / unit)) * unit

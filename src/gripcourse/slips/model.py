@@ -8,10 +8,13 @@ from gripcourse.formula.tree import Formula
 from gripcourse.policy.slips import DECLARED
 from gripcourse.text.words import Texts
 
-__all__ = ["DECLARED", "USED", "Candidate", "SlipId"]
+__all__ = ["DECLARED", "NOT_STEPPED_UP", "USED", "Candidate", "SlipId"]
 
 USED = "used"
 """Kind of the slips where another number than the given or found one was used."""
+
+NOT_STEPPED_UP = "not_stepped_up"
+"""Kind of the slip of staying at a size that is large enough and fails the choice's condition."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -19,9 +22,10 @@ class SlipId:
     """A slip, unique within the quantity that it was made in.
 
     Attributes:
-        kind: of generic slip, `DECLARED`, or `USED`.
-        detail: a declared slip's or an erratum's own id; of a number used wrongly the id of its
-            quantity; else what the kind changed in the formula.
+        kind: of generic slip, `DECLARED`, `USED`, or `NOT_STEPPED_UP`.
+        detail: a declared slip's or an erratum's own id; of a number used wrongly, and of a size
+            that was not stepped up, the id of its quantity; else what the kind changed in the
+            formula.
     """
 
     kind: str
@@ -40,6 +44,11 @@ class SlipId:
     def used(cls, quantity: str) -> Self:
         """Return the slip of using another number for a quantity."""
         return cls(USED, quantity)
+
+    @classmethod
+    def not_stepped_up(cls, quantity: str) -> Self:
+        """Return the slip of staying at a size of a choice that has to step up."""
+        return cls(NOT_STEPPED_UP, quantity)
 
     @classmethod
     def parse(cls, written: str) -> Self:

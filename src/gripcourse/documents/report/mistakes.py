@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from gripcourse.course.quantity import Quantity
 from gripcourse.grading.model import Finding, FlagCode, Report
 from gripcourse.policy.slips import SlipKind, SlipPolicy
-from gripcourse.slips.model import DECLARED, USED, SlipId
+from gripcourse.slips.model import DECLARED, NOT_STEPPED_UP, USED, SlipId
 from gripcourse.text.amounts import percent_text
 from gripcourse.text.words import Message, Texts, Words, message
 
@@ -140,6 +140,7 @@ def _title(kind: str, policy: SlipPolicy, words: Words) -> str:
         "": message("not explained"),
         DECLARED: message("a mistake known for this formula"),
         USED: message("another number than the given or found one"),
+        NOT_STEPPED_UP: message("a size that was not stepped up"),
     }
     if kind in names:
         return words.say(names[kind])
