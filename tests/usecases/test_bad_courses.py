@@ -42,6 +42,8 @@ def problems(root: Path) -> list[tuple[str, str, str]]:
                      SCHEME, "quantity.load.formula", "'gravity' is not known", id="no constant"),
         pytest.param([(COURSE, r"\[constant\.gravity\].*?\n\n", "")],
                      POLICY, "rounding.habits.gravity", "means nothing", id="its habits"),
+        pytest.param([(COURSE, r'unit = "m/s\*\*2"', 'unit = "m/s^2s"')],
+                     COURSE, "constant.gravity.unit", "m/s^2s", id="unit of what has habits"),
         pytest.param([(SCHEME, '"tension"', '"tention"')],
                      SCHEME, "parts", "'tention'", id="no such part"),
         pytest.param([(COURSE, r"\[title\]", 'convention = "as_printed"\n[title]')],

@@ -266,7 +266,10 @@ def _tolerances(table: Table, course: Course) -> Mapping[str, Tolerance]:
 
 
 def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
-    """Read shortened constants, written in the unit that the constant is declared in."""
+    """Read shortened constants, written in the unit that the constant is declared in.
+
+    A constant whose unit nobody knows is told where it is declared; it has no habits.
+    """
     table = rounding.table("habits")
     if table is None:
         return {}
@@ -275,6 +278,7 @@ def _habits(rounding: Table, course: Course) -> Mapping[str, tuple[float, ...]]:
     return {
         name: tuple(value * factor(units[name]) for value in table.number_list(name))
         for name in table.values.keys() & units.keys()
+        if known_unit(units[name])
     }
 
 
