@@ -1,0 +1,155 @@
+"""The files that a course is made of at one moment, and which of them concern one of its schemes.
+
+A scheme is judged from its own folder, from the parts that it and its options name, from the
+catalogues that any of these names, and from what all schemes share. Nothing else of the course is
+shown to who judges it: see `alone`.
+"""
+
+import hashlib
+import re
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from gripcourse.course.compose import all_part_ids
+from gripcourse.course.model import Course, Scheme
+from gripcourse.machine.kept import digest_of
+from gripcourse.machine.resources import REQUIRED_FOLDERS, VARIANTS
+
+SCHEMES: Final = f"{VARIANTS}/schemes/"
+PARTS: Final = f"{VARIANTS}/sections/"
+CATALOGUES: Final = f"{VARIANTS}/catalogues/"
+SPACES: Final = f"{VARIANTS}/spaces/"
+_WORDS: Final = re.compile(rb"\w+")
+_ESCAPE: Final = re.compile(rb"\\[uUx]")  # a name may be written with such, too
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFile:
+    """A file as it was when it was read.
+
+    Attributes:
+        digest: of its content.
+        changed: when anything of it changed last, of the clock of the disk in nanoseconds.
+        named: the ids of catalogues and schemes that occur in it.
+    """
+
+    digest: str
+    changed: int
+    named: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFiles:
+    """All files of a course, by their names below its folder; two are equal where nothing changed.
+
+    Attributes:
+        files: by name.
+    """
+
+    files: Mapping[str, SourceFile]
+
+    def shared(self, left_out: Collection[str] = ()) -> list[str]:
+        """Return the names of the files that belong to no scheme more than to another.
+
+        Args:
+            left_out: files, and folders with a slash at their end, that are not looked into.
+        """
+        return [
+            name
+            for name in self.files
+            if not (_is_of_few(name) or name.startswith(tuple(left_out)))
+        ]
+
+    def of_scheme(self, scheme: Scheme, shared: Collection[str]) -> list[str]:
+        """Return the names of the files that a scheme is judged from, with those that all share."""
+        parts = {f"{PARTS}{part}.toml" for part in all_part_ids(scheme)}
+        own = f"{SCHEMES}{scheme.id}/"
+        found = [*shared, *(one for one in self.files if one in parts or one.startswith(own))]
+        found += self.spaces_of(scheme.id)
+        named = {id_ for one in found for id_ in self.files[one].named}
+        return [*found, *(one for one in self._catalogues() if Path(one).stem in named)]
+
+    def spaces_of(self, scheme: str) -> list[str]:
+        """Return the names of the files that may say what variants of a scheme are drawn from."""
+        spaces = (one for one in self.files if one.startswith(SPACES))
+        return [one for one in spaces if scheme in self.files[one].named]
+
+    def digest(self, names: Iterable[str], *more: str) -> str:
+        """Digest some of the files, the program and what else a judgement depends on."""
+        told = (f"{name}\0{self.files[name].digest}" for name in sorted(set(names)))
+        whole = "\0\0".join([_program(), *more, *told])
+        return hashlib.sha256(whole.encode()).hexdigest()
+
+    def alone(self, course: Course, scheme: Scheme, files: Collection[str]) -> Course:
+        """Return a course as if it had one scheme, with what the scheme is judged from.
+
+        Args:
+            course: as it was read from these files.
+            scheme: one of its schemes.
+            files: see `of_scheme`.
+        """
+        parts, listed = all_part_ids(scheme), set(files)
+        return replace(
+            course,
+            schemes={scheme.id: scheme},
+            parts={name: part for name, part in course.parts.items() if name in parts},
+            catalogues={
+                name: one
+                for name, one in course.catalogues.items()
+                if f"{CATALOGUES}{name}.csv" in listed
+            },
+        )
+
+    def _catalogues(self) -> Iterable[str]:
+        return (name for name in self.files if _is_in(name, CATALOGUES, ".csv"))
+
+
+def source_files(root: Path) -> SourceFiles | None:
+    """Read all files of a course; None: some cannot be read, or a folder is a link.
+
+    Args:
+        root: of the course.
+    """
+    try:
+        below = [path for one in REQUIRED_FOLDERS for path in (root / one).rglob("*")]
+        if any(path.is_symlink() and path.is_dir() for path in below):
+            return None
+        paths = {path.relative_to(root).as_posix(): path for path in below if path.is_file()}
+        read = {name: (path.stat().st_ctime_ns, path.read_bytes()) for name, path in paths.items()}
+    except OSError:
+        return None
+    ids = {Path(name).stem for name in read if _is_in(name, CATALOGUES, ".csv")}
+    ids |= {name.removeprefix(SCHEMES).split("/")[0] for name in read if name.startswith(SCHEMES)}
+    known = {one.encode(): one for one in ids}
+    return SourceFiles(
+        {
+            name: SourceFile(hashlib.sha256(data).hexdigest(), changed, _named(data, known))
+            for name, (changed, data) in read.items()
+        }
+    )
+
+
+def _named(data: bytes, known: Mapping[bytes, str]) -> frozenset[str]:
+    """Return which names may be meant in a text: those that occur, all where some are escaped."""
+    if _ESCAPE.search(data):
+        return frozenset(known.values())
+    return frozenset(known[one] for one in known.keys() & set(_WORDS.findall(data)))
+
+
+def _is_of_few(name: str) -> bool:
+    """Tell whether a file is of one scheme, or of those alone that name it."""
+    return (
+        name.startswith((SCHEMES, SPACES))
+        or _is_in(name, PARTS, ".toml")
+        or _is_in(name, CATALOGUES, ".csv")
+    )
+
+
+def _is_in(name: str, folder: str, suffix: str) -> bool:
+    return name.startswith(folder) and name.endswith(suffix) and "/" not in name[len(folder) :]
+
+
+def _program() -> str:
+    return digest_of(Path(), ())
