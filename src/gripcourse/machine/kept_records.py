@@ -48,13 +48,18 @@ class RecordsFile:
         start = self.stream.seek(0, os.SEEK_END)
         try:
             # What a machine loses with its power counts as not kept.
-            if self.stream.write(record) != len(record):
-                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            is_whole = self.stream.write(record) == len(record)
         except OSError as fault:
-            with suppress(OSError):
-                self.stream.truncate(start)
+            self._forget(start)
             fault.filename = str(self.path)
             raise
+        if not is_whole:
+            self._forget(start)
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(self.path))
+
+    def _forget(self, start: int) -> None:
+        with suppress(OSError):
+            self.stream.truncate(start)
 
 
 def new_records(folder: Path) -> RecordsFile:
