@@ -365,10 +365,21 @@ def test_a_file_that_this_machine_could_not_read_is_looked_at_again(
     assert [one.refusal for one in desk.grade().reports] == ["", "", ""]
 
 
-def test_a_damaged_result_is_found_out_again(desk: Desk) -> None:
+@pytest.mark.parametrize(
+    ("damaged", "left"),
+    [
+        (lambda kept: kept[:-9], 1),  # as by a process that was killed while it wrote the last one
+        (lambda kept: kept[:200] + b"?" + kept[201:], 1),
+        (lambda kept: kept[:9], 0),
+    ],
+    ids=["end", "middle", "beginning"],
+)
+def test_a_damaged_result_is_found_out_again(
+    desk: Desk, damaged: Callable[[bytes], bytes], left: int
+) -> None:
     for one in Path("out", EARLIER).rglob("*.kept"):
-        one.write_bytes(one.read_bytes()[:-9])
-    assert desk.grade().taken_over == TakenOver(0, 2)
+        one.write_bytes(damaged(one.read_bytes()))
+    assert desk.grade().taken_over == TakenOver(left, 2)
 
 
 def test_a_course_that_changed_while_it_was_loaded_leaves_nothing(desk: Desk) -> None:

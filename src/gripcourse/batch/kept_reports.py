@@ -3,7 +3,7 @@
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
 
@@ -11,6 +11,7 @@ from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.kept import read_value, write_value
+from gripcourse.machine.kept_records import Find, RecordsFile, kept_records, new_records
 
 _COMPARED = "compared.kept"
 
@@ -25,10 +26,12 @@ class KeptReports:
     Attributes:
         folder: of these reports alone, named after all that a report is made from but its file.
         whose: by file, the student who handed it in, where a person says so.
+        written: the file of what this run keeps, once there is anything.
     """
 
     folder: Path
     whose: Mapping[str, str]
+    written: list[RecordsFile] = field(default_factory=list)
 
     def of(self, files: Sequence[Readable], shelf: Shelf) -> dict[int, Report]:
         """Return what is known of files, by their places: the same bytes under the same name.
@@ -37,8 +40,11 @@ class KeptReports:
             files: of a batch.
             shelf: takes what is held of each.
         """
-        found = ((number, self._find(file)) for number, file in enumerate(files))
-        return {number: shelf.put(report) for number, report in found if report is not None}
+        if not self.folder.is_dir():
+            return {}
+        with kept_records(self.folder) as find:
+            found = ((number, self._known(file, find)) for number, file in enumerate(files))
+            return {number: shelf.put(report) for number, report in found if report is not None}
 
     def keep(self, file: Readable, report: Report) -> None:
         """Keep the report of a file under the digest of the bytes that it was made from.
@@ -46,7 +52,9 @@ class KeptReports:
         Raises:
             OSError: it cannot be written.
         """
-        write_value(self._path(file, report.digest), report)
+        if not self.written:
+            self.written.append(new_records(self.folder))
+        self.written[0].add(self._key(file, report.digest), report)
 
     def flags_of(self, reports: Sequence[Report], find: Callable[[], FlagsOf]) -> FlagsOf:
         """Return the flags that comparing reports comes to; the last comparison is kept.
@@ -66,17 +74,14 @@ class KeptReports:
             write_value(path, _Compared(key, found))
         return found
 
-    def _find(self, file: Readable) -> Report | None:
-        if not self.folder.is_dir():
-            return None
+    def _known(self, file: Readable, find: Find) -> Report | None:
         digest = digest_of_content(file)
-        found = read_value(self._path(file, digest)) if digest else None
+        found = find(self._key(file, digest)) if digest else None
         return found if isinstance(found, Report) and found.digest == digest else None
 
-    def _path(self, file: Readable, digest: str) -> Path:
+    def _key(self, file: Readable, digest: str) -> bytes:
         name = shown_name(file)
-        told = repr((name, digest, self.whose.get(name)))
-        return self.folder / f"{hashlib.sha256(told.encode()).hexdigest()}.kept"
+        return hashlib.sha256(repr((name, digest, self.whose.get(name))).encode()).digest()
 
 
 @dataclass(frozen=True, slots=True)

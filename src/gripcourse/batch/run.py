@@ -30,6 +30,8 @@ SECONDS_PER_FILE = 30.0
 # Files that LibreOffice opens in one call: a start for each hundred costs little, and what it makes
 # of ten thousand never lies in memory together.
 _OF_OFFICE = 100
+# Works that travel in one message: what is done for a message costs a hundredth of judging one.
+_TOGETHER = 8
 
 GradeOne: TypeAlias = Callable[[Readable, GradingContext], Report]
 """Grades one file; it must be found by its name in another process."""
@@ -120,8 +122,9 @@ def _alone(  # noqa: PLR0913, PLR0917 (called once)
         on_done(files[number])
 
     jobs = run_each(
-        _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory
-    )
+        _grade, files, job, workers=workers, seconds=seconds, pool=pool, send=_in_memory,
+        together=_TOGETHER,
+    )  # fmt: skip
     keeping = _Remembering(job.context, workers, kept, shelf)
     alone = in_order(_kept(jobs, files, keeping), done)
     reports = _looked_at_again(files, alone, job.context, workers, seconds, pool)

@@ -4,7 +4,7 @@ import json
 import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date
 from typing import Any, TypeAlias
 
@@ -16,6 +16,7 @@ from gripcourse.issuing import schema
 from gripcourse.issuing.register import Register
 from gripcourse.machine.enclosed import is_file_name
 from gripcourse.text.words import message
+from gripcourse.variants.given_numbers import SharedNames
 from gripcourse.variants.model import Issued, Student, Variant
 
 _Row: TypeAlias = dict[str, object]
@@ -59,10 +60,11 @@ def register_of_rows(found: RegisterRows, course_id: str, place: str) -> Registe
     persons = {row.student: row._asdict() for row in found.persons}
     entries: dict[str, Issued] = {}
     earlier: list[Issued] = []
+    shared = _Shared()
     for row in (one._asdict() for one in found.issued):
         student = row["student"]
         try:
-            entry = _entry(row, persons[student])
+            entry = _entry(row, persons[student], shared)
         except (KeyError, TypeError, ValueError) as fault:
             key = message("student {student}", student=student)
             what = message("The entry is damaged: {fault}.", fault=repr(fault))
@@ -146,7 +148,35 @@ def _person_row(course: str, number: int, student: Student) -> _Row:
     }
 
 
-def _entry(row: Mapping[str, Any], person: Mapping[str, Any]) -> Issued:
+@dataclass(frozen=True, slots=True)
+class _Shared:
+    """What many entries have in common, held once: a register may have ten thousand.
+
+    Attributes:
+        names: of given numbers.
+        options: what variants choose, by its text.
+        days: by their texts.
+    """
+
+    names: SharedNames = field(default_factory=SharedNames)
+    options: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    days: dict[str, date] = field(default_factory=dict)
+
+    def chosen(self, written: str) -> Mapping[str, str]:
+        """Return options of their text."""
+        if written not in self.options:
+            pairs = _pairs(written)
+            self.options[written] = {sys.intern(name): str(one) for name, one in pairs}
+        return self.options[written]
+
+    def day(self, written: str) -> date:
+        """Return a day of its text."""
+        if written not in self.days:
+            self.days[written] = date.fromisoformat(written)
+        return self.days[written]
+
+
+def _entry(row: Mapping[str, Any], person: Mapping[str, Any], shared: _Shared) -> Issued:
     """Put an entry together.
 
     Raises:
@@ -160,24 +190,26 @@ def _entry(row: Mapping[str, Any], person: Mapping[str, Any]) -> Issued:
         student=Student(
             id=row["student"],
             name=person["name"],
-            group=person["study_group"],
+            group=sys.intern(person["study_group"]),
             email=person["email"],
-            language=person["language"],
+            language=sys.intern(person["language"]),
             variant=person["fixed_variant"],
         ),
         variant=Variant(
             id=row["variant"],
             scheme=sys.intern(row["scheme"]),
-            options={sys.intern(name): str(one) for name, one in _pairs(row["options"])},
-            given={sys.intern(name): _finite(one) for name, one in _pairs(row["given"])},
+            options=shared.chosen(row["options"]),
+            given=shared.names.numbers(
+                (sys.intern(name), _finite(one)) for name, one in _pairs(row["given"])
+            ),
         ),
-        issued_on=date.fromisoformat(row["issued_on"]),
-        deadline=None if deadline is None else date.fromisoformat(deadline),
+        issued_on=shared.day(row["issued_on"]),
+        deadline=None if deadline is None else shared.day(deadline),
         signature=row["signature"],
         version=row["version"],
         why=row["why"] or "",
         issued_by=row["issued_by"] or "",
-        declarations=row["declarations"] or "",
+        declarations=sys.intern(row["declarations"] or ""),
     )
 
 

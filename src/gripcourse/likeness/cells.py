@@ -5,6 +5,7 @@ A cohort of ten thousand has some seven million cells; of one in ten anything is
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.signedinteger[Any]]
+Bits: TypeAlias = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,10 +88,11 @@ class SparseTable:
         return np.concatenate(([0], after))
 
     @property
-    def present(self) -> NDArray[np.bool_]:
-        """Which cells have a number: (rows, columns)."""
-        found = np.zeros((self.rows, self.columns), dtype=np.bool_)
-        found[self.place] = True
+    def bits(self) -> Bits:
+        """Which cells have a number: of each row a bit for each column, as `np.packbits`."""
+        found = np.zeros((self.rows, -(-self.columns // 8)), dtype=np.uint8)
+        for column, (begin, end) in enumerate(pairwise(self.begins.tolist())):
+            found[self.key[begin:end] - column * self.rows, column // 8] |= 128 >> column % 8
         return found
 
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.cells import Floats, Ints, SparseTable
+from gripcourse.likeness.cells import Bits, Floats, Ints, SparseTable
 
 _FIGURES = 3  # that a typed number has at least: a spreadsheet keeps 5,00 as 5
 _OWN_ROUNDING = 0.002  # relative: what intermediate rounding moves a copied value off the exact one
@@ -51,12 +51,14 @@ class OrderedValues:
         begins: (quantities + 1,); where the numbers of each quantity begin in what follows.
         ordered: (cells,); the numbers of one quantity after the other, from the smallest up.
         owner: (cells,); whose each is.
+        known: (owners, bytes); which quantities each has a number of, a bit for each.
     """
 
     values: SparseTable
     begins: Ints
     ordered: Floats
     owner: NDArray[np.int32]
+    known: Bits
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +113,7 @@ def in_order(values: SparseTable) -> OrderedValues:
         order = begin + np.argsort(values.value[begin:end], kind="stable")
         ordered[begin:end] = values.value[order]
         owner[begin:end] = values.key[order] - column * values.rows
-    return OrderedValues(values, begins, ordered, owner)
+    return OrderedValues(values, begins, ordered, owner, values.bits)
 
 
 def same_as_issued(
@@ -193,8 +195,10 @@ def _matches(numbers: ComparedNumbers, others: OrderedValues, reach: Floats, apa
     """
     first = np.zeros(len(numbers.value), dtype=np.intp)
     after, known = first.copy(), first.copy()
+    order = np.argsort(numbers.column, kind="stable")
+    ends = np.searchsorted(numbers.column[order], np.arange(len(others.begins)))
     for column in np.unique(numbers.column):
-        mine = np.flatnonzero(numbers.column == column)
+        mine = order[ends[column] : ends[column + 1]]
         ordered = others.ordered[others.begins[column] : others.begins[column + 1]]
         known[mine] = len(ordered)
         first[mine] = np.searchsorted(ordered, numbers.value[mine] - reach[mine], "left")

@@ -7,18 +7,15 @@ for the numbers and not for all pairs.
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gripcourse.likeness.cells import Floats, Ints
+from gripcourse.likeness.cells import Bits, Floats, Ints
 from gripcourse.likeness.matches import Matches
 from gripcourse.likeness.pool import ComparisonPool, SharedMethods
 
 _TAKEN = (0.1, 0.3, 0.5, 0.7, 0.9, 0.99)  # shares of the numbers that may have been taken
-Bits: TypeAlias = NDArray[np.uint8]
-
 _SLACK = 1e-6  # of a logarithm: sums in another order
 _HITS_AT_ONCE = 100_000
 _PAIRS_AT_ONCE = 1_000
@@ -73,8 +70,8 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
     weight = -np.log(compared.chance)
     most = np.bincount(row, weight, len(compared.pooled.students))
     telling = np.flatnonzero((weight > 0) & (most[row] >= least))
-    mine = _told_bits(compared, np.flatnonzero(weight > 0))
-    theirs = _bits(compared.found.others.values.present)
+    begin = int(row[0]) if len(row) else 0
+    mine, theirs = _told_bits(compared, weight > 0, begin), compared.found.others.known
     found = [np.zeros(0, dtype=np.intp)]
     for chosen in _portions(compared, telling):
         number, owner = compared.found.owners(chosen)
@@ -86,7 +83,8 @@ def likely_pairs(compared: PairMatches, least: float, answers: int) -> Ints:
         of_likely = likely[place]
         place = (np.cumsum(likely) - 1)[place[of_likely]]
         pairs, chance = pairs[likely], compared.chance[number[of_likely]]
-        known = _in_common(mine, theirs, *np.divmod(pairs, compared.owners))
+        of_row, of_owner = np.divmod(pairs, compared.owners)
+        known = _in_common(mine, theirs, of_row - begin, of_owner)
         found.append(pairs[_averaged(place, chance, known) >= least])
     return np.concatenate(found)
 
@@ -126,17 +124,20 @@ def _portions(compared: PairMatches, numbers: Ints) -> list[Ints]:
     return np.split(numbers, np.flatnonzero(np.diff(portion)) + 1)
 
 
-def _told_bits(compared: PairMatches, numbers: Ints) -> Bits:
-    """Return which quantities of each submission have one of some numbers."""
+def _told_bits(compared: PairMatches, which: NDArray[np.bool_], begin: int) -> Bits:
+    """Return which quantities each submission has some of the numbers of; see `SparseTable.bits`.
+
+    Args:
+        compared: what is compared; numbers are in the order of submissions.
+        which: (numbers,); whether each counts.
+        begin: the first submission that has a number.
+    """
     pooled = compared.pooled
-    told = np.zeros((len(pooled.students), len(pooled.issued.quantities)), dtype=np.bool_)
-    told[pooled.numbers.row[numbers], pooled.numbers.column[numbers]] = True
-    return _bits(told)
-
-
-def _bits(present: NDArray[np.bool_]) -> Bits:
-    """Return each row of truths as bits, eight to a byte."""
-    return np.packbits(present, axis=1)
+    row, column = pooled.numbers.row[which] - begin, pooled.numbers.column[which]
+    rows = int(row[-1]) + 1 if len(row) else 0
+    told = np.zeros((rows, len(pooled.issued.quantities)), dtype=np.bool_)
+    told[row, column] = True
+    return np.packbits(told, axis=1)
 
 
 def _in_common(mine: Bits, theirs: Bits, row: Ints, owner: Ints) -> Floats:

@@ -61,7 +61,8 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     columns = issued.columns
     students: list[str] = []
     slips: dict[object, int] = {}
-    wholes, reals = array("i"), array("d")
+    places, columns_of, slip_of = array("i"), array("i"), array("i")
+    values, halves, explained = array("d"), array("d"), array("b")
     for row, work in enumerate(works):
         students.append(work.student)
         for one in sorted(
@@ -69,23 +70,27 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
             key=lambda one: columns[one.quantity],
         ):
             slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
-            wholes.extend((row, columns[one.quantity], one.explained, slip))
-            reals.extend((one.value, one.half_unit))
-    of_row, column, explained, slip_of = np.asarray(wholes, dtype=np.int32).reshape(-1, 4).T
-    value, half = np.asarray(reals, dtype=np.float64).reshape(-1, 2).T
+            places.append(row)
+            columns_of.append(columns[one.quantity])
+            slip_of.append(slip)
+            values.append(one.value)
+            halves.append(one.half_unit)
+            explained.append(one.explained)
+    # Looked at as they lie there: a copy would take as much room again.
+    column, value = np.frombuffer(columns_of, np.int32), np.frombuffer(values)
     return ComparisonPool(
         students=tuple(students),
         own=np.array([rows[student] for student in students], dtype=np.intp),
         issued=issued,
         spread=Spread.of(issued.values),
         numbers=ComparedNumbers(
-            row=of_row.copy(),
-            column=column.copy(),
-            value=value.copy(),
-            unit=last_unit(value, half),
+            row=np.frombuffer(places, np.int32),
+            column=column,
+            value=value,
+            unit=last_unit(value, np.frombuffer(halves)),
         ),
-        explained=explained != 0,
-        slip=_slip_shares(column, slip_of),
+        explained=np.frombuffer(explained, np.bool_),
+        slip=_slip_shares(column, np.frombuffer(slip_of, np.int32)),
     )
 
 

@@ -51,7 +51,7 @@ def read_kept(digest: str) -> Any:  # noqa: ANN401 (whatever was kept)
 def read_value(path: Path) -> Any:  # noqa: ANN401 (whatever was kept)
     """Return what `write_value` wrote; None where it is not there, damaged, or not this user's."""
     try:
-        if not hasattr(os, "getuid") or not _is_mine(path):
+        if not hasattr(os, "getuid") or not is_mine(path):
             return None
         with few_collections():
             return pickle.loads(path.read_bytes())  # noqa: S301 (written by this user's own process)
@@ -131,7 +131,7 @@ def _path(digest: str) -> Path | None:
     return Path(base) / "gripcourse" / f"{digest}.kept" if base else None
 
 
-def _is_mine(path: Path) -> bool:
+def is_mine(path: Path) -> bool:
     """Tell whether nobody but this user can have written a file."""
     own = os.getuid()
     for one in (path, path.parent):

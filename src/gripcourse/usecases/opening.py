@@ -33,7 +33,8 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         RegisterError: the register cannot be used.
     """
     register = read_register(course.root, course.id)
-    earlier = {student: versions[:-1] for student, versions in register.versions().items()}
+    versions = register.versions() if register.earlier else {}
+    earlier = {student: all_[:-1] for student, all_ in versions.items() if all_[1:]}
     return GradingContext(
         course,
         policy,

@@ -52,6 +52,18 @@ def double(item: int, add: int) -> int:
     return 2 * item + add
 
 
+def end_at_negative(item: int, _: object) -> int:
+    """End the process where a number is negative."""
+    if item < 0:
+        os._exit(3)
+    return item
+
+
+def rest(seconds: float, _: object) -> float:
+    time.sleep(seconds)
+    return seconds
+
+
 def leave_note(path: str, *_: object) -> None:
     Path(path).write_text(str(os.getpid()), encoding="ascii")
 

@@ -40,6 +40,33 @@ def test_results_are_in_the_order_of_the_items(errands: ModuleType, pool: Pool |
     assert sorted(done) == [0, 1, 2, 3, 4]
 
 
+@pytest.mark.parametrize("pool", [PROCESSES, THREADS], ids=["processes", "threads"])
+def test_so_they_are_where_several_travel_together(errands: ModuleType, pool: Pool) -> None:
+    done: list[int] = []
+    jobs = run_each(errands.double, range(100), 1, workers=2, seconds=60, pool=pool, together=8)
+    assert in_order(jobs, done.append) == tuple(range(1, 200, 2))
+    assert sorted(done) == list(range(100))
+
+
+def test_of_jobs_that_travel_together_only_the_one_that_ends_its_worker_is_lost(
+    errands: ModuleType,
+) -> None:
+    items = [*range(70), -1, *range(70, 100)]
+    jobs = run_each(
+        errands.end_at_negative, items, None, workers=2, seconds=60, pool=PROCESSES, together=8
+    )
+    found = in_order(jobs)
+    assert [place for place, one in enumerate(found) if isinstance(one, Lost)] == [70]
+    assert [one for one in found if not isinstance(one, Lost)] == list(range(100))
+
+
+def test_of_jobs_that_travel_together_each_has_its_own_time(errands: ModuleType) -> None:
+    items = [0.0] * 40 + [9.0] + [0.0] * 40
+    jobs = run_each(errands.rest, items, None, workers=1, seconds=0.5, pool=IMPATIENT, together=8)
+    found = in_order(jobs)
+    assert [place for place, one in enumerate(found) if isinstance(one, Lost)] == [40]
+
+
 @pytest.mark.parametrize("pool", [THREADS, INLINE], ids=["threads", "here"])
 def test_a_failure_is_that_of_its_job_alone(errands: ModuleType, pool: Pool | None) -> None:
     jobs = run_each(errands.stop_at_odd, range(3), None, workers=2, seconds=60, pool=pool)

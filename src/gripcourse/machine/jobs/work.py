@@ -64,6 +64,11 @@ def perform(name: str, item: object) -> Any | Lost:  # noqa: ANN401 (whatever th
     return task if isinstance(task, Lost) else do(task, item)
 
 
+def perform_all(name: str, packed: tuple[bytes, ...]) -> tuple[Any | Lost, ...]:
+    """Do several jobs of a task, each with its own bounds; their items come packed."""
+    return tuple(perform(name, pickle.loads(one)) for one in packed)  # noqa: S301 (as above)
+
+
 def do(task: Task, item: object) -> Any | Lost:  # noqa: ANN401 (as above)
     """Do a job; a failure on our side comes back as its trace."""
     try:

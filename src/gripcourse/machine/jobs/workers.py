@@ -10,19 +10,21 @@ import uuid
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.machine.jobs.child import DIED
 from gripcourse.machine.jobs.lost import JobLostError, Lost
 from gripcourse.machine.jobs.pools import PROCESSES, Executing, Pool
-from gripcourse.machine.jobs.work import Task, do, install, known, perform
+from gripcourse.machine.jobs.work import Task, do, install, known, perform, perform_all
 
 __all__ = ["Lost", "all_done", "in_order", "run_each"]
 
 # Jobs handed to the workers at a time: enough to keep them busy, few enough that a worker that
 # dies takes few along.
 _AHEAD = 2
+# Bytes that travel in one message, where it brings several jobs: what waits takes room.
+_MESSAGE = 1024**2
 
 Item = TypeVar("Item")
 Shared = TypeVar("Shared")
@@ -40,12 +42,14 @@ class _Crew:
         pool: kind of workers.
         name, packed: the task.
         send: returns what travels of an item.
+        together: how many jobs one message may bring.
     """
 
     pool: Pool
     name: str
     packed: bytes
     send: Callable[[Any], Any]
+    together: int
 
     def open(self, workers: int) -> Executing:
         """Open an executor whose workers know the task."""
@@ -66,6 +70,7 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     seconds: float,
     pool: Pool | None = PROCESSES,
     send: Callable[[Item], Item] = _as_it_is,
+    together: int = 1,
 ) -> Iterator[tuple[int, Result | Lost]]:
     """Do a job with every item, in parallel.
 
@@ -79,6 +84,8 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
         pool: kind of workers; None for none.
         send: makes of an item what a worker can use that shares no disk with this process; where it
             raises `OSError`, the job is done by a process of this machine at the end.
+        together: how many jobs one message to a worker may bring, while many are left; for jobs so
+            short that messages count. Each job has its own bounds all the same.
 
     Yields:
         The place of an item in `items` and what it came to, in the order in which jobs are done;
@@ -92,10 +99,11 @@ def run_each(  # noqa: PLR0913 (the last ones are what nearly everybody leaves a
     name = uuid.uuid4().hex
     if not pool.apart:
         with known(name, task):
-            yield from _each(items, _Crew(pool, name, b"", _as_it_is), workers, [])
+            yield from _each(items, _Crew(pool, name, b"", _as_it_is, 1), workers, [])
         return
     stay: list[int] = []
-    crew = _Crew(pool, name, pickle.dumps(task), _as_it_is if pool.shares_disk else send)
+    travels = _as_it_is if pool.shares_disk else send
+    crew = _Crew(pool, name, pickle.dumps(task), travels, together)
     yield from _each(items, crew, workers, stay)
     if stay:
         here = run_each(work, [items[one] for one in stay], shared, workers=1, seconds=seconds)
@@ -146,7 +154,8 @@ def _each(items: Sequence[Any], crew: _Crew, workers: int, stay: list[int]) -> _
             return
         alone: _Waiting = deque((number, items[number]) for number in sorted(suspects))
         while alone:
-            lost_alone, _ = yield from _until_worker_dies(alone, crew, 1, 1, stay)
+            single = replace(crew, together=1)
+            lost_alone, _ = yield from _until_worker_dies(alone, single, 1, 1, stay)
             yield from ((number, Lost(DIED)) for number in lost_alone)
 
 
@@ -164,32 +173,71 @@ def _until_worker_dies(
     executor = crew.open(workers)
     taken_along: list[int] = []
     has_started = False
-    running: dict[Future[Any], int] = {}
+    running: dict[Future[Any], _Message] = {}
     try:
         while running or (waiting and not taken_along):
             while waiting and not taken_along and len(running) < ahead:
-                number, item = waiting.popleft()
-                try:
-                    sent = crew.send(item)
-                except OSError:
-                    stay.append(number)
+                message = _next_message(waiting, crew, ahead, stay)
+                if not message.numbers:
                     continue
                 try:
-                    running[executor.submit(perform, crew.name, sent)] = number
+                    running[executor.submit(*message.call)] = message
                 except BrokenExecutor:
-                    taken_along.append(number)
+                    taken_along += message.numbers
             for future in wait(running, return_when=FIRST_COMPLETED).done:
-                number = running.pop(future)
+                message = running.pop(future)
                 try:
-                    outcome = future.result()
+                    outcomes = message.outcomes(future.result())
                 except BrokenExecutor:
-                    taken_along.append(number)
+                    taken_along += message.numbers
                 else:
                     has_started = True
-                    yield number, outcome
+                    yield from zip(message.numbers, outcomes, strict=True)
     finally:
         executor.shutdown(cancel_futures=True)
     return taken_along, has_started
+
+
+@dataclass(frozen=True, slots=True)
+class _Message:
+    """What is sent to a worker at a time.
+
+    Attributes:
+        numbers: of the jobs; none where no item could travel.
+        call: what the worker does, with its arguments.
+        several: whether it answers with a tuple, one outcome for each job.
+    """
+
+    numbers: tuple[int, ...]
+    call: tuple[Any, ...]
+    several: bool
+
+    def outcomes(self, answer: Any) -> tuple[Any, ...]:  # noqa: ANN401 (whatever the jobs came to)
+        """Return what each job came to."""
+        return answer if self.several else (answer,)
+
+
+def _next_message(waiting: _Waiting, crew: _Crew, ahead: int, stay: list[int]) -> _Message:
+    """Take jobs from the left of `waiting`: the fewer are left, the fewer go together.
+
+    So no worker has much to do when the others have nothing any more.
+    """
+    most = min(crew.together, max(1, len(waiting) // (2 * ahead)))
+    found: dict[int, Any] = {}
+    size = 0
+    while waiting and len(found) < most and size < _MESSAGE:
+        number, item = waiting.popleft()
+        try:
+            sent = crew.send(item)
+        except OSError:
+            stay.append(number)
+            continue
+        found[number] = sent if most == 1 else pickle.dumps(sent)
+        size += 0 if most == 1 else len(found[number])
+    if most == 1:
+        return _Message(tuple(found), (perform, crew.name, *found.values()), several=False)
+    call = perform_all, crew.name, tuple(found.values())
+    return _Message(tuple(found), call, several=True)
 
 
 def _can_start(crew: _Crew) -> bool:

@@ -1,0 +1,61 @@
+"""Given numbers of many variants in little room: those of one kind share the names."""
+
+from array import array
+from collections.abc import Iterable, Iterator, Mapping
+
+_Names = tuple[str, ...]
+
+
+class GivenNumbers(Mapping[str, float]):
+    """Numbers by name, in the order in which they were given; it stands where a `dict` would.
+
+    A `dict` of thirty floats takes 1500 bytes, this takes 400.
+    """
+
+    __slots__ = ("_places", "_values")
+
+    def __init__(self, places: Mapping[str, int], values: "array[float]") -> None:
+        """Make it of numbers and of the place of each; see `SharedNames`."""
+        self._places = places
+        self._values = values
+
+    def __getitem__(self, name: str) -> float:
+        return self._values[self._places[name]]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._places
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._places)
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _unpacked, (self._places, self._values.tobytes())
+
+
+def _unpacked(places: Mapping[str, int], packed: bytes) -> GivenNumbers:
+    values = array("d")
+    values.frombytes(packed)
+    return GivenNumbers(places, values)
+
+
+class SharedNames:
+    """What variants of one kind have in common, held once."""
+
+    __slots__ = ("_known",)
+
+    def __init__(self) -> None:
+        self._known: dict[_Names, Mapping[str, int]] = {}
+
+    def numbers(self, pairs: Iterable[tuple[str, float]]) -> GivenNumbers:
+        """Return numbers by name; of several of one name the last counts."""
+        given = dict(pairs)
+        names = tuple(given)
+        if names not in self._known:
+            self._known[names] = {name: place for place, name in enumerate(names)}
+        return GivenNumbers(self._known[names], array("d", given.values()))
