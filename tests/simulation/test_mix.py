@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.course.model import Course
-from gripcourse.simulation.mix import mix_path, read_mix
+from gripcourse.simulation.mix import load_mix, mix_path, read_mix
 from gripcourse.simulation.model import Conduct, Mix
 
 
@@ -47,6 +47,15 @@ def test_a_course_need_not_say_how_constants_are_shortened(
     assert found is not None
     assert found.pi == {math.pi: 1.0}
     assert found.constants == {}
+
+
+def test_a_course_that_declares_nobody_has_the_usual_students_in_its_own_languages(
+    course: Course, tmp_path: Path
+) -> None:
+    usual = load_mix(replace(course, root=tmp_path, languages=("ru", "uk")))
+    assert set(usual.conduct) == set(Conduct)
+    assert usual.language == {"ru": 1.0, "uk": 1.0}
+    assert usual.constants == {}, "they take its constants as they are declared"
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from gripcourse.errors import UsageError
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.resources import COURSE_FOLDERS, course_root, skeleton_root
 from gripcourse.policy.load import read_policy
+from gripcourse.simulation.mix import read_mix
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
@@ -74,6 +75,7 @@ def test_an_empty_course_is_valid_and_explains_itself_in_one_language(
     assert (len(course.schemes), len(course.sections)) == (1, 2)
     assert read_policy(course)[1] == []
     assert len(load_spaces(course)) == 1
+    assert read_mix(course)[1] == [], "virtual students need nothing that it does not have"
     cyrillic = re.compile("^#.*[а-яёіїєґ]", re.MULTILINE | re.IGNORECASE)
     commented = (tmp_path / "mine" / "variants" / "course.toml").read_text(encoding="utf-8")
     assert bool(cyrillic.search(commented)) == (language != "en")

@@ -13,6 +13,9 @@ from gripcourse.machine.database.home import gradebook_path
 from gripcourse.policy.model import Policy
 from gripcourse.submission.raw import RawWorkbook
 from gripcourse.submission.read import read_workbook
+from gripcourse.usecases.handout import Handout, IssuingContext
+from gripcourse.usecases.issue import issue_order
+from gripcourse.variants.model import Issued
 from support.classroom import ROSTER, Classroom, open_classroom
 from support.pages import not_laid_out
 
@@ -25,6 +28,10 @@ def contents(folder: Path) -> dict[str, bytes]:
         for path in sorted(folder.rglob("*"))
         if path.is_file()
     }
+
+
+def nothing_made(_context: IssuingContext, entry: Issued) -> Handout:
+    return Handout(entry.student.id, (), ())
 
 
 ONE = ROSTER.partition("s02,")[0]
@@ -46,6 +53,21 @@ class TestDocuments:
         expected = {f"{one}/assignment_{one}.pdf" for one in STUDENTS}
         expected |= {f"{one}/{one}.xlsx" for one in STUDENTS}
         assert set(contents(issued.order.out)) == expected
+
+    def test_how_many_there_are_is_told_before_the_first_is_made(
+        self, classroom: Classroom
+    ) -> None:
+        told: list[object] = []
+        issue_order(
+            classroom.course,
+            classroom.policy,
+            classroom.order,
+            0,
+            told.append,
+            on_counted=told.append,
+            issue_one=nothing_made,
+        )
+        assert told == [len(STUDENTS), *STUDENTS]
 
     def test_what_is_handed_out_is_for_its_owner_alone(self, issued: Classroom) -> None:
         written = [issued.order.out, *issued.order.out.rglob("*")]

@@ -80,11 +80,92 @@ def test_spaces_are_judged_when_the_course_is_sound(broken: Callable[..., Path])
 def test_spaces_are_not_judged_against_a_broken_course(broken: Callable[..., Path]) -> None:
     root = broken(
         (SPACE, "[given.power]", "[given.powr]"),
+        ("variants/sections/open_belt.toml", "asin((large_diameter", "asin((larg_diameter"),
+    )
+    found = validated(root)
+    assert [one.file for one in found.problems] == ["variants/sections/open_belt.toml"]
+    assert not found.computed
+
+
+def test_numbers_and_spaces_do_not_wait_for_the_policy(broken: Callable[..., Path]) -> None:
+    root = broken(
+        (SPACE, "[given.power]", "[given.powr]"),
+        ("variants/sections/open_belt.toml", "pi - 2*asin", "pi - 3*asin"),
         ("grader/policy.toml", "total = 100", "total = 99"),
     )
     found = validated(root)
-    assert [one.file for one in found.problems] == ["grader/policy.toml"]
+    assert {one.file for one in found.problems} == {
+        SPACE,
+        "grader/policy.toml",
+        "variants/schemes/flat_belt/worked_example.toml",
+        "variants/schemes/v_belt/worked_example.toml",
+    }
     assert not found.computed
+
+
+UNKNOWN_UNIT = ("variants/schemes/v_belt/scheme.toml", 'unit = "mm"', 'unit = "mmm"')
+"""Of the width of a V-belt, which decides nearly all of its drive but no angle."""
+
+
+def test_a_wrong_formula_is_told_beside_a_wrong_declaration_of_something_else(
+    broken: Callable[..., Path],
+) -> None:
+    wrong_shaft = ("variants/sections/driven_shaft.toml", '"2*total_tension', '"7*total_tension')
+    found = {(one.file, str(one.key)) for one in all_problems(broken(UNKNOWN_UNIT, wrong_shaft))}
+    assert found == {
+        (UNKNOWN_UNIT[0], "quantity.pitch_width.unit"),
+        ("variants/schemes/flat_belt/worked_example.toml", "corrected.expected.shaft_force"),
+    }, "of a V-belt the force is computed from its width"
+
+
+def test_a_range_upside_down_is_told_beside_a_wrong_declaration(
+    broken: Callable[..., Path],
+) -> None:
+    upside_down = (
+        "variants/sections/driven_shaft.toml",
+        "low = 30, high = 90",
+        "low = 90, high = 30",
+    )
+    in_space = (SPACE, "low = 0.93\nhigh = 0.96", "low = 0.96\nhigh = 0.93")
+    found = {
+        (one.file, str(one.key))
+        for one in all_problems(broken(UNKNOWN_UNIT, upside_down, in_space))
+    }
+    assert found == {
+        (UNKNOWN_UNIT[0], "quantity.pitch_width.unit"),
+        ("variants/sections/driven_shaft.toml", "quantity.bearing_gap.range"),
+        (SPACE, "given.efficiency"),
+    }
+
+
+def test_of_what_two_files_declare_the_two_are_told_alone(broken: Callable[..., Path]) -> None:
+    title = ("variants/schemes/v_belt/scheme.toml", "[quantity.pitch_width]", SECOND_FORCE)
+    found = [(one.file, str(one.key)) for one in all_problems(broken(title))]
+    assert found == [("variants/schemes/v_belt/scheme.toml", "quantity.shaft_force")]
+
+
+SECOND_FORCE = """[quantity.shaft_force]
+section = "shaft"
+kind = "given"
+symbol = "F_x"
+unit = "mm"
+bounds = [1, 2]
+range = { values = [1, 2] }
+source = { work = "textbook" }
+title = "second force"
+
+[quantity.pitch_width]"""
+
+
+def test_rows_refused_for_one_wrong_formula_are_one_problem_of_the_table(
+    broken: Callable[..., Path],
+) -> None:
+    root = broken(
+        ("variants/sections/driven_shaft.toml", '"2*total_tension', '"7000*total_tension')
+    )
+    (told,) = [one for one in all_problems(root) if one.file == "variants/tables/main.csv"]
+    assert str(told.key) == "rows 2–25 (24 in all), the first of them variant 001"
+    assert "shaft_force" in str(told.what)
 
 
 def test_an_example_that_does_not_come_out_is_told_with_what_was_computed(

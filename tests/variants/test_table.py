@@ -240,7 +240,7 @@ def test_the_same_fault_in_many_rows_of_a_column_is_told_once(
     path = write(tmp_path, HEADER, *rows, row(variant="4"), row(variant="5", mass=""))
     assert problems_of(path, small_course) == [
         (
-            "4 rows (2–4, 6), column mass [kg]",
+            "rows 2–4, 6 (4 in all), column mass [kg]",
             "The value is missing: the scheme 'press' needs it. Write a number.",
         )
     ]

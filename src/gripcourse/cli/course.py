@@ -55,7 +55,7 @@ def validate(
         found = validated(root, thorough=prove)
         problems = found.problems
         if problems and not found.computed:
-            late = message("Examples, variants and documents are tried once this is mended:")
+            late = message("What depends on the following is tried once it is mended:")
             typer.echo(words.say(late), err=True)
     if problems:
         raise GripcourseError(problems)

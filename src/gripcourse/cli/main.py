@@ -196,8 +196,15 @@ def issue(  # noqa: PLR0913 (one parameter per option)
     )
     say_limits(words)
     with cli_text.progress() as step:
-        tick = step(words.say(message("Issuing")), None)
-        issuing = issue_order(loaded, load_policy(loaded), order, workers, lambda _: tick())
+        ticks: list[Callable[[], None]] = []
+        issuing = issue_order(
+            loaded,
+            load_policy(loaded),
+            order,
+            workers,
+            lambda _: ticks[0](),
+            on_counted=lambda total: ticks.append(step(words.say(message("Issuing")), total)),
+        )
     confirm(cli_text.issuing_text(issuing, out, words))
     if printed is not None:
         from gripcourse.usecases.printing import print_sheets

@@ -16,6 +16,7 @@ from gripcourse.course.check_kinematics import check_kinematics, moving_units
 from gripcourse.course.check_notes import check_notes
 from gripcourse.course.check_one_end import check_one_end
 from gripcourse.course.check_options import check_option_names, check_option_rules
+from gripcourse.course.check_parts import check_parts, unlike_names
 from gripcourse.course.check_series import check_series
 from gripcourse.course.check_step_up import check_step_up
 from gripcourse.course.check_symbols import check_symbols
@@ -26,7 +27,6 @@ from gripcourse.course.compose import (
     compose,
     declaring_files,
     of_schemes,
-    part_ids,
     used_names,
 )
 from gripcourse.course.model import Course, Scheme
@@ -67,7 +67,7 @@ def check_course(
     found += unknown
     for scheme in alone.schemes.values():
         found += [] if unknown else check_option_rules(alone, scheme)
-        found += _check_parts(alone, scheme)
+        found += check_parts(alone, scheme)
         if all_part_ids(scheme).keys() <= alone.parts.keys():
             # else all that uses the missing part would be reported too
             found += _check_scheme(alone, scheme, tables, drawn, seen, thorough=thorough)
@@ -109,6 +109,7 @@ def _check_scheme(
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme in the combinations of its options that are looked at."""
     circular = circular_names(course, scheme)
+    doubled = unlike_names(course, scheme)
     elsewhere = declaring_files(course)
     every: dict[str, Quantity] = dict(course.constants)
     for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
@@ -116,19 +117,23 @@ def _check_scheme(
         every |= quantities
         new = _not_checked_yet(quantities, seen)
         yield from _check_declarations(course, new)
+        if doubled:  # whatever uses one of the two would seem to be wrong with the other
+            new = [one for one in new if doubled.isdisjoint((one.id, *one.uses))]
         yield from check_formulas(new, quantities, tables.columns, tables.dimensions, elsewhere)
+        yield from check_series(new, tables.columns, tables.dimensions)
         if not circular:  # else what stands in the circle would seem to be without use
             yield from _check_use(course, quantities)
             yield from check_step_up(quantities)
         elif _is_new(("graph", *(id(quantities.get(name)) for name in circular)), seen):
             yield from check_graph(scheme, quantities)
-        yield from check_series(new, tables.columns, tables.dimensions)
         yield from check_symbols(scheme, quantities, seen)
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
     yield from check_diagram_use(scheme, every)
     if _units_known(every.values()):
         yield from check_view(scheme, every, tables.dimensions, drawn)
-    yield from check_example(course, scheme)
+    for one in check_example(course, scheme):
+        if str(one.key).rpartition(".")[2] not in doubled:
+            yield one
 
 
 def view_parts(course: Course) -> set[str]:
@@ -176,39 +181,6 @@ def _not_checked_yet(quantities: Mapping[str, Quantity], seen: set[object]) -> l
         for one in quantities.values()
         if _is_new((id(one), *(unit_of.get(name) for name in one.uses)), seen)
     ]
-
-
-def _check_parts(course: Course, scheme: Scheme) -> Iterator[Problem]:
-    for options in pair_option_sets(scheme):
-        ids = part_ids(scheme, options)
-        for part in ids:
-            if part not in course.parts:
-                yield Problem(
-                    scheme.file,
-                    "parts",
-                    message("There is no part '{part}'.", part=part),
-                    did_you_mean(part, course.parts),
-                )
-        declared = dict.fromkeys(course.constants, "variants/course.toml")
-        parts = [course.parts[part] for part in ids if part in course.parts]
-        for file, own in (
-            *((one.file, one.quantities) for one in parts),
-            (scheme.file, scheme.quantities),
-        ):
-            yield from (_doubled(file, name, declared[name]) for name in own if name in declared)
-            declared |= dict.fromkeys(own, file)
-
-
-def _doubled(file: str, name: str, other: str) -> Problem:
-    return Problem(
-        file,
-        f"quantity.{name}",
-        message("'{name}' is declared in {file} too.", name=name, file=other),
-        message(
-            "Remove one of them or a part, or change single keys under [override.{name}].",
-            name=name,
-        ),
-    )
 
 
 def _check_used_parts(course: Course) -> Iterator[Problem]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -11,6 +11,7 @@ from gripcourse.course.quantity import Kind
 from gripcourse.course.toml_table import Table, read_toml
 from gripcourse.errors import CourseError, Problem
 from gripcourse.grading.model import FlagCode
+from gripcourse.machine.resources import skeleton_root
 from gripcourse.simulation.arithmetic import DISPLAY, DigitRounding
 from gripcourse.simulation.keys import MIX
 from gripcourse.simulation.model import Carrying, Conduct, Mix, Required, Style
@@ -26,15 +27,26 @@ def mix_path(root: Path) -> Path:
 
 
 def load_mix(course: Course) -> Mix:
-    """Load and check the mix of a course.
+    """Load and check the mix of a course; one that declares none has the usual students.
 
     Raises:
         CourseError: with all problems of the file.
     """
+    if not mix_path(course.root).exists():
+        return _usual_mix(course)
     mix, problems = read_mix(course)
     if mix is None or problems:
         raise CourseError(problems)
     return mix
+
+
+def _usual_mix(course: Course) -> Mix:
+    """Return the students of a new course, who speak the languages of this one."""
+    usual, problems = read_mix(replace(course, root=skeleton_root()))
+    if usual is None or problems:
+        raise RuntimeError(problems)  # ours
+    spoken = {name: one for name, one in usual.language.items() if name in course.languages}
+    return replace(usual, language=spoken)
 
 
 def read_mix(course: Course) -> tuple[Mix | None, list[Problem]]:

@@ -85,13 +85,14 @@ class Issuing:
     outdated: tuple[str, ...] = ()
 
 
-def issue_order(
+def issue_order(  # noqa: PLR0913 (the last two have usual values)
     course: Course,
     policy: Policy,
     order: Order,
     workers: int,
     on_done: Callable[[str], None],
     *,
+    on_counted: Callable[[int], None] = lambda _: None,
     issue_one: IssueOne = issue_one,
 ) -> Issuing:
     """Issue variants to everybody on the roster and write their documents.
@@ -106,6 +107,7 @@ def issue_order(
         order: what to issue.
         workers: how many processes lay out documents; 0 for none but this one.
         on_done: called with each student's id.
+        on_counted: called before, with how many students there are.
         issue_one: writes one student's documents.
 
     Raises:
@@ -143,6 +145,7 @@ def issue_order(
     links = links_on_sheets(course, policy, terms.key, order.today, order.link_days)
     context = IssuingContext(course, policy, partial(plan_of, course), order.out, links)
     made_key = _key_notes(course) if known is None else ()
+    on_counted(len(entries))
     handouts = write_handouts(context, entries, workers, on_done, issue_one)
     fonts = missing_fonts(course.root / TEMPLATES, STYLES)
     notes = (*made_key, *roster.notes, *extended.notes, *fonts)

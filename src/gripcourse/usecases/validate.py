@@ -1,6 +1,6 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -9,15 +9,16 @@ from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
 from gripcourse.course.compose import all_part_ids, of_schemes
 from gripcourse.course.load import judge_course, kept_course
-from gripcourse.course.model import Course
+from gripcourse.course.model import Course, Scheme
 from gripcourse.course.quantity import Convention
 from gripcourse.course.read import read_course
 from gripcourse.course.sound_schemes import not_found_sound, remember_sound, scheme_digests
+from gripcourse.course.unaffected import unaffected
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
 from gripcourse.machine.process_wide import few_collections
 from gripcourse.machine.resources import REQUIRED_FOLDERS, TEMPLATES, template_folders
-from gripcourse.policy.load import load_policy, read_policy
+from gripcourse.policy.load import read_policy
 from gripcourse.policy.model import Policy
 from gripcourse.proofs.calculations import calculations, differences
 from gripcourse.proofs.check_declared import check_declared
@@ -37,6 +38,7 @@ from gripcourse.usecases.template_trial import trial_problems
 from gripcourse.usecases.templates import all_templates
 from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
+from gripcourse.variants.range_problems import range_problems
 from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 
@@ -52,8 +54,8 @@ class Validation:
 
     Attributes:
         problems: all that were found.
-        computed: whether its examples, variants and documents were tried: those of a course whose
-            declarations are wrong would only add noise.
+        computed: whether all its examples, variants and documents were tried: what depends on
+            declarations or a policy that are wrong would only add noise.
     """
 
     problems: list[Problem]
@@ -84,13 +86,15 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
     course, problems = _judged(root, thorough=thorough)
     if course is None:
         return Validation(problems, computed=False)
-    policy, unfit = read_policy(course)
-    problems += unfit
-    problems += [*check_equations(course), *_mix_problems(course)]
-    problems += _list_problems(course, policy)
+    problems += check_equations(course)
     # Spaces, tables and filled pages are about the course: judging them against a broken one only
     # adds noise.
     is_sound = not problems
+    if not is_sound:
+        problems += _unaffected_problems(course, problems)
+    policy, unfit = read_policy(course)
+    problems += [*unfit, *_mix_problems(course)]
+    problems += _list_problems(course, policy)
     templates = course.root / TEMPLATES
     told = partial(all_templates, templates, course.language)
     own_templates = template_folders(templates)
@@ -102,12 +106,16 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
         lambda one: not one.problems,
     )
     problems += [*read.problems, *style_problems(templates)]
+    own = [root / name for name in REQUIRED_FOLDERS]
+    fit = None if unfit else policy
     if is_sound:
-        own = [root / name for name in REQUIRED_FOLDERS]
-        problems += unless_sound("numbers", root, own, partial(_number_problems, course, digests))
+        numbers = partial(_number_problems, course, digests, fit)
+        problems += unless_sound("numbers", root, own, numbers)
+    if is_sound and fit is not None:
         filled = partial(trial_problems, course, digests, templates, read)
         problems += unless_sound("templates", root, [*own, *own_templates], filled)
-    return Validation([*problems, *_machine_problems(root)], computed=is_sound)
+    computed = is_sound and fit is not None
+    return Validation([*problems, *_machine_problems(root)], computed=computed)
 
 
 def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]]:
@@ -119,17 +127,29 @@ def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]
     return course, problems if course is None else [*problems, *check_course(course, thorough=True)]
 
 
-def _number_problems(course: Course, digests: Mapping[str, str]) -> list[Problem]:
-    """Return the problems of all that a sound course prints, draws and lists."""
+def _number_problems(
+    course: Course, digests: Mapping[str, str], policy: Policy | None
+) -> list[Problem]:
+    """Return the problems of all that a sound course prints, draws and lists.
+
+    Without a policy nobody can tell what its tables would pay.
+    """
     subject = f"numbers with {installed()}"
     waiting = not_found_sound(digests, subject, course.schemes)
     problems = _printed_problems(course, waiting)
     spaces, found = _spaces(course)
-    left = nothing_left(course, [one for one in spaces if one.scheme in waiting])
+    # Where an example does not come out nothing may be left for that alone.
+    believed = waiting - {one.id for one in course.schemes.values() if _is_about(one, problems)}
+    left = nothing_left(course, [one for one in spaces if one.scheme in believed])
     problems += [*found, *left]
     if not problems:
         remember_sound(digests, subject, course.root, NOT_JUDGED)
-    return [*problems, *_table_problems(course, load_policy(course))]
+    return [*problems, *([] if policy is None else _table_problems(course, policy))]
+
+
+def _is_about(scheme: Scheme, problems: Iterable[Problem]) -> bool:
+    """Tell whether a problem stands in the folder of a scheme."""
+    return any(one.file.startswith(scheme.file.removesuffix("scheme.toml")) for one in problems)
 
 
 def scheme_problems(root: Path, scheme: str) -> list[Problem]:
@@ -189,6 +209,17 @@ def _printed_problems(course: Course, only: Collection[str]) -> list[Problem]:
         if one.kind is ProofKind.EXAMPLE and one.plan.convention is Convention.CORRECTED:
             problems += crossed_in_example(one)
     return problems
+
+
+def _unaffected_problems(course: Course, found: Sequence[Problem]) -> list[Problem]:
+    """Compute the examples as far as no problem touches them, and judge each range by itself."""
+    wrong = [
+        one
+        for part in unaffected(course, found)
+        for calculation in calculations(part, ())
+        for one in differences(calculation)
+    ]
+    return [*wrong, *range_problems(course, found)]
 
 
 def _machine_problems(root: Path) -> Iterator[Problem]:

@@ -1,6 +1,6 @@
-"""Faults of the cells of a table: the same fault in many rows of a column is one problem."""
+"""Faults of the rows of a table: the same fault in many rows is one problem."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -25,6 +25,23 @@ class CellFault:
     remedy: Message
 
 
+@dataclass(frozen=True, slots=True)
+class RowRefusal:
+    """Why the variant of a row cannot be handed out.
+
+    Attributes:
+        row: its number, as a spreadsheet shows it.
+        variant: its id.
+        reason: what it has in common with other rows that are refused for the same.
+        what: why, with the row's own numbers.
+    """
+
+    row: int
+    variant: str
+    reason: Hashable
+    what: Message
+
+
 def problems_of(file: str, faults: Sequence[CellFault]) -> Iterator[Problem]:
     """Yield a problem for each fault, in the order in which it comes first.
 
@@ -37,14 +54,34 @@ def problems_of(file: str, faults: Sequence[CellFault]) -> Iterator[Problem]:
     for (column, _), found in alike.items():
         place = cell_place(found[0].row, column)
         if len(found) > 1:
-            rows = _ranges([one.row for one in found])
             place = message(
-                "{count} rows ({rows}), column {column}",
+                "rows {rows} ({count} in all), column {column}",
+                rows=_ranges([one.row for one in found]),
                 count=len(found),
-                rows=rows,
                 column=column,
             )
         yield Problem(file, place, found[0].what, found[0].remedy)
+
+
+def refusals_of(file: str, refused: Sequence[RowRefusal]) -> Iterator[Problem]:
+    """Yield a problem for each reason, in the order in which it comes first.
+
+    A wrong formula refuses most rows of a table: it is told once, with numbers of the first row.
+    """
+    alike: dict[object, list[RowRefusal]] = {}
+    for one in sorted(refused, key=lambda one: one.row):
+        alike.setdefault(one.reason, []).append(one)
+    for found in alike.values():
+        first = found[0]
+        place = message("row {row}, variant {variant}", row=first.row, variant=first.variant)
+        if len(found) > 1:
+            place = message(
+                "rows {rows} ({count} in all), the first of them variant {variant}",
+                rows=_ranges([one.row for one in found]),
+                count=len(found),
+                variant=first.variant,
+            )
+        yield Problem(file, place, first.what, message("Change the numbers that it comes from."))
 
 
 def _ranges(rows: Sequence[int]) -> str:

@@ -1,6 +1,6 @@
 """From the rows of a table to variants: every cell is judged, nothing is guessed."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -19,10 +19,10 @@ from gripcourse.text.words import LANGUAGES, Message, Texts, message
 from gripcourse.variants.cells import converted, exact_number
 from gripcourse.variants.defaults import Defaults
 from gripcourse.variants.explain import broken_option_rule, explain, with_unit
-from gripcourse.variants.feasible import judge
+from gripcourse.variants.feasible import Reason, judge
 from gripcourse.variants.headings import TableColumn
 from gripcourse.variants.model import Variant
-from gripcourse.variants.row_faults import CellFault, problems_of
+from gripcourse.variants.row_faults import CellFault, RowRefusal, problems_of, refusals_of
 from gripcourse.variants.sheet import Sheet, SheetRow
 
 
@@ -230,7 +230,7 @@ class RowReader:
     def _refuse_infeasible(self, rows: list[tuple[SheetRow, Variant]]) -> None:
         # Where a column is missing altogether, that is said elsewhere.
         whole = [one for one in rows if self._is_whole(one[1])]
-        found: list[tuple[int, Problem]] = []
+        found: list[RowRefusal] = []
         for places, family in families_of(self.course, [one.composition for _, one in whole]):
             own = [whole[place] for place in places]
             given = {
@@ -240,16 +240,13 @@ class RowReader:
                 for one in family.givens
             }
             feasibility = judge(family, given)
-            for reason, refused in feasibility.refused.items():
-                for place in np.flatnonzero(refused):
-                    row, variant = own[place]
-                    plan = self.plans[variant.composition]
-                    what = explain(plan, feasibility, reason, int(place))
-                    remedy = message("Change the numbers that it comes from.")
-                    at = message("row {row}, variant {variant}", row=row.number, variant=variant.id)
-                    problem = Problem(self.sheet.file, at, what, remedy)
-                    found.append((row.number, problem))
-        self.problems.extend(problem for _, problem in sorted(found, key=lambda one: one[0]))
+            for place, (row, variant) in enumerate(own):
+                plan = self.plans[variant.composition]
+                reasons = [one for one, at in feasibility.refused.items() if at[place]]
+                for reason in _roots(plan, reasons):
+                    what = explain(plan, feasibility, reason, place)
+                    found.append(RowRefusal(row.number, variant.id, _alike(reason), what))
+        self.problems.extend(refusals_of(self.sheet.file, found))
 
     def _is_whole(self, variant: Variant) -> bool:
         """Tell whether a variant has all numbers that its scheme needs."""
@@ -265,6 +262,30 @@ class RowReader:
         column = self.columns.get(id_)
         name = column.name if column is not None else id_.removeprefix("option:")
         self.faults.append(CellFault(row.number, name, what, remedy))
+
+
+def _roots(plan: Plan, reasons: Sequence[Reason]) -> list[Reason]:
+    """Leave out what is computed from something that is refused itself: mended with it."""
+    refused = {one.quantity for one in reasons}
+    return [one for one in reasons if not refused & _inputs_of_all(plan, one.quantity)]
+
+
+def _inputs_of_all(plan: Plan, name: str) -> set[str]:
+    """Return the ids of all that a quantity is computed from, on the way too."""
+    found: set[str] = set()
+    waiting = list(plan.inputs.get(name, ()))
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += plan.inputs[one]
+    return found
+
+
+def _alike(reason: Reason) -> tuple[str, str, str]:
+    """Return what is the same in all rows that are refused for it, whatever their options."""
+    formula = "" if reason.formula is None else reason.formula.text
+    return reason.cause, reason.quantity, formula
 
 
 def _means(written: str, id_: str, title: Texts) -> bool:
