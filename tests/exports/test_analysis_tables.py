@@ -11,7 +11,7 @@ from gripcourse.exports.report_result import grades_result
 from gripcourse.exports.results_tables import csv_tables
 from gripcourse.gradebook.journal import Regrade, Signed
 from gripcourse.gradebook.model import Attempt, Fingerprints, Result
-from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report, Timing
 from gripcourse.slips.model import SlipId
 from gripcourse.text.words import Words, message
 
@@ -41,6 +41,16 @@ def test_slips_are_counted_once_a_work_and_never_of_anothers_workbook(
     rows = table[table["quantity"] == "drive_force"]
     assert set(rows["wrong"]) == {2}
     assert sum(rows["students"]) == 2
+
+
+def test_of_a_students_attempts_the_one_that_counts_is_asked(
+    perfect: Report, wrong: Change
+) -> None:
+    timing = Timing(1, 2, False, None, None, 0, 0.0, "")
+    reports = [perfect, replace(wrong(perfect, "drive_force", 1.0), timing=timing)]
+    tables = analysis_tables(grades_result(reports, Words("en")))
+    assert set(tables["items"]["works"]) == {1}
+    assert tables["slips"].empty
 
 
 def test_tables_of_a_batch_are_csv_too(perfect: Report) -> None:

@@ -13,15 +13,17 @@ import pytest
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
+from gripcourse.cli.times_text import without_times
 from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text
+from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
 from gripcourse.gradebook.timing import Waiver
-from gripcourse.grading.model import Report, Timing
+from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
-from gripcourse.text.words import Words
+from gripcourse.text.words import Words, message
 from gripcourse.usecases.gradebook import keep
-from gripcourse.usecases.handed_in import handed_in_times
+from gripcourse.usecases.handed_in import HandingTime, handed_in_times
 from gripcourse.usecases.history import history
 from gripcourse.usecases.waive import waive
 from support.classroom import forget_one_jaw
@@ -116,6 +118,52 @@ def test_the_report_and_the_table_say_what_lateness_costs(office: Office) -> Non
         "2026-12-03T12:00Z",
         "2",
     ]
+
+
+def test_where_the_rule_says_which_work_counts_nobody_is_asked(office: Office) -> None:
+    several = Flag(FlagCode.SEVERAL_FILES, message("More files."))
+    graded = [Graded(replace(grade_file(one, office.context), flags=(several,)), "")
+              for one in office.files]  # fmt: skip
+    known = handed_in_times((), office.files, KYIV)
+    kept = keep(graded, office.context, office.place, NOW, known)
+    assert [one.report.flags for one in kept] == [(), ()]
+
+
+def test_works_without_a_time_are_named_and_have_no_days_late(office: Office) -> None:
+    graded = [Graded(grade_file(one, office.context), "") for one in office.files]
+    reports = [one.report for one in keep(graded, office.context, office.place, NOW)]
+    (said,) = without_times(reports, Words("en"))
+    assert said.startswith("Nobody knows when these were handed in, so none of them is late (2)")
+    header, row, _ = grades_text(reports).splitlines()
+    assert dict(zip(header.split(","), row.split(","), strict=False))["days_late"] == ""
+    assert list(without_times(office.grade("2026-12-01 10:00"), Words("en"))) == []
+
+
+@pytest.mark.parametrize(("language", "written"), [
+    ("en", "Wednesday, 2 December 2026, 3:05 PM"),
+    ("ru", "среда, 2 декабря 2026, 15:05"),
+    ("uk", "середа 2 грудня 2026 15:05"),
+])  # fmt: skip
+def test_a_grading_worksheet_says_when_its_participants_handed_in(
+    language: str, written: str, tmp_path: Path
+) -> None:
+    words = HEADINGS[language]
+    columns = [MoodleColumn.IDENTIFIER, MoodleColumn.GRADE, MoodleColumn.HANDED_IN_AT,
+               MoodleColumn.GRADED_AT]  # fmt: skip
+    sheet = tmp_path / "Grades.csv"
+    rows = [
+        "\t".join(words[one] for one in columns),
+        f"Участник3\t\t{written}\t-",
+        "Участник5\t\t-\t-",
+    ]
+    sheet.write_text("\n".join(rows), encoding="utf-8")
+    zipped = [Path(f"a.zip/Ким Ли_{number}_assignsubmission_file/x.xlsx") for number in (3, 5)]
+    times = handed_in_times([str(sheet)], zipped, KYIV)
+    assert times == {
+        str(zipped[0]): HandingTime(datetime(2026, 12, 2, 15, 5, tzinfo=KYIV), said=True)
+    }
+    with pytest.raises(UsageError, match="No file of the batch has a number"):
+        handed_in_times([str(sheet)], [Path("3.xlsx")], KYIV)
 
 
 def test_without_a_rule_nothing_is_said_of_time(office: Office) -> None:

@@ -61,7 +61,8 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         typer.Option(
             "--handed-in",
             metavar="file=time",
-            help="When a file was handed in, or all of them; default: the file's own time.",
+            help="When a file was handed in, or all of them, or a grading worksheet of Moodle; "
+            "default: the file's own time.",
         ),
     ] = None,
     pattern: Annotated[
@@ -90,6 +91,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     from gripcourse.machine.office import office_command, office_identity
     from gripcourse.usecases.as_before import GradingAsked, beginning
     from gripcourse.usecases.collect import collect
+    from gripcourse.usecases.handed_in import tables_said
     from gripcourse.usecases.note_batch import note_batch
 
     words = words_for(language)
@@ -105,7 +107,10 @@ def grade(  # noqa: PLR0913 (one parameter per option)
         day=None if on is None else day_of(on),
     )
     manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
-    options = (order, str(out), words.language, bool(workers), office_identity(office_command()))
+    options = (
+        *(order, tables_said(order.handed_in), str(out)),
+        *(words.language, bool(workers), office_identity(office_command())),
+    )
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
     said = None if json or afresh else begun.said_before()
     if said is None:

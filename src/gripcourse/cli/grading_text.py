@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gripcourse.cli import times_text
 from gripcourse.cli.table_layout import table_text
 from gripcourse.grading.flag_code import FlagCode
 from gripcourse.text.shown import one_line
@@ -106,6 +107,7 @@ def batch_text(outcome: "GradingOutcome", out: Path, words: Words) -> str:
         said = message("Ask, then grade again and say so, for example --whose s002.xlsx=s003.")
         lines.append(words.say(said))
     lines += _passed_over(outcome, words)
+    lines += times_text.without_times(outcome.reports, words)
     lines += _missing(outcome.missing, words)
     if outcome.left_over:
         said = message(

@@ -22,14 +22,18 @@ _Key: TypeAlias = tuple[str, str]
 
 
 def analysis_tables(grades: GradesResult) -> "dict[str, pd.DataFrame]":
-    """Return the tables `items`, `slips`, `reliability` and `difficulty` of a batch."""
+    """Return the tables `items`, `slips`, `reliability` and `difficulty` of a batch.
+
+    Of a student's attempts the one that counts is asked: one person's works are not independent.
+    """
     import pandas as pd
 
-    shares = share_table(grades.reports)
+    counting = [one for one in grades.reports if one.counts]
+    shares = share_table(counting)
     return {
         "items": item_table(shares),
         "slips": pd.DataFrame(
-            _slips(grades.reports),
+            _slips(counting),
             columns=["quantity", "slip", "students", "wrong", "share_of_wrong"],
         ),
         "reliability": reliability_table(shares),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded, grade_files, incident_number, is_found_out
-from gripcourse.documents.report.totals import shares
+from gripcourse.documents.report.totals import counting, shares
 from gripcourse.exports.grades import FOUND
 from gripcourse.exports.report_json import said_in
 from gripcourse.gradebook.model import RESULTS
@@ -127,7 +127,7 @@ def write_results(  # noqa: PLR0913 (the last is what everybody leaves as it is)
     """
     _discard_unfinished(out)
     plain = [one.report for one in graded]
-    peers = tuple(shares(plain))
+    peers = tuple(shares(counting(plain)))
     printing = Printing(
         context.course, context.policy, graded_on, peers=peers, declared=context.declared
     )

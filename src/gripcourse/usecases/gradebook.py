@@ -1,7 +1,7 @@
 """Keeping what was graded, and letting the marks of persons enter the reports."""
 
 from collections import defaultdict
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from types import MappingProxyType
@@ -24,7 +24,7 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Rules, Waiver, timings_of
 from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
-from gripcourse.grading.model import Report
+from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.usecases.handed_in import HandingTime
@@ -177,7 +177,21 @@ def _kept(
                 Rules(policy.late, policy.attempts),
             )
             entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+            if policy.attempts is not None and _is_ordered(timings.values()):
+                entered = [_undisputed(one) for one in entered]
         yield name, entered
+
+
+def _is_ordered(timings: Iterable[Timing]) -> bool:
+    """Tell whether it is known which work of a student was handed in before which."""
+    times = [one.handed_in for one in timings]
+    return None not in times and len(set(times)) == len(times)
+
+
+def _undisputed(report: Report) -> Report:
+    """Return a report that asks nobody which of a student's works counts: the policy says it."""
+    kept = tuple(flag for flag in report.flags if flag.code is not FlagCode.SEVERAL_FILES)
+    return replace(report, flags=kept)
 
 
 def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:

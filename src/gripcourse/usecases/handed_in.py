@@ -1,14 +1,16 @@
-"""When works were handed in: as a person says, else by the file's own time."""
+"""When works were handed in: as a person or a platform says, else by the file's own time."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path, PurePath
 from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, UsageError
+from gripcourse.exports.platforms.moodle_worksheet import handed_in_moments, read_worksheet
 from gripcourse.gradebook.deadlines import moment_of
-from gripcourse.machine.content import Readable, shown_name
+from gripcourse.grading.platforms import platform_part
+from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.text.shown import shown
 from gripcourse.text.words import message
 
@@ -28,7 +30,7 @@ def handed_in_times(
 
     Args:
         written: what a person says: `TIME` for all files, or `file=TIME`, where a file is named by
-            the end of its path; the last one of a file counts.
+            the end of its path; or a platform's grading worksheet. The last one of a file counts.
         files: of the batch.
         zone: of the course.
 
@@ -42,6 +44,9 @@ def handed_in_times(
     }
     problems: list[Problem] = []
     for one in written:
+        if _is_table(one):
+            times |= _of_worksheet(Path(one), files, zone, problems)
+            continue
         name, _, moment = (part.strip() for part in one.rpartition("="))
         at = moment_of(moment, zone)
         named = [file for file in map(shown_name, files) if not name or _ends_so(file, name)]
@@ -52,11 +57,47 @@ def handed_in_times(
         else:
             times |= {shown(file): HandingTime(at, said=True) for file in named}
             continue
-        remedy = message("Write 2026-12-01 18:00, or file=2026-12-01 18:00 for one file.")
+        remedy = message(
+            "Write 2026-12-01 18:00, or file=2026-12-01 18:00 for one file, or the name of a"
+            " grading worksheet."
+        )
         problems.append(Problem("", "", what, remedy, parameter="handed_in"))
     if problems:
         raise UsageError(problems)
     return times
+
+
+def tables_said(written: Iterable[str]) -> tuple[str, ...]:
+    """Return the digests of the tables among what a person says: another table says other times."""
+    return tuple(digest_of_content(Path(one)) for one in written if _is_table(one))
+
+
+def _is_table(written: str) -> bool:
+    return "=" not in written and Path(written).is_file()
+
+
+def _of_worksheet(
+    path: Path, files: Sequence[Readable], zone: ZoneInfo, problems: list[Problem]
+) -> dict[str, HandingTime]:
+    """Return the times of the files that a platform handed out together with its worksheet."""
+    moments = handed_in_moments(read_worksheet(path))
+    found = dict(_matched(moments, files, zone))
+    if not found:
+        what = message("No file of the batch has a number that a row of the worksheet has.")
+        remedy = message("Grade the zip that the platform handed out together with this worksheet.")
+        problems.append(Problem(str(path), "", what, remedy, parameter="handed_in"))
+    return found
+
+
+def _matched(
+    moments: Mapping[str, str], files: Sequence[Readable], zone: ZoneInfo
+) -> Iterator[tuple[str, HandingTime]]:
+    for file in map(shown_name, files):
+        part = platform_part(file)
+        written = moments.get(part.identifier, "") if part is not None else ""
+        at = moment_of(written, zone)
+        if at is not None:
+            yield shown(file), HandingTime(at, said=True)
 
 
 def _ends_so(name: str, end: str) -> bool:

@@ -12,7 +12,7 @@ from gripcourse.documents.report.cohort import cohort_report, cohort_values
 from gripcourse.documents.report.items import item_statistics
 from gripcourse.documents.report.quantities import AskedQuantity, quantity_groups
 from gripcourse.documents.report.totals import quantity_totals
-from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
+from gripcourse.grading.model import Flag, FlagCode, Outcome, Report, Timing
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
 from gripcourse.solver.plan import Plan
@@ -57,6 +57,20 @@ def test_the_summary_counts_files(reports: list[Report], policy: Policy, course:
     assert (summary["Files"], summary["Judged"], summary["Not judged"]) == ("4", "3", "1")
     assert summary["To look at"] == "2"
     assert summary["Lowest and highest"].endswith("100%")
+
+
+def test_of_a_students_attempts_the_one_that_counts_is_in_the_statistics(
+    perfect: Report, wrong: Change, policy: Policy, course: Course
+) -> None:
+    timings = [Timing(number, 2, number == 1, None, None, 0, 0.0, "") for number in (1, 2)]
+    others = replace(wrong(perfect, "drive_force", 1.0), timing=timings[1])
+    reports = [others, replace(perfect, student="other"), replace(perfect, timing=timings[0])]
+    values = cohort_values(reports, policy, course, Words("en"))
+    summary = dict(values["summary"])  # type: ignore[call-overload]
+    assert (summary["Files"], summary["Mean"]) == ("3", "100%")
+    assert values["slips"] == []
+    attempts = [row.attempt for row in values["students"]]  # type: ignore[attr-defined]
+    assert attempts == ["", "Attempt 2 of 2: another one counts.", ""]
 
 
 def test_everybody_is_listed_with_what_was_noticed(

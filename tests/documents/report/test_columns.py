@@ -32,6 +32,10 @@ def test_each_number_of_a_text_is_aligned_with_those_in_its_place() -> None:
     assert aligned(["−7 ± 10,5", "+1,92 ± 3"]) == ["−7,00 ± 10,5", "+1,92 ± 3,0"]
 
 
+def test_both_ends_of_a_range_have_as_many_decimals() -> None:
+    assert aligned(["66,7 … 100", "100 … 100"]) == ["66,7 … 100,0", "100,0 … 100,0"]
+
+
 def test_rows_are_aligned_by_their_fields() -> None:
     rows = [Row("a", "1", ("1,5", "2")), Row("b", "2,25", ("10", "3"))]
     first, second = aligned_rows(rows, "points", "shares")

@@ -22,8 +22,10 @@ from gripcourse.documents.report.soundness import (
     reliability_rows,
     time_sentence,
 )
-from gripcourse.documents.report.standing import grades_of
+from gripcourse.documents.report.standing import attempt_text, grades_of
 from gripcourse.documents.report.totals import (
+    counting,
+    is_counting,
     quantity_totals,
     section_shares,
     section_totals,
@@ -41,9 +43,13 @@ STYLES = ("page.css", "formula.css", "cohort.css")
 
 @dataclass(frozen=True, slots=True)
 class StudentRow:
-    """A student's line: texts in the order of the columns; `flags` counts what to look at."""
+    """A student's line: texts in the order of the columns; `flags` counts what to look at.
+
+    `attempt` says of a work that another one counts; else it is empty.
+    """
 
     name: str
+    attempt: str
     variant: str
     score: str
     grades: tuple[str, ...]
@@ -86,16 +92,17 @@ def cohort_values(
 ) -> dict[str, object]:
     """Return what the template needs but the date; see `cohort_report` for the arguments."""
     declared = declared_in(course, (report.composition for report in reports))
-    scores = shares(reports)
-    judged = [report for report in reports if report.judged]
+    works = counting(reports)
+    scores = shares(works)
+    judged = [report for report in works if report.judged]
     totals, items = quantity_totals(judged), item_statistics(judged)
     asked = AskedQuantity(judged, totals, items, declared, course)
     bars = hardest(asked, words)
     sections = [section for section in course.sections if section.id in policy.section_points]
-    rows = [_section(reports, section, number, policy, words)
+    rows = [_section(works, section, number, policy, words)
             for number, section in enumerate(sections, start=1)]  # fmt: skip
     columns = [section.id for section in sections]
-    students = [_student(one, columns, policy, words) for one in reports]
+    students = [_student(one, columns, policy, words) for one in _side_by_side(reports)]
     return {
         "course": course.title.of(words.language),
         "summary": list(_summary(reports, scores, words)),
@@ -103,15 +110,15 @@ def cohort_values(
         "scales": [one.title.of(words.language) for one in policy.scales],
         "students": aligned_rows(students, "sections", "score", "open_points"),
         "score_plot": Chart(partial(score_plot, scores, words)) if scores else "",
-        "section_plot": _section_plot(reports, sections, words),
+        "section_plot": _section_plot(works, sections, words),
         "facility_plot": Chart(partial(facility_plot, bars, words)) if bars else "",
-        "slips": aligned_rows(slip_rows(reports, declared, words), "share"),
-        "kinds": aligned_rows(kind_rows(reports, policy.slips, words), "share"),
+        "slips": aligned_rows(slip_rows(works, declared, words), "share"),
+        "kinds": aligned_rows(kind_rows(works, policy.slips, words), "share"),
         "fairness": aligned_rows(
-            fairness_rows(reports, course, words), "mean", "deviation", "extent", "difference"
+            fairness_rows(works, course, words), "mean", "deviation", "extent", "difference"
         ),
-        "reliability": aligned_rows(reliability_rows(reports, course, words), "alphas"),
-        "equal": list(difficulty_sentences(reports, words)),
+        "reliability": aligned_rows(reliability_rows(works, course, words), "alphas"),
+        "equal": list(difficulty_sentences(works, words)),
         "times": time_sentence(reports, words),
         "fewest": FEWEST,
         "outcomes": [(outcome.traits.sign, words.say(outcome.traits.word)) for outcome in COUNTED],
@@ -171,11 +178,26 @@ def _section_plot(
     return Chart(partial(box_plot, boxes, words)) if boxes else ""
 
 
+def _side_by_side(reports: Sequence[Report]) -> list[Report]:
+    """Return the reports in their order, but with the attempts of a student one below the other."""
+    first: dict[str, int] = {}
+    for place, report in enumerate(reports):
+        first.setdefault(report.student or report.file, place)
+    return sorted(
+        reports,
+        key=lambda one: (
+            first[one.student or one.file],
+            0 if one.timing is None else one.timing.number,
+        ),
+    )
+
+
 def _student(report: Report, sections: Sequence[str], policy: Policy, words: Words) -> StudentRow:
     grades = [grade for _, grade in grades_of(report, policy.scales, words)]
     totals = section_totals(report) if report.judged else {}
     return StudentRow(
         name=report.name or report.student or PurePath(report.file).name,
+        attempt=attempt_text(report, words) if not is_counting(report) else "",
         variant=report.variant or "—",
         score=points_text(report.earned, words) if report.judged else "—",
         grades=tuple(grades or ["—"] * len(policy.scales)),

@@ -2,7 +2,7 @@
 
 No style sheet can align at a decimal mark on paper, so the numbers of a column are written with
 equally many decimals. A text may hold several numbers, as `12,5 / 20` does: the first ones of a
-column are alike, and so are the second ones.
+column are alike, and so are the second ones; both ends of a range, `66,7 … 100`, are.
 """
 
 import re
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 Line = TypeVar("Line", bound="DataclassInstance")
 
+_RANGE: Final = "…"
 _NUMBER: Final = re.compile(r"\d+(?:([.,])(\d+))?")
 
 
@@ -32,6 +33,8 @@ def aligned(texts: Sequence[str]) -> list[str]:
         max(len(numbers[place][2] or "") for numbers in found if len(numbers) > place)
         for place in range(max(map(len, found)))
     ]
+    if any(_RANGE in text for text in texts):
+        most = [max(most)] * len(most)
     return [_written(text, most, marks[0]) for text in texts]
 
 

@@ -66,13 +66,6 @@ def timing_texts(report: Report, words: Words) -> list[str]:
     if timing is None or not report.judged:
         return []
     said: list[Message] = []
-    if timing.of > 1:
-        number, of = timing.number, timing.of
-        said.append(
-            message("Attempt {number} of {of}: this one counts.", number=number, of=of)
-            if timing.counts
-            else message("Attempt {number} of {of}: another one counts.", number=number, of=of)
-        )
     if timing.days_late and timing.handed_in and timing.deadline:
         said.append(
             message(
@@ -88,7 +81,21 @@ def timing_texts(report: Report, words: Words) -> list[str]:
         )
     if timing.waived:
         said.append(message("Lateness was waived: {why}", why=timing.waived))
-    return [words.say(one) for one in said]
+    attempt = attempt_text(report, words)
+    return [*([attempt] if attempt else []), *(words.say(one) for one in said)]
+
+
+def attempt_text(report: Report, words: Words) -> str:
+    """Say which attempt a judged work is and whether it counts; nothing of an only one."""
+    timing = report.timing
+    if timing is None or not report.judged or timing.of == 1:
+        return ""
+    number, of = timing.number, timing.of
+    if timing.counts:
+        return words.say(
+            message("Attempt {number} of {of}: this one counts.", number=number, of=of)
+        )
+    return words.say(message("Attempt {number} of {of}: another one counts.", number=number, of=of))
 
 
 def _moment(moment: datetime, zone_of: datetime) -> str:

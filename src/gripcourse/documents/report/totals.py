@@ -94,6 +94,19 @@ def empty_sections(report: Report) -> frozenset[str]:
     )
 
 
+def counting(reports: Sequence[Report]) -> list[Report]:
+    """Return the reports on which statistics rest: of a student's attempts the one that counts.
+
+    Where a policy says nothing of attempts, every file counts.
+    """
+    return [report for report in reports if is_counting(report)]
+
+
+def is_counting(report: Report) -> bool:
+    """Tell whether no other attempt of the student counts instead."""
+    return report.timing is None or report.timing.counts
+
+
 def shares(reports: Sequence[Report]) -> list[float]:
     """Return the score of each judged report as a share of its possible points."""
     return [

@@ -19,6 +19,7 @@ class MoodleColumn(StrEnum):
     MAXIMUM = "Maximum grade"
     SCALE = "Scale"
     CHANGEABLE = "Grade can be changed"
+    HANDED_IN_AT = "Last modified (submission)"
     GRADED_AT = "Last modified (grade)"
     COMMENT = "Feedback comments"
 
@@ -35,6 +36,7 @@ HEADINGS: Final[Mapping[str, Mapping[MoodleColumn, str]]] = MappingProxyType({
         MoodleColumn.MAXIMUM: "Максимальная оценка",
         MoodleColumn.SCALE: "Шкала",
         MoodleColumn.CHANGEABLE: "Оценка может быть изменена",
+        MoodleColumn.HANDED_IN_AT: "Последнее изменение (ответ)",
         MoodleColumn.GRADED_AT: "Последнее изменение (оценка)",
         MoodleColumn.COMMENT: "Отзыв в виде комментария",
     },
@@ -45,6 +47,7 @@ HEADINGS: Final[Mapping[str, Mapping[MoodleColumn, str]]] = MappingProxyType({
         MoodleColumn.MAXIMUM: "Максимальна оцінка",
         MoodleColumn.SCALE: "Шкала",
         MoodleColumn.CHANGEABLE: "Оцінка може бути змінена",
+        MoodleColumn.HANDED_IN_AT: "Востаннє змінювалося (здача)",
         MoodleColumn.GRADED_AT: "Востаннє змінювалося (оцінка)",
         MoodleColumn.COMMENT: "Відгук - коментарем",
     },

@@ -105,6 +105,19 @@ def read_worksheet(source: Readable) -> Worksheet:
     return Worksheet(table, language, columns)
 
 
+def handed_in_moments(worksheet: Worksheet) -> dict[str, str]:
+    """Return when participants handed in, `2026-12-01 18:00`, by Moodle's number of them.
+
+    It is the clock of whoever exported the worksheet. Who handed in nothing is not in it.
+    """
+    found = {}
+    for _, cells, row in worksheet.rows():
+        written = worksheet.cell(cells, MoodleColumn.HANDED_IN_AT)
+        if row.number and written not in _NONE:
+            found[row.number] = _readable_date(written, worksheet.language)
+    return found
+
+
 def fill_worksheet(
     worksheet: Worksheet, works: Sequence[GradedWork], comment: Callable[[GradedWork], str]
 ) -> FilledWorksheet:

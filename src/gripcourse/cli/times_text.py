@@ -1,0 +1,35 @@
+"""What is said of works of which nobody knows when they were handed in."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from gripcourse.text.shown import one_line
+from gripcourse.text.words import Words, message
+
+if TYPE_CHECKING:
+    from gripcourse.grading.model import Report
+
+_NAMED: Final = 5
+
+
+def without_times(reports: Sequence["Report"], words: Words) -> Iterator[str]:
+    """Say which works cannot be late because nobody knows when they came, though lateness costs.
+
+    A zip of a platform holds the time at which it was packed, and that is not believed.
+    """
+    names = [
+        one_line(Path(one.file).name)
+        for one in reports
+        if one.judged and one.timing is not None
+        if one.timing.deadline is not None and one.timing.handed_in is None
+    ]
+    if not names:
+        return
+    said = message(
+        "Nobody knows when these were handed in, so none of them is late ({count}): {names}. Say it"
+        " with --handed-in, for all, for a file, or by the grading worksheet of Moodle.",
+        count=len(names),
+        names=", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else ""),
+    )
+    yield words.say(said)
