@@ -131,6 +131,13 @@ def test_no_path_leads_to_another_file(server: "Server", path: str) -> None:
     assert server.context.key.hex().encode() not in content
 
 
+@pytest.mark.parametrize("path", ["/s/x/receipt/", "/desk/student/x/file/", "/api/v1/hand-ins/"])
+def test_a_number_that_is_too_long_to_be_read_is_no_incident(server: "Server", path: str) -> None:
+    answer = server.client().get(f"{path}{'9' * 5000}")
+    assert answer.status_code == 414
+    assert answer.headers["cache-control"] == "no-store"
+
+
 @pytest.mark.parametrize("path", ["/", "/style.css", "/nowhere", "/desk/", "/s/x/"])
 def test_a_browser_is_told_to_run_and_to_fetch_nothing(server: "Server", path: str) -> None:
     headers = server.client().get(path).headers
@@ -188,7 +195,7 @@ def test_who_still_sends_is_heard_out_before_a_refusal_is_said(declared: str) ->
     async def refuse(_: Scope, _receive: Receive, send: Send) -> None:
         await send({"type": "http.response.start", "status": 404, "headers": []})
 
-    scope = {"type": "http", "headers": [(declared.encode(), b"3")]}
+    scope = {"type": "http", "path": "/", "headers": [(declared.encode(), b"3")]}
     asyncio.run(Guard(refuse, secure=False)(scope, receive, send))
     assert said == ["heard"] * 3 + ["http.response.start"]
 
