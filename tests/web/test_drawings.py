@@ -71,6 +71,24 @@ def send(server: "Server", name: str, data: bytes) -> int:
     return hand_in(server.context, issued, NamedBytes(name, data), server.clock.now).hand_in.number
 
 
+@pytest.mark.parametrize("name", ["ч" * 125 + ".pdf", "ч" * 300 + ".PDF"])
+def test_a_drawing_with_a_long_name_is_never_taken_for_the_workbook(
+    server: "Server", name: str
+) -> None:
+    issued = server.classroom.register["s02"]
+    work = hand_in(server.context, issued, NamedBytes("w.xlsx", b"work"), server.clock.now)
+    kept = hand_in(server.context, issued, NamedBytes(name, name.encode()), server.clock.now)
+    assert kept.hand_in.is_drawing
+    assert len(kept.hand_in.name) == 120
+    assert latest(server.context.desk.hand_ins("s02"))["s02"] == work.hand_in
+
+
+def test_a_name_without_a_suffix_is_shortened_too(server: "Server") -> None:
+    issued = server.classroom.register["s03"]
+    kept = hand_in(server.context, issued, NamedBytes(f"a.{'b' * 300}", b"1"), server.clock.now)
+    assert kept.hand_in.name == f"a.{'b' * 118}"
+
+
 def test_a_drawing_is_shown_beside_the_rubric_and_never_as_it_was_sent(
     server: "Server", signed_in: "TestClient", filled: bytes, tmp_path: Path
 ) -> None:

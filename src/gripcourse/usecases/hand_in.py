@@ -22,6 +22,7 @@ _MOST: Final = 200_000_000
 """Bytes that one student may keep here: a term of large workbooks many times over."""
 _NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
+_LONGEST_SUFFIX: Final = 10
 _PURPOSE: Final = b"gripcourse receipt 1\n"
 
 
@@ -79,9 +80,7 @@ def hand_in(
     if not path.is_file():
         write_bytes(path, file.data, private=True)
         _make_durable(path.parent)
-    name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
-    if not name.strip(". "):
-        name = _NAMELESS
+    name = _kept_name(file.name)
     kept = context.desk.add_hand_in(student, digest, len(file.data), name, now, allowed)
     return receipt_of(context, issued, kept)
 
@@ -137,6 +136,19 @@ def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
         os.utime(path, (one.at.timestamp(),) * 2)
         written[student] = path
     return written
+
+
+def _kept_name(name: str) -> str:
+    """Return what a file is called: its last part, shortened where it is long.
+
+    The suffix stays: without it a drawing would pass for the workbook, and count as the last one.
+    """
+    last = shown(PurePath(name.replace("\\", "/")).name)
+    suffix = PurePath(last).suffix
+    if len(suffix) > _LONGEST_SUFFIX:
+        suffix = ""
+    short = last.removesuffix(suffix)[: _LONGEST_NAME - len(suffix)] + suffix
+    return short if short.strip(". ") else _NAMELESS
 
 
 def _make_durable(folder: Path) -> None:
