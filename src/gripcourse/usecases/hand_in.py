@@ -50,7 +50,7 @@ def hand_in(
 ) -> Receipt:
     """Keep a file that a student hands in, whatever is in it.
 
-    The same bytes once more right after are the same hand-in: two clicks make one.
+    The same file once more right after is the same hand-in: two clicks make one.
 
     Args:
         context: of the course.
