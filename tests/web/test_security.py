@@ -138,6 +138,20 @@ def test_a_number_that_is_too_long_to_be_read_is_no_incident(server: "Server", p
     assert answer.headers["cache-control"] == "no-store"
 
 
+@pytest.mark.parametrize("below", ["", "/course"])
+def test_a_link_without_its_last_stroke_leads_to_our_own_path_whatever_host_is_named(
+    server: "Server", below: str
+) -> None:
+    client = server.client(below)
+    for path in (server.home("s01").rstrip("/"), "/desk"):
+        head = {"host": "other.example"}
+        answer = client.get(f"{below}{path}", headers=head, follow_redirects=False)
+        assert answer.is_redirect
+        assert answer.headers["location"] == f"{below}{path}/"
+    for path in ("/desk/marking/", "/api/v1/status/", "/s"):
+        assert client.get(path, follow_redirects=False).status_code == 404
+
+
 @pytest.mark.parametrize("path", ["/", "/style.css", "/nowhere", "/desk/", "/s/x/"])
 def test_a_browser_is_told_to_run_and_to_fetch_nothing(server: "Server", path: str) -> None:
     headers = server.client().get(path).headers
@@ -231,8 +245,7 @@ def test_an_incident_has_a_number_and_the_log_neither_link_nor_key(
         raise ValueError("unforeseen")
 
     monkeypatch.setattr("gripcourse.web.student.plan_of", fail)
-    client = server.client()
-    client._transport.raise_server_exceptions = False  # type: ignore[attr-defined] # noqa: SLF001
+    client = server.client(raises=False)
     home = server.home("s01")
     with caplog.at_level(logging.DEBUG):
         answer = client.get(home)

@@ -8,7 +8,7 @@ from typing import Final
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
-from starlette.responses import FileResponse, Response
+from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.types import ASGIApp
 
@@ -54,6 +54,11 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         headers = {"Cache-Control": "max-age=300"}
         return FileResponse(sheet, media_type="text/css", headers=headers)
 
+    async def with_its_end(request: Request) -> Response:
+        # Below our own path, not at the host that a request names: a proxy that ends https may not
+        # be believed as to what browsers see, and a link would go on in the open.
+        return RedirectResponse(f"{request.scope['path']}/", HTTPStatus.PERMANENT_REDIRECT)
+
     def said(request: Request, why: WebRefusal) -> Response:
         words, back = visitor_words(site, request), way_back(request)
         return notice(site, request, words, why.said, why.status, back)
@@ -81,6 +86,7 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
     routes = [
         Route("/", welcome, methods=["GET"]),
         Route("/style.css", style, methods=["GET"]),
+        *(Route(path, with_its_end, methods=["GET"]) for path in ("/s/{token}", "/desk")),
         *student_routes(site),
         *instructor_routes(site),
         *marking_routes(site),
@@ -99,6 +105,6 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         GradebookError: system,
         Exception: ours,
     }
-    return Guard(
-        Starlette(routes=routes, exception_handlers=handlers, lifespan=alive), secure=site.secure
-    )
+    app = Starlette(routes=routes, exception_handlers=handlers, lifespan=alive)
+    app.router.redirect_slashes = False
+    return Guard(app, secure=site.secure)

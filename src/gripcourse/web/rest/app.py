@@ -100,7 +100,9 @@ def rest_app(site: Site) -> Starlette:
         GradebookError: system,
         Exception: ours,
     }
-    return Starlette(routes=routes, exception_handlers=handlers)
+    app = Starlette(routes=routes, exception_handlers=handlers)
+    app.router.redirect_slashes = False
+    return app
 
 
 def _endpoint(
