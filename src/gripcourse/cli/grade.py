@@ -146,18 +146,14 @@ class _Manner:
 
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
+    from gripcourse.gradebook.deadlines import course_deadlines
     from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.jobs.cluster import open_workers
     from gripcourse.machine.files import make_private_folder
     from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.batch_tables import batch_result
-    from gripcourse.usecases.gradebook import (
-        check_gradebook,
-        course_deadlines,
-        keep,
-        with_kept_versions,
-    )
+    from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
     from gripcourse.usecases.handed_in import handed_in_times
     from gripcourse.usecases.note_batch import note_batch
     from gripcourse.usecases.opening import open_grading, recalculating
@@ -181,7 +177,7 @@ def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     check_gradebook(place)
     context = with_kept_versions(context, place)
     # Read again where they are needed; what is wrong there is said before anything is graded.
-    course_deadlines(context)
+    course_deadlines(asked.root, context.policy.late)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
     earlier = open_earlier(

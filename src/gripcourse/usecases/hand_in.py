@@ -32,7 +32,7 @@ class Receipt:
 
     Attributes:
         hand_in: number, hash, size, name and time.
-        late: whether the last day for handing in was over.
+        late: whether the deadline was over; hours of grace do not change that.
         code: HMAC over all of it with the course's key; who has the key can verify it.
     """
 
@@ -94,12 +94,13 @@ def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
         )
     )
     made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
-    return Receipt(kept, is_late(issued, kept.at), made.hexdigest()[:32])
+    return Receipt(kept, is_late(context, issued, kept.at), made.hexdigest()[:32])
 
 
-def is_late(issued: Issued, at: datetime) -> bool:
-    """Tell whether the last day for handing in was over at a time, by the clock of this place."""
-    return issued.deadline is not None and at.astimezone().date() > issued.deadline
+def is_late(context: DeskContext, issued: Issued, at: datetime) -> bool:
+    """Tell whether a student's deadline was over at a time; its last second counts to its end."""
+    deadline = context.deadlines.of(issued)
+    return deadline is not None and at.replace(microsecond=0) > deadline
 
 
 def kept_path(context: DeskContext, digest: str) -> Path:

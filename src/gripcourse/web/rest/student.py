@@ -40,6 +40,7 @@ def status(call: StudentCall) -> StatusResult:
     site, issued, words = call.site, call.issued, call.words
     context, rule = site.context, site.context.policy.check
     plan = plan_of(context.course, issued.variant.composition)
+    deadline = context.deadlines.of(issued)
     return StatusResult(
         course=context.course.title.of(words.language),
         student=issued.student.id,
@@ -48,7 +49,7 @@ def status(call: StudentCall) -> StatusResult:
         variant=issued.variant.id,
         scheme=plan.scheme.title.of(words.language),
         task=plan.scheme.task.of(words.language),
-        deadline=issued.deadline,
+        deadline=None if deadline is None else deadline.date(),
         given=tuple(_given(one, issued.variant.given[one.id], words) for one in plan.givens),
         compares=rule.tells is not Tells.READING,
         checks_left=acts.checks_left(site, call.student),
