@@ -143,7 +143,7 @@ def test_a_file_after_the_last_day_is_kept_and_called_late(server: "Server") -> 
 
 
 @pytest.mark.parametrize(
-    ("hour", "written"), [(time(18), "18:00 MSK"), (time(23, 59, 59), ""), (None, "")]
+    ("hour", "written"), [(time(18), "18:00 +0300"), (time(23, 59, 59), ""), (None, "")]
 )
 def test_a_deadline_within_a_day_is_told_with_its_hour(hour: time | None, written: str) -> None:
     zone = ZoneInfo("Europe/Moscow")

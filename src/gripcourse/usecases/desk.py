@@ -36,7 +36,7 @@ class DeskContext:
     deadlines: DeskDeadlines = field(init=False)
 
     def __post_init__(self) -> None:
-        """Prepare to read the register and the deadlines, which are read when they are asked for."""
+        """Prepare to read register and deadlines, which are read when they are asked for."""
         issued = VerifiedRegister(self.course.root, self.course.id, self.desk.engine)
         object.__setattr__(self, "issued", issued)
         deadlines = DeskDeadlines(self.course.root, self.policy.late)
