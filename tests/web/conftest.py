@@ -46,8 +46,13 @@ class Server:
     graded: Path
     clock: Clock = field(default_factory=Clock)
 
-    def client(self) -> TestClient:
-        """Return a browser that has never been here; each has a server process of its own."""
+    def client(self, root_path: str = "", *, raises: bool = True) -> TestClient:
+        """Return a browser that has never been here; each has a server process of its own.
+
+        Args:
+            root_path: below which the server stands.
+            raises: whether what goes wrong in the server is raised here too.
+        """
         site = Site(
             context=self.context,
             checkers=make_checkers(self.context, 1, None),
@@ -55,7 +60,7 @@ class Server:
             assignments=self.classroom.order.out,
             graded=self.graded,
         )
-        return TestClient(make_app(site), "http://testserver", follow_redirects=True)
+        return TestClient(make_app(site), "http://testserver", raises, root_path)
 
     def home(self, student: str, days: float = 30) -> str:
         """Return the path of a student's personal link."""

@@ -71,6 +71,35 @@ def send(server: "Server", name: str, data: bytes) -> int:
     return hand_in(server.context, issued, NamedBytes(name, data), server.clock.now).hand_in.number
 
 
+@pytest.mark.parametrize("name", ["ч" * 125 + ".pdf", "ч" * 300 + ".PDF"])
+def test_a_drawing_with_a_long_name_is_never_taken_for_the_workbook(
+    server: "Server", name: str
+) -> None:
+    issued = server.classroom.register["s02"]
+    work = hand_in(server.context, issued, NamedBytes("w.xlsx", b"work"), server.clock.now)
+    kept = hand_in(server.context, issued, NamedBytes(name, name.encode()), server.clock.now)
+    assert kept.hand_in.is_drawing
+    assert len(kept.hand_in.name) == 120
+    assert latest(server.context.desk.hand_ins("s02"))["s02"] == work.hand_in
+
+
+def test_a_drawing_that_was_called_otherwise_first_can_be_handed_in_by_its_right_name(
+    server: "Server",
+) -> None:
+    issued, desk = server.classroom.register["s02"], server.context.desk
+    names = ("work.xlsx", "view", "view.pdf", "view.pdf")
+    files = [NamedBytes(name, b"sheet" if "view" in name else b"answers") for name in names]
+    for one in files:
+        hand_in(server.context, issued, one, server.clock.now)
+    assert [one.name for one in desk.hand_ins("s02")][-3:] == ["work.xlsx", "view", "view.pdf"]
+
+
+def test_a_name_without_a_suffix_is_shortened_too(server: "Server") -> None:
+    issued = server.classroom.register["s03"]
+    kept = hand_in(server.context, issued, NamedBytes(f"a.{'b' * 300}", b"1"), server.clock.now)
+    assert kept.hand_in.name == f"a.{'b' * 118}"
+
+
 def test_a_drawing_is_shown_beside_the_rubric_and_never_as_it_was_sent(
     server: "Server", signed_in: "TestClient", filled: bytes, tmp_path: Path
 ) -> None:

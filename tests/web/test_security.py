@@ -131,6 +131,27 @@ def test_no_path_leads_to_another_file(server: "Server", path: str) -> None:
     assert server.context.key.hex().encode() not in content
 
 
+@pytest.mark.parametrize("path", ["/s/x/receipt/", "/desk/student/x/file/", "/api/v1/hand-ins/"])
+def test_a_number_that_is_too_long_to_be_read_is_no_incident(server: "Server", path: str) -> None:
+    answer = server.client().get(f"{path}{'9' * 5000}")
+    assert answer.status_code == 414
+    assert answer.headers["cache-control"] == "no-store"
+
+
+@pytest.mark.parametrize("below", ["", "/course"])
+def test_a_link_without_its_last_stroke_leads_to_our_own_path_whatever_host_is_named(
+    server: "Server", below: str
+) -> None:
+    client = server.client(below)
+    for path in (server.home("s01").rstrip("/"), "/desk"):
+        head = {"host": "other.example"}
+        answer = client.get(f"{below}{path}", headers=head, follow_redirects=False)
+        assert answer.is_redirect
+        assert answer.headers["location"] == f"{below}{path}/"
+    for path in ("/desk/marking/", "/api/v1/status/", "/s"):
+        assert client.get(path, follow_redirects=False).status_code == 404
+
+
 @pytest.mark.parametrize("path", ["/", "/style.css", "/nowhere", "/desk/", "/s/x/"])
 def test_a_browser_is_told_to_run_and_to_fetch_nothing(server: "Server", path: str) -> None:
     headers = server.client().get(path).headers
@@ -188,7 +209,7 @@ def test_who_still_sends_is_heard_out_before_a_refusal_is_said(declared: str) ->
     async def refuse(_: Scope, _receive: Receive, send: Send) -> None:
         await send({"type": "http.response.start", "status": 404, "headers": []})
 
-    scope = {"type": "http", "headers": [(declared.encode(), b"3")]}
+    scope = {"type": "http", "path": "/", "headers": [(declared.encode(), b"3")]}
     asyncio.run(Guard(refuse, secure=False)(scope, receive, send))
     assert said == ["heard"] * 3 + ["http.response.start"]
 
@@ -224,8 +245,7 @@ def test_an_incident_has_a_number_and_the_log_neither_link_nor_key(
         raise ValueError("unforeseen")
 
     monkeypatch.setattr("gripcourse.web.student.plan_of", fail)
-    client = server.client()
-    client._transport.raise_server_exceptions = False  # type: ignore[attr-defined] # noqa: SLF001
+    client = server.client(raises=False)
     home = server.home("s01")
     with caplog.at_level(logging.DEBUG):
         answer = client.get(home)

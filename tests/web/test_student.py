@@ -4,18 +4,21 @@ import asyncio
 import hashlib
 import re
 from dataclasses import replace
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from html import unescape
 from pathlib import Path
 from typing import TYPE_CHECKING
+from zoneinfo import ZoneInfo
 
 import pytest
 
 from gripcourse.documents.pdf import template_environment
 from gripcourse.errors import UsageError
+from gripcourse.text.words import Words
 from gripcourse.usecases.hand_in import kept_path, latest
 from gripcourse.usecases.handout import Handout, IssuingContext
 from gripcourse.usecases.issue import issue_order
+from gripcourse.web.pages import hour_of
 from web.conftest import BEGAN
 
 if TYPE_CHECKING:
@@ -137,6 +140,15 @@ def test_a_file_after_the_last_day_is_kept_and_called_late(server: "Server") -> 
     server.clock.now = datetime(2026, 12, 2, 12, tzinfo=UTC)
     client, home = server.client(), server.home("s03")
     assert "after the last day" in client.post(f"{home}hand-in", files=upload(b"late")).text
+
+
+@pytest.mark.parametrize(
+    ("hour", "written"), [(time(18), "18:00 +0300"), (time(23, 59, 59), ""), (None, "")]
+)
+def test_a_deadline_within_a_day_is_told_with_its_hour(hour: time | None, written: str) -> None:
+    zone = ZoneInfo("Europe/Moscow")
+    deadline = None if hour is None else datetime.combine(date(2026, 12, 1), hour, zone)
+    assert hour_of(deadline, Words("ru")) == written
 
 
 def test_the_page_says_that_the_last_day_is_over_before_anything_is_sent(server: "Server") -> None:

@@ -310,28 +310,25 @@ class Course:
             GripcourseError: a path does not exist, or the register or gradebook cannot be used. The
                 faults of a submission are in its report.
         """
-        from gripcourse.policy.time_rules import zone_of
         from gripcourse.usecases.batch_tables import batch_result
+        from gripcourse.usecases.batch_wish import BatchWish
         from gripcourse.usecases.grade import grade, write_results
-        from gripcourse.usecases.gradebook import check_gradebook, keep, with_kept_versions
-        from gripcourse.usecases.handed_in import handed_in_times
-        from gripcourse.usecases.opening import grading_of, recalculating
-        from gripcourse.usecases.whose import read_whose
+        from gripcourse.usecases.gradebook import keep
+        from gripcourse.usecases.opening import as_wished, grading_of
 
         sources, others = workbooks(files)
-        context = grading_of(self.definition, self.policy)
-        pairs = [f"{file}={student}" for file, student in (whose or {}).items()]
-        decided = read_whose(pairs, sources, context.register)
-        context = replace(context, whose=decided, either_version=either_version)
-        if recalculate:
-            context = recalculating(context, workers)
-        if gradebook is not None:
-            check_gradebook(str(gradebook))
-            context = with_kept_versions(context, str(gradebook))
+        wish = BatchWish(
+            whose=tuple(f"{file}={student}" for file, student in (whose or {}).items()),
+            handed_in=tuple(handed_in),
+            either_version=either_version,
+            recalculate=recalculate,
+        )
+        place = None if gradebook is None else str(gradebook)
+        course = grading_of(self.definition, self.policy)
+        context, times = as_wished(wish, sources, course, place, workers)
         graded = grade(sources, context, workers, on_done)
-        if gradebook is not None:
-            times = handed_in_times(handed_in, sources, zone_of(self.policy.late))
-            graded = keep(graded, context, str(gradebook), datetime.now(UTC), times)
+        if place is not None:
+            graded = keep(graded, context, place, datetime.now(UTC), times)
         reports = tuple(one.report for one in graded)
         if out is not None:
             day, folder = graded_on or _today(), Path(out)

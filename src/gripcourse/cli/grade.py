@@ -1,7 +1,7 @@
 """The command that grades a batch: parse, one call, print, exit code. No logic."""
 
 import getpass
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -35,6 +35,7 @@ from gripcourse.cli.options import (
 )
 from gripcourse.cli.regrade import ByOption
 from gripcourse.text.words import Words, message
+from gripcourse.usecases.batch_wish import BatchWish
 
 if TYPE_CHECKING:
     from gripcourse.usecases.as_before import Beginning, SaidAtEnd
@@ -97,18 +98,21 @@ def grade(  # noqa: PLR0913 (one parameter per option)
     words = words_for(language)
     found = collect(paths)
     root = course_folder(course)
-    order = _Order(
+    wish = BatchWish(
         whose=tuple(whose or ()),
         handed_in=tuple(handed_in or ()),
         pattern=pattern,
         either_version=either_version,
         recalculate=recalculate,
+    )
+    order = _Order(
+        wish=wish,
         grades_only=grades_only,
         day=None if on is None else day_of(on),
     )
     manner = _Manner(workers, cluster, afresh, json, by or getpass.getuser(), why, words)
     options = (
-        *(order, tables_said(order.handed_in), str(out)),
+        *(order, tables_said(wish.handed_in), str(out)),
         *(words.language, bool(workers), office_identity(office_command())),
     )
     begun = beginning(GradingAsked(root, gradebook_place(gradebook, root), out, found, options))
@@ -127,11 +131,7 @@ def grade(  # noqa: PLR0913 (one parameter per option)
 class _Order:
     """What decides over what is graded and printed, as it was typed."""
 
-    whose: tuple[str, ...]
-    handed_in: tuple[str, ...]
-    pattern: str | None
-    either_version: bool | None
-    recalculate: bool
+    wish: BatchWish
     grades_only: bool
     day: date | None
 
@@ -151,42 +151,21 @@ class _Manner:
 
 def _grade_anew(begun: "Beginning", order: _Order, manner: _Manner) -> bool:
     """Grade what an earlier run did not, and say all; tell whether something needs a person."""
-    from gripcourse.grading.path_pattern import path_pattern
     from gripcourse.machine.files import make_private_folder
     from gripcourse.machine.jobs.cluster import open_workers
-    from gripcourse.policy.time_rules import zone_of
     from gripcourse.usecases import grade as command
     from gripcourse.usecases.batch_tables import batch_result
-    from gripcourse.usecases.gradebook import (
-        check_gradebook,
-        course_deadlines,
-        keep,
-        with_kept_versions,
-    )
-    from gripcourse.usecases.handed_in import handed_in_times
+    from gripcourse.usecases.gradebook import keep
     from gripcourse.usecases.note_batch import note_batch
-    from gripcourse.usecases.opening import open_grading, recalculating
+    from gripcourse.usecases.opening import as_wished, open_grading
     from gripcourse.usecases.progress import progress_noted
     from gripcourse.usecases.student_reports import student_pdf
     from gripcourse.usecases.unchanged import open_earlier
-    from gripcourse.usecases.whose import read_whose
 
     asked, words = begun.asked, manner.words
     files, out, place = asked.found.files, asked.out, asked.place
-    context = open_grading(asked.root)
-    context = replace(
-        context,
-        whose=read_whose(order.whose, files, context.register),
-        pattern=None if order.pattern is None else path_pattern(order.pattern, context.register),
-        either_version=order.either_version,
-    )
-    if order.recalculate:
-        context = recalculating(context, manner.workers)
-    times = handed_in_times(order.handed_in, files, zone_of(context.policy.late))
-    check_gradebook(place)
-    context = with_kept_versions(context, place)
-    # Read again where they are needed; what is wrong there is said before anything is graded.
-    course_deadlines(context)
+    course = open_grading(asked.root)
+    context, times = as_wished(order.wish, files, course, place, manner.workers)
     # Before anything is kept: a folder that cannot be written must not cost an attempt.
     make_private_folder(out)
     earlier = open_earlier(

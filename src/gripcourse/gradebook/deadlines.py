@@ -5,10 +5,12 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date, datetime, time
 from pathlib import Path
+from typing import Final
 from zoneinfo import ZoneInfo
 
 from gripcourse.errors import Problem, TableError
 from gripcourse.machine.content import Readable
+from gripcourse.policy.time_rules import LateRule
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.variants.headings import by_ids, words_vocabulary
@@ -18,7 +20,8 @@ from gripcourse.variants.sheet import Sheet, SheetRow, cell_place, read_sheet
 _COLUMNS = ("group", "student", "deadline")
 _WRITTEN = re.compile(r"(\d{4}-\d{2}-\d{2})(?:[ T](\d{1,2}:\d{2})(?::\d{2})?)?")
 _OFFICE = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})(?=[ T]|$)")  # as offices write days here
-_END_OF_DAY = time(23, 59, 59)
+END_OF_DAY: Final = time(23, 59, 59)
+"""The last second of a day, which still counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +38,18 @@ def deadlines_path(root: Path) -> Path:
     return root / "variants" / "deadlines.csv"
 
 
+def course_deadlines(root: Path, rule: LateRule | None) -> tuple[Deadline, ...]:
+    """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
+
+    Raises:
+        TableError: the table cannot be used.
+    """
+    path = deadlines_path(root)
+    if rule is None or not path.is_file():
+        return ()
+    return read_deadlines(path, rule.time_zone)
+
+
 def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> datetime | None:
     """Return the deadline of a student: the nearest row, else the day that was issued with."""
     student = issued.student
@@ -45,7 +60,7 @@ def deadline_of(issued: Issued, rows: tuple[Deadline, ...], zone: ZoneInfo) -> d
                 return row.at
     if issued.deadline is None:
         return None
-    return datetime.combine(issued.deadline, _END_OF_DAY, zone)
+    return datetime.combine(issued.deadline, END_OF_DAY, zone)
 
 
 def read_deadlines(
@@ -92,7 +107,7 @@ def moment_of(written: str, zone: ZoneInfo) -> datetime | None:
         return None
     try:
         day = date.fromisoformat(found[1])
-        at = time.fromisoformat(found[2].zfill(5)) if found[2] else _END_OF_DAY
+        at = time.fromisoformat(found[2].zfill(5)) if found[2] else END_OF_DAY
     except ValueError:
         return None
     return datetime.combine(day, at, zone)

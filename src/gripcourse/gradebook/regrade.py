@@ -6,7 +6,7 @@ from enum import StrEnum
 
 from gripcourse.gradebook.model import Attempt, GradebookEntry, Result, same_results
 from gripcourse.gradebook.works import StudentWork, points_of
-from gripcourse.grading.model import Outcome, PointSums
+from gripcourse.grading.model import PointSums
 
 _SAME = 1e-6  # points of one policy are the same number on each machine but for the last bits
 
@@ -124,8 +124,3 @@ def _items(old: Attempt, new: Attempt) -> Iterator[ItemChange]:
 def _share(sums: PointSums) -> float:
     most = sums.max_score + sums.open_points
     return sums.score / most if most else 0.0
-
-
-def outcome_of(result: Result | None) -> Outcome | None:
-    """Return what was found; None where the item is not asked for."""
-    return None if result is None else result.outcome

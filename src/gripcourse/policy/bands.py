@@ -72,11 +72,6 @@ def band(quantity: Quantity, expected: float, policy: Policy) -> float:
     return band_rule(quantity, policy).round(expected)
 
 
-def computed_band(quantity: Quantity, expected: float, policy: Policy) -> float:
-    """Return the half width of the band round a computed value, in the declared unit."""
-    return computed_band_rule(quantity, policy).round(expected)
-
-
 def bands(quantity: Quantity, expected: Array, policy: Policy) -> Array:
     """Return the half widths round many expected values, SI, in their shape."""
     tolerance = _tolerance_of_kind(quantity, policy)

@@ -3,15 +3,7 @@
 A case is a calculation printed elsewhere, or made by another method than the course's formulas. It
 needs other givens or options than the worked example of its scheme, whose numbers it starts from.
 
-Keys of each `[[case]]`:
-
-    id        unique name
-    scheme    the scheme that it solves
-    source    work, equation, note: where its numbers are printed
-    options   what it chooses otherwise than the worked example
-    given     givens and constants that differ from the example's, declared units
-    chosen    answers that the publication starts from, declared units
-    expected  `quantity = [value, difference]`: what is printed, and what its digits leave open
+Its keys stand in `course.keys`.
 """
 
 from collections.abc import Mapping

@@ -1,15 +1,10 @@
-"""The key workbooks compute what the solver computes: LibreOffice recalculates them.
-
-All files go through one call: starting the program costs more than a hundred files.
-"""
+"""The key workbooks compute what the solver computes: LibreOffice recalculates them."""
 
 import math
 import re
-import subprocess
 import tempfile
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -17,6 +12,8 @@ from xml.etree.ElementTree import iterparse
 
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import Problem
+from gripcourse.machine.files import write_bytes
+from gripcourse.machine.office import converted
 from gripcourse.proofs.model import Proof, ProofKind, ProofResult, Verdict, concluded
 from gripcourse.proofs.samples import Trial
 from gripcourse.solver.plan import Plan
@@ -24,16 +21,9 @@ from gripcourse.solver.solve import evaluate, solve_variant, to_si
 from gripcourse.text.words import Words, message
 from gripcourse.variants.model import Variant
 
-_SECONDS: Final = 900.0  # for all files
 _OF_EACH: Final = 2  # variants of each composition: a file takes ten times as long as a proof
-_AT_ONCE: Final = 200  # files in one call: it stops after some 250
+_LANGUAGE: Final = "en"  # by which texts would be read as numbers; a key has none
 _SAME, _NOTHING = 1e-9, 1e-12
-# Recalculate on load, whatever the file says; else stored results are shown as they are.
-_RECALCULATE: Final = """<?xml version="1.0" encoding="UTF-8"?>
-<oor:items xmlns:oor="http://openoffice.org/2001/registry">
-<item oor:path="/org.openoffice.Office.Calc/Formula/Load">
-<prop oor:name="OOXMLRecalcMode" oor:op="fuse"><value>0</value></prop></item>
-</oor:items>"""
 _NAMED_CELL: Final = re.compile(
     r'<definedName[^>]* name="([^"]+)"[^>]*>[^<]*!\$([A-Z]+)\$(\d+)</definedName>'
 )
@@ -102,28 +92,13 @@ def write_keys(folder: Path, keys: Sequence[KeyFile]) -> None:
 
 
 def recalculate(folder: Path, names: Sequence[str], office: str) -> None:
-    """Let LibreOffice compute workbooks anew, into the folder `out` beside them."""
-    profile = folder / "profile"
-    (profile / "user").mkdir(parents=True)
-    (profile / "user" / "registrymodifications.xcu").write_text(_RECALCULATE, encoding="utf-8")
-    for start in range(0, len(names), _AT_ONCE):
-        with suppress(subprocess.TimeoutExpired):  # what was not written has no numbers
-            subprocess.run(  # noqa: S603 - a found program on our own files
-                [
-                    office,
-                    f"-env:UserInstallation={profile.as_uri()}",
-                    "--headless",
-                    "--convert-to",
-                    "xlsx",
-                    "--outdir",
-                    str(folder / "out"),
-                    *(str(folder / f"{name}.xlsx") for name in names[start : start + _AT_ONCE]),
-                ],
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                timeout=_SECONDS,
-                check=False,  # a file that was not written shows as cells without a number
-            )
+    """Let LibreOffice compute workbooks anew, into the folder `out` beside them.
+
+    One that it did not write shows as cells without a number.
+    """
+    files = {f"{name}.xlsx": (folder / f"{name}.xlsx").read_bytes() for name in names}
+    for name, data in converted(files, office, _LANGUAGE).made.items():
+        write_bytes(folder / "out" / name, data, lasting=False)
 
 
 def differing_cells(

@@ -12,6 +12,7 @@ from gripcourse.issuing.store import VerifiedRegister
 from gripcourse.machine.database.home import home_of
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
+from gripcourse.usecases.deadlines import DeskDeadlines
 from gripcourse.variants.model import Issued
 
 
@@ -24,6 +25,7 @@ class DeskContext:
         key: of the signatures; it is never shown, logged or sent anywhere.
         desk: its part of the database.
         issued: what was issued, verified whenever it changed.
+        deadlines: of the students, as grading counts them.
     """
 
     course: Course
@@ -31,11 +33,14 @@ class DeskContext:
     key: bytes
     desk: Desk
     issued: VerifiedRegister = field(init=False)
+    deadlines: DeskDeadlines = field(init=False)
 
     def __post_init__(self) -> None:
-        """Prepare to read the register, which is read when it is asked for."""
+        """Prepare to read register and deadlines, which are read when they are asked for."""
         issued = VerifiedRegister(self.course.root, self.course.id, self.desk.engine)
         object.__setattr__(self, "issued", issued)
+        deadlines = DeskDeadlines(self.course.root, self.policy.late)
+        object.__setattr__(self, "deadlines", deadlines)
 
     def __repr__(self) -> str:
         """Leave the key out: this may stand in a log."""

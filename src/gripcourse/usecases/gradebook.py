@@ -10,7 +10,7 @@ from typing import Final
 from gripcourse.batch.one_file import GradingContext
 from gripcourse.batch.run import Graded
 from gripcourse.gradebook.apply import as_it_stands, with_marks
-from gripcourse.gradebook.deadlines import Deadline, deadline_of, deadlines_path, read_deadlines
+from gripcourse.gradebook.deadlines import Deadline, course_deadlines, deadline_of
 from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.gradebook.journal import Published, publications, told_works, waivers
 from gripcourse.gradebook.model import (
@@ -89,7 +89,7 @@ def keep(
     if not places:
         # Nobody's file: a gradebook is not made for nothing.
         return tuple(graded)
-    deadlines = course_deadlines(context)
+    deadlines = course_deadlines(context.course.root, context.policy.late)
     book = open_gradebook(place)
     keeping = _Keeping(
         context=context,
@@ -222,18 +222,6 @@ def _to_add(
                 )
             )
     return kept
-
-
-def course_deadlines(context: GradingContext) -> tuple[Deadline, ...]:
-    """Read a course's own table of deadlines; empty where it has none or lateness costs nothing.
-
-    Raises:
-        TableError: the table cannot be used.
-    """
-    path = deadlines_path(context.course.root)
-    if context.policy.late is None or not path.is_file():
-        return ()
-    return read_deadlines(path, context.policy.late.time_zone)
 
 
 def _deadline(

@@ -22,6 +22,7 @@ _MOST: Final = 200_000_000
 """Bytes that one student may keep here: a term of large workbooks many times over."""
 _NAMELESS: Final = "file"
 _LONGEST_NAME: Final = 120
+_LONGEST_SUFFIX: Final = 10
 _PURPOSE: Final = b"gripcourse receipt 1\n"
 
 
@@ -31,7 +32,7 @@ class Receipt:
 
     Attributes:
         hand_in: number, hash, size, name and time.
-        late: whether the last day for handing in was over.
+        late: whether the deadline was over; hours of grace do not change that.
         code: HMAC over all of it with the course's key; who has the key can verify it.
     """
 
@@ -49,7 +50,7 @@ def hand_in(
 ) -> Receipt:
     """Keep a file that a student hands in, whatever is in it.
 
-    The same bytes once more right after are the same hand-in: two clicks make one.
+    The same file once more right after is the same hand-in: two clicks make one.
 
     Args:
         context: of the course.
@@ -79,9 +80,7 @@ def hand_in(
     if not path.is_file():
         write_bytes(path, file.data, private=True)
         _make_durable(path.parent)
-    name = shown(PurePath(file.name.replace("\\", "/")).name)[:_LONGEST_NAME]
-    if not name.strip(". "):
-        name = _NAMELESS
+    name = _kept_name(file.name)
     kept = context.desk.add_hand_in(student, digest, len(file.data), name, now, allowed)
     return receipt_of(context, issued, kept)
 
@@ -95,12 +94,13 @@ def receipt_of(context: DeskContext, issued: Issued, kept: HandIn) -> Receipt:
         )
     )
     made = hmac.new(context.key, _PURPOSE + signed.encode(), hashlib.sha256)
-    return Receipt(kept, is_late(issued, kept.at), made.hexdigest()[:32])
+    return Receipt(kept, is_late(context, issued, kept.at), made.hexdigest()[:32])
 
 
-def is_late(issued: Issued, at: datetime) -> bool:
-    """Tell whether the last day for handing in was over at a time, by the clock of this place."""
-    return issued.deadline is not None and at.astimezone().date() > issued.deadline
+def is_late(context: DeskContext, issued: Issued, at: datetime) -> bool:
+    """Tell whether a student's deadline was over at a time; its last second counts to its end."""
+    deadline = context.deadlines.of(issued)
+    return deadline is not None and at.replace(microsecond=0) > deadline
 
 
 def kept_path(context: DeskContext, digest: str) -> Path:
@@ -137,6 +137,19 @@ def collect_hand_ins(context: DeskContext, out: Path) -> Mapping[str, Path]:
         os.utime(path, (one.at.timestamp(),) * 2)
         written[student] = path
     return written
+
+
+def _kept_name(name: str) -> str:
+    """Return what a file is called: its last part, shortened where it is long.
+
+    The suffix stays: without it a drawing would pass for the workbook, and count as the last one.
+    """
+    last = shown(PurePath(name.replace("\\", "/")).name)
+    suffix = PurePath(last).suffix
+    if len(suffix) > _LONGEST_SUFFIX:
+        suffix = ""
+    short = last.removesuffix(suffix)[: _LONGEST_NAME - len(suffix)] + suffix
+    return short if short.strip(". ") else _NAMELESS
 
 
 def _make_durable(folder: Path) -> None:

@@ -1,5 +1,6 @@
 """What grading and marking need of a course, loaded and checked."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -7,12 +8,20 @@ from gripcourse.batch.one_file import GradingContext
 from gripcourse.course.load import load_course
 from gripcourse.course.model import Course
 from gripcourse.errors import NextStep, Problem, UsageError
+from gripcourse.gradebook.deadlines import course_deadlines
+from gripcourse.grading.path_pattern import path_pattern
 from gripcourse.issuing.store import read_register
+from gripcourse.machine.content import Readable
 from gripcourse.machine.office import office_command
 from gripcourse.policy.load import load_policy
 from gripcourse.policy.model import Policy
+from gripcourse.policy.time_rules import zone_of
 from gripcourse.text.words import message
+from gripcourse.usecases.batch_wish import BatchWish
 from gripcourse.usecases.declarations import kept_declarations
+from gripcourse.usecases.gradebook import check_gradebook, with_kept_versions
+from gripcourse.usecases.handed_in import HandingTime, handed_in_times
+from gripcourse.usecases.whose import read_whose
 
 
 def open_grading(root: Path) -> GradingContext:
@@ -43,6 +52,47 @@ def grading_of(course: Course, policy: Policy) -> GradingContext:
         earlier=earlier,
         declared=kept_declarations(course.root, register),
     )
+
+
+def as_wished(
+    wish: BatchWish,
+    files: Sequence[Readable],
+    context: GradingContext,
+    place: str | None,
+    workers: int,
+) -> tuple[GradingContext, Mapping[str, HandingTime]]:
+    """Return what a batch is graded with, and when its files were handed in, by name.
+
+    What cannot be used is refused here, before anything is graded for nothing.
+
+    Args:
+        wish: of a person.
+        files: of the batch.
+        context: of the course.
+        place: of the gradebook, a path or a database URL; None for none.
+        workers: how many processes open files.
+
+    Raises:
+        UsageError: with what cannot be used of the wish.
+        GradebookError: the gradebook is there and cannot be used.
+        TableError: the course's table of deadlines cannot be used.
+    """
+    context = replace(
+        context,
+        whose=read_whose(wish.whose, files, context.register),
+        pattern=None if wish.pattern is None else path_pattern(wish.pattern, context.register),
+        either_version=wish.either_version,
+    )
+    if wish.recalculate:
+        context = recalculating(context, workers)
+    late = context.policy.late
+    times = handed_in_times(wish.handed_in, files, zone_of(late))
+    if place is not None:
+        check_gradebook(place)
+        context = with_kept_versions(context, place)
+        # Read again where they are needed.
+        course_deadlines(context.course.root, late)
+    return context, times
 
 
 def recalculating(context: GradingContext, workers: int) -> GradingContext:

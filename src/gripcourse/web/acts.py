@@ -6,7 +6,7 @@ from typing import Final
 
 from gripcourse.access.desk.model import HandIn, Publication, RegradeRequest, TooOftenError
 from gripcourse.api.results import CheckResult
-from gripcourse.errors import GradebookError, GripcourseError, UsageError
+from gripcourse.errors import UsageError
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.shown import shown
@@ -16,7 +16,14 @@ from gripcourse.usecases.publish import publish, published_to, withdraw
 from gripcourse.variants.model import Issued
 from gripcourse.web.checking import CheckedBothWays, CheckJob
 from gripcourse.web.rates import CHECKS, HAND_INS, REQUESTS
-from gripcourse.web.refusals import NO_FILE, NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.refusals import (
+    NO_FILE,
+    NOT_FOUND,
+    Code,
+    WebRefusal,
+    refusal_of_problem,
+    unless_in_conflict,
+)
 from gripcourse.web.site import Site
 from gripcourse.web.uploads import count, too_often
 
@@ -108,22 +115,14 @@ def let_see(site: Site, by: str, why: str) -> Publication | WebRefusal:
     """Let students see what was graded."""
     if site.graded is None:
         return NOT_FOUND
-    try:
-        return publish(site.context, site.graded, by, reason(why), site.clock())
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return refusal_of_problem(error, Code.CONFLICT)
+    wanted = site.context, site.graded, by, reason(why), site.clock()
+    return unless_in_conflict(lambda: publish(*wanted))
 
 
 def take_back(site: Site, by: str, why: str) -> Publication | WebRefusal:
     """Let students see nothing any more."""
-    try:
-        return withdraw(site.context, by, reason(why), site.clock())
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return refusal_of_problem(error, Code.CONFLICT)
+    wanted = site.context, by, reason(why), site.clock()
+    return unless_in_conflict(lambda: withdraw(*wanted))
 
 
 def reason(why: str) -> str:

@@ -6,35 +6,28 @@ from http import HTTPStatus
 from typing import Final
 
 from starlette.applications import Starlette
-from starlette.exceptions import HTTPException
-from starlette.requests import ClientDisconnect, Request
-from starlette.responses import FileResponse, Response
+from starlette.requests import Request
+from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.types import ASGIApp
 
-from gripcourse.errors import GradebookError
 from gripcourse.machine.resources import template_file
 from gripcourse.text.words import message
 from gripcourse.web.downloads import download_routes
 from gripcourse.web.drawings import drawing_routes
-from gripcourse.web.guard import Guard, TooMuchError
+from gripcourse.web.faults import fault_handlers
+from gripcourse.web.guard import Guard
 from gripcourse.web.instructor import instructor_routes
 from gripcourse.web.marking import marking_routes
 from gripcourse.web.overview import overview_routes
 from gripcourse.web.pages import notice, visitor_words, way_back
-from gripcourse.web.refusals import (
-    WebRefusal,
-    refusal_of_incident,
-    refusal_of_request,
-    refusal_of_system,
-)
+from gripcourse.web.refusals import WebRefusal
 from gripcourse.web.regrading import regrading_routes
 from gripcourse.web.rest.app import REST, rest_app
 from gripcourse.web.site import Site
 from gripcourse.web.student import student_routes
 
 _WELCOME: Final = message("Open the personal link that you were sent.")
-_GONE: Final = 499  # nobody hears it: who asked has closed the connection
 
 
 def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
@@ -54,23 +47,14 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         headers = {"Cache-Control": "max-age=300"}
         return FileResponse(sheet, media_type="text/css", headers=headers)
 
+    async def with_its_end(request: Request) -> Response:
+        # Below our own path, not at the host that a request names: a proxy that ends https may not
+        # be believed as to what browsers see, and a link would go on in the open.
+        return RedirectResponse(f"{request.scope['path']}/", HTTPStatus.PERMANENT_REDIRECT)
+
     def said(request: Request, why: WebRefusal) -> Response:
         words, back = visitor_words(site, request), way_back(request)
         return notice(site, request, words, why.said, why.status, back)
-
-    async def refused(request: Request, fault: Exception) -> Response:
-        response = said(request, refusal_of_request(fault))
-        response.headers.update(getattr(fault, "headers", None) or {})
-        return response
-
-    async def gone(_: Request, _fault: Exception) -> Response:
-        return Response(status_code=_GONE)
-
-    async def system(request: Request, fault: Exception) -> Response:
-        return said(request, refusal_of_system(fault))
-
-    async def ours(request: Request, fault: Exception) -> Response:
-        return said(request, refusal_of_incident(fault))
 
     @asynccontextmanager
     async def alive(_: Starlette) -> AsyncIterator[None]:
@@ -81,6 +65,7 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
     routes = [
         Route("/", welcome, methods=["GET"]),
         Route("/style.css", style, methods=["GET"]),
+        *(Route(path, with_its_end, methods=["GET"]) for path in ("/s/{token}", "/desk")),
         *student_routes(site),
         *instructor_routes(site),
         *marking_routes(site),
@@ -91,14 +76,6 @@ def make_app(site: Site, further: Sequence[Route] = ()) -> ASGIApp:
         Mount(REST, rest_app(site)),
         *further,
     ]
-    handlers = {
-        HTTPException: refused,
-        TooMuchError: refused,
-        ClientDisconnect: gone,
-        OSError: system,
-        GradebookError: system,
-        Exception: ours,
-    }
-    return Guard(
-        Starlette(routes=routes, exception_handlers=handlers, lifespan=alive), secure=site.secure
-    )
+    app = Starlette(routes=routes, exception_handlers=fault_handlers(said), lifespan=alive)
+    app.router.redirect_slashes = False
+    return Guard(app, secure=site.secure)

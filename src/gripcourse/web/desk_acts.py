@@ -3,7 +3,6 @@
 import hashlib
 from pathlib import PurePath
 
-from gripcourse.errors import GradebookError, GripcourseError
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Regrade, Signed
 from gripcourse.gradebook.model import Attempt
@@ -19,7 +18,7 @@ from gripcourse.usecases.opening import grading_of
 from gripcourse.usecases.progress import batch_progress
 from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
 from gripcourse.web.acts import reason
-from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, refusal_of_problem
+from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict
 from gripcourse.web.site import Site
 
 _RUNS: WebRefusal = WebRefusal(
@@ -43,13 +42,10 @@ def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
         running = progress is not None and not progress.is_silent(site.clock())
         if running or site.own_batch.runs:
             return _RUNS
-        workers = site.checkers.workers
-        try:
-            process = begin_grading(site.context, site.graded, workers, by, reason(why))
-        except GradebookError:
-            raise
-        except GripcourseError as error:
-            return refusal_of_problem(error, Code.CONFLICT)
+        wanted = site.context, site.graded, site.checkers.workers, by, reason(why)
+        process = unless_in_conflict(lambda: begin_grading(*wanted))
+        if isinstance(process, WebRefusal):
+            return process
         site.own_batch.began(process)
     return None
 
@@ -99,22 +95,13 @@ def apply_shown(
     if seen != digest_of_changes(found):
         return _OTHER_BY_NOW
     place = home_of(site.context.course.root)
-    try:
-        return apply_regrade(found, place, signed, allow_lower=allow_lower)
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return refusal_of_problem(error, Code.CONFLICT)
+    return unless_in_conflict(lambda: apply_regrade(found, place, signed, allow_lower=allow_lower))
 
 
 def take_last_back(site: Site, signed: Signed) -> Regrade | WebRefusal:
     """Take the last regrade that stands back."""
-    try:
-        return undo_regrade(home_of(site.context.course.root), signed)
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return refusal_of_problem(error, Code.CONFLICT)
+    place = home_of(site.context.course.root)
+    return unless_in_conflict(lambda: undo_regrade(place, signed))
 
 
 def signed_by(site: Site, by: str, why: str) -> Signed:

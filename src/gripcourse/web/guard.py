@@ -1,15 +1,20 @@
 """What stands before every page: how much may be sent, and what a browser is told to refuse."""
 
 from collections.abc import Iterable
+from http import HTTPStatus
 from typing import Final
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 LARGEST_BODY: Final = 20_000_000
 """Bytes of one request: a workbook with pictures has a few million."""
 LARGEST_DRAINED: Final = 64_000_000
 """Bytes of a refused request that are still taken, and thrown away."""
+
+LONGEST_PATH: Final = 1000
+"""Letters of a path: no page of ours has a third of it, and every number in it can be read."""
 
 _POLICY: Final = "Content-Security-Policy"
 _FRAMES: Final = "X-Frame-Options"
@@ -97,6 +102,11 @@ class Guard:
                 self._mark(MutableHeaders(scope=sent))
             await send(sent)
 
+        if len(scope["path"]) > LONGEST_PATH:
+            await Response(status_code=HTTPStatus.REQUEST_URI_TOO_LONG)(
+                scope, incoming.bounded, marked
+            )
+            return
         await self.app(scope, incoming.bounded, marked)
 
     def _mark(self, headers: MutableHeaders) -> None:

@@ -10,6 +10,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from gripcourse.documents.pdf import template_environment
+from gripcourse.gradebook.deadlines import END_OF_DAY
 from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.variants.model import Issued
 from gripcourse.web.site import Site
@@ -17,6 +18,7 @@ from gripcourse.web.site import Site
 _LANGUAGE: Final = "visitor_language"
 _HOME: Final = "visitor_home"
 _TIME: Final = "d MMM y, HH:mm:ss z"
+_HOUR: Final = "HH:mm z"
 
 
 def page(
@@ -54,6 +56,14 @@ def when(moment: datetime, words: Words) -> str:
     """Write a time with its seconds and its zone, as the clock of the server's place shows it."""
     local = moment.astimezone()
     return str(format_datetime(local, _TIME, tzinfo=local.tzinfo, locale=words.language))
+
+
+def hour_of(deadline: datetime | None, words: Words) -> str:
+    """Write until what hour of its day a deadline is, in its own zone; empty for all of the day."""
+    if deadline is None or deadline.time() == END_OF_DAY:
+        return ""
+    zone = deadline.tzinfo
+    return str(format_datetime(deadline, _HOUR, tzinfo=zone, locale=words.language))
 
 
 def notice(

@@ -8,10 +8,9 @@ from starlette.routing import Route
 
 from gripcourse.access.lti.model import Stranger
 from gripcourse.access.lti.platforms import load_platforms
-from gripcourse.errors import GradebookError, GripcourseError
 from gripcourse.text.words import Message, message
 from gripcourse.usecases.lti import bind, chosen_platform, platform_names, store_of
-from gripcourse.web.refusals import NOT_FOUND, Code, refusal_of_problem
+from gripcourse.web.refusals import NOT_FOUND, unless_in_conflict
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
@@ -56,12 +55,10 @@ def known(seat: Seat) -> Response:
     if (*wanted, user) not in waits or not texts.get("student"):
         return seat.refuse(NOT_FOUND)
     platform = chosen_platform(context.course.root, name)
-    try:
-        bind(context, platform, user, texts["student"], seat.name, seat.site.clock())
-    except GradebookError:
-        raise
-    except GripcourseError as error:
-        return seat.refuse(refusal_of_problem(error, Code.CONFLICT))
+    bond = context, platform, user, texts["student"], seat.name, seat.site.clock()
+    refused = unless_in_conflict(lambda: bind(*bond))
+    if refused is not None:
+        return seat.refuse(refused)
     return RedirectResponse(f"{seat.home}people", HTTPStatus.SEE_OTHER)
 
 

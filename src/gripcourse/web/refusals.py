@@ -3,19 +3,21 @@
 import logging
 import secrets
 import traceback
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from http import HTTPStatus
-from typing import Final
+from typing import Final, TypeVar
 
 from starlette.exceptions import HTTPException
 
 from gripcourse.access.desk.links import Refused
-from gripcourse.errors import GripcourseError, system_problem
+from gripcourse.errors import GradebookError, GripcourseError, system_problem
 from gripcourse.text.words import Message, message
 
 _log = logging.getLogger(__name__)
+
+Made = TypeVar("Made")
 
 
 class Code(StrEnum):
@@ -139,6 +141,16 @@ def refusal_of_problem(error: GripcourseError, code: Code) -> WebRefusal:
     problem = error.problems[0]
     said = message("{what} {remedy}", what=problem.what, remedy=problem.remedy)
     return WebRefusal(code, said)
+
+
+def unless_in_conflict(act: Callable[[], Made]) -> Made | WebRefusal:
+    """Do what may not be possible as things stand; trouble with the database is another matter."""
+    try:
+        return act()
+    except GradebookError:
+        raise
+    except GripcourseError as error:
+        return refusal_of_problem(error, Code.CONFLICT)
 
 
 def refusal_of_system(fault: Exception) -> WebRefusal:

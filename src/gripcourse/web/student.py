@@ -26,7 +26,14 @@ from gripcourse.usecases.links import open_link, signed_for
 from gripcourse.usecases.publish import ShownResult, published_to
 from gripcourse.variants.model import Issued
 from gripcourse.web import acts
-from gripcourse.web.pages import notice, page, remember_visitor, student_words, visitor_words
+from gripcourse.web.pages import (
+    hour_of,
+    notice,
+    page,
+    remember_visitor,
+    student_words,
+    visitor_words,
+)
 from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import LINK_SAID, NO_FILE, NOT_FOUND, Code, WebRefusal
 from gripcourse.web.site import Site
@@ -132,16 +139,17 @@ def home(visit: Visit) -> Response:
     plan = plan_of(context.course, issued.variant.composition)
     titles = {one.id: one.title.of(words.language) for one in (*plan.answered, *plan.manual)}
     published = published_to(context, visit.student)
-    rule = context.policy.check
+    rule, deadline = context.policy.check, context.deadlines.of(issued)
     values: dict[str, object] = {
         "home": visit.home,
         "student": issued.student,
         "variant": issued.variant.id,
         "scheme": plan.scheme.title.of(words.language),
         "task": plan.scheme.task.of(words.language),
-        "deadline": issued.deadline,
+        "deadline": None if deadline is None else deadline.date(),
+        "until": hour_of(deadline, words),
         "data": given_data(plan.givens, issued.variant.given, words),
-        "over": is_late(issued, visit.site.clock()),
+        "over": is_late(context, issued, visit.site.clock()),
         "drawings": sorted(DRAWINGS) if plan.manual else (),
         "sheet": _issued_file(visit, sheet_path) is not None,
         "workbook": _issued_file(visit, workbook_path) is not None,

@@ -1,7 +1,7 @@
 """The desk's part of the database: rows are added, nothing is ever changed or removed."""
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
@@ -54,14 +54,16 @@ class Desk:
         now: datetime,
         allowed: Allowance | None = None,
     ) -> HandIn:
-        """Keep that a file was handed in; the same bytes again right after are not kept twice.
+        """Keep that a file was handed in; the same again right after is not kept twice.
+
+        The same bytes by another name are another file: the name tells a drawing from a workbook.
 
         Raises:
             TooOftenError: it would be more than is allowed, of all servers together.
         """
         row = {"digest": digest, "size": size, "name": name, "at": _utc(now)}
         of = {"student": student}
-        kept = self._append(schema.hand_ins, of, row, once="digest", allowed=allowed)
+        kept = self._append(schema.hand_ins, of, row, once=("digest", "name"), allowed=allowed)
         return HandIn(**_plain(kept))
 
     def hand_ins(self, student: str | None = None) -> tuple[HandIn, ...]:
@@ -209,13 +211,13 @@ class Desk:
         table: Table,
         of: Mapping[str, str],
         row: Mapping[str, Any],
-        once: str = "",
+        once: Sequence[str] = (),
         allowed: Allowance | None = None,
         complete: Complete | None = None,
     ) -> Mapping[str, Any]:
         """Add a row with the next number; somebody faster only makes it the one after.
 
-        Where the last row has the same in the column `once`, that row is returned, and none added.
+        Where the last row has the same in the columns `once`, it is returned, and none added.
         Counting and adding are one transaction: two servers never both add the last one allowed.
         What `complete` returns of the rows that are the same is counted there too.
 
@@ -229,7 +231,7 @@ class Desk:
             try:
                 with refusals_named(self.place), writing(self.engine) as connection:
                     before = connection.execute(last).mappings().first()
-                    if before is not None and once and before[once] == row[once]:
+                    if before is not None and once and all(before[one] == row[one] for one in once):
                         return dict(before)
                     if allowed is not None:
                         refuse_too_many(connection, table, same, row["at"], allowed)

@@ -94,14 +94,6 @@ def parsed(text: str) -> ast.expr:
     return ast.parse(" ".join(text.split()), mode="eval").body
 
 
-def used_by(tree: ast.expr) -> frozenset[str]:
-    """Return the names of quantities in a tree."""
-    called = {node.func.id for node in ast.walk(tree)
-              if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}  # fmt: skip
-    found = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    return frozenset(found - called - {"pi"})
-
-
 def computed(tree: ast.expr, numbers: Numbers, tables: Mapping[str, PracticalTable]) -> float:
     """Compute a tree; NaN where it has no value.
 

@@ -7,19 +7,17 @@ from typing import Any, Final
 from anyio import to_thread
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
-from starlette.exceptions import HTTPException
-from starlette.requests import ClientDisconnect, Request
+from starlette.requests import Request
 from starlette.responses import FileResponse, JSONResponse, Response
 from starlette.routing import Route
 
 from gripcourse.access.desk.links import Refused
-from gripcourse.errors import GradebookError
 from gripcourse.exports.plain import to_plain
 from gripcourse.text.words import Words, message
 from gripcourse.usecases.links import open_link, signed_for
 from gripcourse.variants.model import Issued
 from gripcourse.web.downloads import zip_response
-from gripcourse.web.guard import TooMuchError
+from gripcourse.web.faults import fault_handlers
 from gripcourse.web.pages import asked_language, remember_visitor, visitor_words
 from gripcourse.web.rates import REFUSED_LINKS
 from gripcourse.web.refusals import (
@@ -27,9 +25,6 @@ from gripcourse.web.refusals import (
     SIGN_IN,
     Code,
     WebRefusal,
-    refusal_of_incident,
-    refusal_of_request,
-    refusal_of_system,
 )
 from gripcourse.web.rest.bodies import read_body, usable
 from gripcourse.web.rest.declare import (
@@ -74,33 +69,16 @@ def rest_app(site: Site) -> Starlette:
     async def described(_: Request) -> Response:
         return JSONResponse(description(OPERATIONS, REST))
 
-    async def refused(request: Request, fault: Exception) -> Response:
-        response = problem(refusal_of_request(fault), visitor_words(site, request))
-        response.headers.update(getattr(fault, "headers", None) or {})
-        return response
-
-    async def gone(_: Request, _fault: Exception) -> Response:
-        return Response(status_code=499)
-
-    async def system(request: Request, fault: Exception) -> Response:
-        return problem(refusal_of_system(fault), visitor_words(site, request))
-
-    async def ours(request: Request, fault: Exception) -> Response:
-        return problem(refusal_of_incident(fault), visitor_words(site, request))
+    def said(request: Request, why: WebRefusal) -> Response:
+        return problem(why, visitor_words(site, request))
 
     routes = [Route("/openapi.json", described, methods=["GET"])]
     for path, same in groupby(OPERATIONS, key=lambda one: one.path):
         by_method = {one.method: one for one in same}
         routes.append(Route(path, _endpoint(site, by_method), methods=list(by_method)))
-    handlers = {
-        HTTPException: refused,
-        TooMuchError: refused,
-        ClientDisconnect: gone,
-        OSError: system,
-        GradebookError: system,
-        Exception: ours,
-    }
-    return Starlette(routes=routes, exception_handlers=handlers)
+    app = Starlette(routes=routes, exception_handlers=fault_handlers(said))
+    app.router.redirect_slashes = False
+    return app
 
 
 def _endpoint(

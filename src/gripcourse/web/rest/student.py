@@ -40,6 +40,7 @@ def status(call: StudentCall) -> StatusResult:
     site, issued, words = call.site, call.issued, call.words
     context, rule = site.context, site.context.policy.check
     plan = plan_of(context.course, issued.variant.composition)
+    deadline = context.deadlines.of(issued)
     return StatusResult(
         course=context.course.title.of(words.language),
         student=issued.student.id,
@@ -48,7 +49,7 @@ def status(call: StudentCall) -> StatusResult:
         variant=issued.variant.id,
         scheme=plan.scheme.title.of(words.language),
         task=plan.scheme.task.of(words.language),
-        deadline=issued.deadline,
+        deadline=None if deadline is None else deadline.date(),
         given=tuple(_given(one, issued.variant.given[one.id], words) for one in plan.givens),
         compares=rule.tells is not Tells.READING,
         checks_left=acts.checks_left(site, call.student),
@@ -67,7 +68,7 @@ def check(call: StudentCall) -> CheckResult | WebRefusal:
 
 
 def hand_in(call: StudentCall) -> ReceiptResult | WebRefusal:
-    """Hand a file in. The last one counts; the same bytes right after are the same hand-in."""
+    """Hand a file in. The last one counts; the same file right after is the same hand-in."""
     made = acts.keep_file(call.site, call.issued, call.body)
     return made if isinstance(made, WebRefusal) else receipt_result(made)
 
