@@ -37,11 +37,6 @@ class BlankWay:
     cut: bool = False
     coarse: bool = False
 
-    @property
-    def by_reading(self) -> bool:
-        """Whether a step is read otherwise, and no digits of it are lost."""
-        return bool(self.formulas)
-
 
 def ways_through(plan: Plan, policy: Policy, steps: Sequence[Quantity]) -> Iterator[BlankWay]:
     """Yield the ways through some steps.
@@ -51,9 +46,10 @@ def ways_through(plan: Plan, policy: Policy, steps: Sequence[Quantity]) -> Itera
         policy: what it thinks of.
         steps: the blank ones, and last the answer that they lead to.
     """
-    yield from _readings(policy, steps[:-1])
     constants = shortenings(plan, [one.id for one in steps], policy.habits)
     kept = [(0, False), *product((policy.figures, policy.figures + _MORE), endings(policy))]
+    for formulas, (figures, cut) in product(_readings(policy, steps[:-1]), kept):
+        yield BlankWay(formulas=formulas, figures=figures, cut=cut)
     for shortened, (figures, cut) in product((EXACTLY, *constants), kept):
         if shortened or figures:
             yield BlankWay(shortened, figures=figures, cut=cut)
@@ -61,15 +57,15 @@ def ways_through(plan: Plan, policy: Policy, steps: Sequence[Quantity]) -> Itera
         yield BlankWay(figures=policy.figures - _LESS, coarse=True)
 
 
-def _readings(policy: Policy, blank: Sequence[Quantity]) -> Iterator[BlankWay]:
+def _readings(policy: Policy, blank: Sequence[Quantity]) -> Iterator[Mapping[str, Formula]]:
     """Yield one step after the other read otherwise, then all as the sources print them."""
     printed: dict[str, Formula] = {}
     for step in blank:
         accepted = step.as_printed if policy.printed_credit is not None else ()
         for other in (*step.alternatives, *accepted):
             if other.formula is not None:
-                yield BlankWay(formulas={step.id: other.formula})
+                yield {step.id: other.formula}
                 if isinstance(other, AsPrinted):
                     printed[step.id] = other.formula
     if len(printed) > 1:
-        yield BlankWay(formulas=printed)
+        yield printed

@@ -49,7 +49,7 @@ def _is_met(comparison: Comparison, one: ThroughBlank) -> bool:
     for other mistakes.
     """
     nearest = one.expected.nearest(comparison.value)
-    if one.way.by_reading or comparison.quantity.kind is Kind.VERDICT:
+    if comparison.quantity.kind is Kind.VERDICT:
         return comparison.fits(nearest)
     return _as_typed(comparison, one) or (one.coarse and is_rounded_from(comparison, nearest))
 

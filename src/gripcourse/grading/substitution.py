@@ -14,13 +14,11 @@ from typing import Final
 import numpy as np
 
 from gripcourse.course.quantity import Kind
-from gripcourse.formula.evaluate import evaluate
-from gripcourse.formula.tree import Formula
 from gripcourse.grading.comparison import Comparison
 from gripcourse.grading.explain import FROM_HABIT, unexplained
 from gripcourse.grading.misreading import ANYTHING, misreadings, neighbours
 from gripcourse.grading.roots import Array, overlaps, reach, spans
-from gripcourse.grading.shortened import with_shortened
+from gripcourse.grading.shortened import shortenings
 from gripcourse.grading.submission_case import GradingCase, JudgedAnswer
 from gripcourse.grading.unwritten import carried_here, unwritten_before
 from gripcourse.text.units import factor
@@ -69,12 +67,12 @@ class _Wrong:
     Attributes:
         comparison: of the answer.
         alone: how densely numbers lie at it if it is wrong by itself.
-        habits: its formula with each constant that people shorten.
+        habits: what people shorten the constants to that lead to it, SI, by name.
     """
 
     comparison: Comparison
     alone: float
-    habits: tuple[Formula, ...]
+    habits: tuple[Mapping[str, float], ...]
 
     @property
     def name(self) -> str:
@@ -143,11 +141,10 @@ def _wrong(case: GradingCase, judged: Sequence[JudgedAnswer]) -> list[_Wrong]:
     return [found[name] for name in case.plan.quantities if name in found]
 
 
-def _habits(comparison: Comparison) -> Iterator[Formula]:
-    """Yield the formula of an answer with each constant that people shorten: 9.8 for 9.81."""
-    formula = comparison.plan.reference_formula(comparison.quantity.id)
-    if formula is not None:
-        yield from (one.formula for one in with_shortened(formula, comparison.policy.habits))
+def _habits(comparison: Comparison) -> Iterator[Mapping[str, float]]:
+    """Yield what people shorten the constants of an answer to, and of blank steps before it."""
+    steps = (*unwritten_before(comparison), comparison.quantity.id)
+    return shortenings(comparison.plan, steps, comparison.policy.habits)
 
 
 def _all(
@@ -257,12 +254,11 @@ def _likelihoods(wrong: _Wrong, name: str, values: Array) -> Array:
         return np.where(met, 1 / wrong.alone, 0.0)
     half = reach(comparison)
     weight = np.where(np.abs(here - comparison.value) <= half, 1.0, 0.0)
-    known = {**comparison.follow_through.evaluation.values, name: values}
-    for formula in wrong.habits:
-        if name in formula.names:
-            unit, columns = comparison.quantity.unit, comparison.plan.columns
-            off = np.abs(evaluate(formula, unit, known, columns) / factor(unit) - comparison.value)
-            weight = np.maximum(weight, np.where(off <= half, FROM_HABIT, 0.0))
+    for constants in wrong.habits:
+        with np.errstate(all="ignore"):
+            shortened = carried_here(comparison, name, values, constants)
+        off = np.abs(shortened / factor(comparison.quantity.unit) - comparison.value)
+        weight = np.maximum(weight, np.where(off <= half, FROM_HABIT, 0.0))
     return np.asarray(weight / (2 * half) / wrong.alone)
 
 

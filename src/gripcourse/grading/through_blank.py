@@ -11,12 +11,14 @@ from dataclasses import dataclass
 
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.formula.evaluate import evaluate_number
+from gripcourse.formula.tree import Formula
 from gripcourse.grading.blank_ways import BlankWay, ways_through
 from gripcourse.grading.comparison import NOWHERE, Comparison, ExpectedRange
 from gripcourse.grading.rounding import kept_figures
 from gripcourse.grading.shortened import EXACTLY, uses_constant, with_constants
 from gripcourse.grading.unwritten import unwritten_before
 from gripcourse.policy.bands import computed_band_rule, within
+from gripcourse.solver.plan import Plan
 from gripcourse.solver.size_numbers import choose_number
 from gripcourse.text.units import factor
 
@@ -97,16 +99,22 @@ def _computed(
     found, constant = dict(comparison.follow_through.numbers.values), ""
     for one in blank:
         if one.id in way.formulas:
-            formula = way.formulas[one.id]
-            known = evaluate_number(formula, one.unit, found, comparison.plan.columns)
-            found[one.id] = choose_number(comparison.plan, one, known, found)
-            continue
-        found[one.id] = _result(comparison, one, found, way.constants)
-        constant = constant or _too_coarse(comparison, one, found, way.constants)
+            found[one.id] = _read_otherwise(comparison.plan, one, way.formulas[one.id], found)
+        else:
+            found[one.id] = _result(comparison, one, found, way.constants)
+            constant = constant or _too_coarse(comparison, one, found, way.constants)
         if way.figures and one.kind is Kind.FORMULA and not (one.exact or one.integer):
             scale = factor(one.unit)
             found[one.id] = scale * kept_figures(found[one.id] / scale, way.figures, cut=way.cut)
     return found, constant
+
+
+def _read_otherwise(
+    plan: Plan, quantity: Quantity, formula: Formula, found: Mapping[str, float]
+) -> float:
+    """Compute a blank step by another formula, SI."""
+    result = evaluate_number(formula, quantity.unit, found, plan.columns)
+    return choose_number(plan, quantity, result, found)
 
 
 def _result(
