@@ -80,7 +80,7 @@ class _Located:
 
 
 @dataclass(frozen=True, slots=True)
-class _Cells:
+class _NamedCells:
     """What the cells of a workbook hold.
 
     Attributes:
@@ -184,7 +184,7 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Cells:
+def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _NamedCells:
     """Read the cells that our names point to, and those of their columns that none points to.
 
     Cells whose sheet is gone are left out.
@@ -235,7 +235,7 @@ def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _Cel
     }
     others = ((one, label_of(one)) for one in sorted(beside, key=_order) if one.sheet in sheets)
     counting = [sheets[where.sheet].stored[where.place][1] for where in there.values()]
-    return _Cells(
+    return _NamedCells(
         cells,
         tuple(raw(one, label) for one, label in others if label),
         about_lost_formats(look, counting),
