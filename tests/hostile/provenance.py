@@ -100,7 +100,7 @@ def _same(value: object, kind: str, text: str, texts: list[str]) -> bool:
         return kind in {"n", "d"}  # what day a number is, is asked elsewhere
     if kind == "s":
         return text.isdecimal() and int(text) < len(texts) and value in texts
-    return value in {text, "#VALUE!"}
+    return value in {text, _read_out(text), "#VALUE!"}
 
 
 def _number(text: str, value: float) -> bool:
@@ -116,7 +116,16 @@ def _points_at(reference: str, address: str) -> bool:
 
 def _text(item: ET.Element) -> str:
     pieces = [item, *(one for one in item if _is(one, "r"))]
-    return "".join(one.text or "" for piece in pieces for one in piece if _is(one, "t"))
+    return _read_out("".join(one.text or "" for piece in pieces for one in piece if _is(one, "t")))
+
+
+def _read_out(text: str) -> str:
+    """Write signs for their numbers, where a part could hold the sign itself."""
+    for found in reversed(list(re.finditer(r"_x([0-9A-Fa-f]{4})_", text))):
+        sign = chr(int(found[1], 16))
+        if sign in "\t\n\r" or " " <= sign < "\ud800" or "\udfff" < sign < "\ufffe":
+            text = text[: found.start()] + sign + text[found.end() :]
+    return text
 
 
 def _is(element: ET.Element, name: str) -> bool:

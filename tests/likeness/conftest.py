@@ -183,9 +183,8 @@ def variants(course: Course) -> tuple[Variant, ...]:
     return tuple(draw(course, spaces, 300, 20261121).variants)
 
 
-@pytest.fixture(scope="session")
-def school(course: Course, variants: Sequence[Variant]) -> School:
-    owned = [(f"s{number:03d}", one) for number, one in enumerate(variants)]
+def school_of(course: Course, owned: Sequence[tuple[str, Variant]]) -> School:
+    """Put students with the same kind of variant into one room."""
     kinds: dict[tuple[str, frozenset[tuple[str, str]]], list[tuple[str, Variant]]]
     kinds = defaultdict(list)
     for student, one in owned:
@@ -200,3 +199,24 @@ def school(course: Course, variants: Sequence[Variant]) -> School:
         answered = tuple(one.id for one in plan.answered)
         rooms.append(Room(plan, tuple(student for student, _ in members), answered, given))
     return School(issued_values(course, owned), tuple(rooms))
+
+
+@pytest.fixture(scope="session")
+def school(course: Course, variants: Sequence[Variant]) -> School:
+    return school_of(course, [(f"s{number:03d}", one) for number, one in enumerate(variants)])
+
+
+@pytest.fixture(scope="session")
+def near_school(course: Course) -> School:
+    """Ninety students of one worked example, each with another mass and nothing else."""
+    scheme = course.schemes["rack_parallelogram"]
+    assert scheme.example is not None
+    plan = make_plan(course, scheme.id, scheme.example.options)
+    given = {one.id: float(scheme.example.given[one.id]) for one in plan.givens}
+    spread = np.exp(np.random.default_rng(1).uniform(-0.35, 0.35, 90))
+    masses = np.round(given["mass"] * spread, 2).tolist()
+    issued = [
+        Variant(f"{number}", scheme.id, dict(plan.options), {**given, "mass": one})
+        for number, one in enumerate(masses)
+    ]
+    return school_of(course, [(f"s{one.id:0>3}", one) for one in issued])

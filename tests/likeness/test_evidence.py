@@ -42,6 +42,19 @@ def test_nobody_is_told_even_at_even_odds(school: "School") -> None:
     assert find_evidence(school.honest(4), school.issued, LikenessRule(1.0, 3, 3)) == ()
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_among_variants_with_one_given_apart_only_copied_mistakes_are_told(
+    near_school: "School", seed: int
+) -> None:
+    """Who computed with another's mass has all the numbers of a faultless copy, and is honest."""
+    assert find_evidence(near_school.honest(seed), near_school.issued, RULE) == ()
+    works, sources = near_school.copying(seed, 1.0, 0.25)
+    alike = told(find_evidence(works, near_school.issued, RULE))
+    seen = sum(source in alike.get(student, set()) for student, source in sources.items())
+    assert seen >= 0.25 * len(sources) > 4
+    assert set(alike) <= set(sources) | set(sources.values())
+
+
 @pytest.fixture(scope="module")
 def copied(school: "School") -> Callable[[float], tuple[tuple[Evidence, ...], Mapping[str, str]]]:
     """Let a quarter copy a share of the answers: what is found, and who copied from whom."""

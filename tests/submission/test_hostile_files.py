@@ -321,11 +321,12 @@ def test_an_encoding_that_there_is_not_refuses_the_workbook(
 
 
 @pytest.mark.parametrize("code", [b"[" * 100_000, b"&quot;" * 50_000, b"0" * 501])
-def test_a_number_format_longer_than_any_program_writes_is_refused(
+def test_a_number_format_longer_than_any_program_writes_is_not_looked_at(
     returned: "Returned", code: bytes
 ) -> None:
-    path = returned.patched({"xl/styles.xml": custom_format(code)})
-    assert "cannot be read" in reason(path)
+    raw = read_workbook(returned.patched({"xl/styles.xml": custom_format(code)}))
+    assert isinstance(raw, RawWorkbook)
+    assert {cell.number_format for cell in raw.answers.values()} == {"General"}
 
 
 def test_a_style_with_a_format_that_is_not_declared_is_a_plain_one(returned: "Returned") -> None:
@@ -351,9 +352,16 @@ def test_a_missing_part_is_told(blank: bytes, tmp_path: Path) -> None:
     assert "cannot be read" in reason(path) or "missing" in reason(path)
 
 
-def test_a_style_that_does_not_exist_refuses_the_workbook(returned: "Returned") -> None:
-    path = returned.patched({SECTION: lambda part: part.replace(b' s="', b' s="99')})
-    assert "cannot be read" in reason(path)
+def test_a_style_that_does_not_exist_costs_no_answer(returned: "Returned") -> None:
+    quantity, path = returned.stored("12.5")
+    with zipfile.ZipFile(path) as source:
+        parts = {name: source.read(name) for name in source.namelist()}
+    parts[SECTION] = parts[SECTION].replace(b' s="', b' s="99')
+    path.write_bytes(archive(*parts.items()))
+    raw = read_workbook(path)
+    assert isinstance(raw, RawWorkbook)
+    assert raw.answers[quantity].value == 12.5
+    assert "styles of the workbook are damaged" in str(raw.remarks)
 
 
 def test_xml_that_is_not_closed_refuses_the_workbook(returned: "Returned") -> None:

@@ -226,10 +226,14 @@ def check(
     language: LanguageOption = None,
 ) -> None:
     """Show how a workbook is read, and by policy whether its numbers fit; never the answers."""
+    from functools import partial
+
     from gripcourse.course.load import load_course
     from gripcourse.gradebook.checks import CheckLedger
+    from gripcourse.machine.office import office_command
     from gripcourse.policy.load import load_policy
-    from gripcourse.submission.apart import read_apart, start_reader
+    from gripcourse.submission.apart import start_reader
+    from gripcourse.submission.with_office import read_with_office
     from gripcourse.usecases.check import check_file
 
     if (ledger is None) != (not who):
@@ -237,7 +241,8 @@ def check(
     counted = None if ledger is None else CheckLedger(ledger, who)
     start_reader()
     loaded = load_course(course_folder(course))
-    checked = check_file(file, loaded, load_policy(loaded), read_apart, counted)
+    read = partial(read_with_office, office=office_command(), language=loaded.language)
+    checked = check_file(file, loaded, load_policy(loaded), read, counted)
     words = Words(document_language(language, loaded.language))
     typer.echo(cli_text.check_text(checked, words))
 

@@ -61,4 +61,5 @@ def creator_of(package: Package) -> str:
 def _of_document(package: Package, kind: str) -> Iterable[Element]:
     parts = (one.part for one in package.related("") if one.kind == kind and package.has(one.part))
     part = next(parts, None)
-    return () if part is None else package.root(part).iter()
+    root = None if part is None else package.sound_root(part)
+    return () if root is None else root.iter()

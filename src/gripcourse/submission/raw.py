@@ -17,7 +17,8 @@ class RawCell:
     Attributes:
         value: what the file stores for it.
         number_format: as the file spells it, for example `General` or `0.00%`.
-        error: whether `value` is an error of a formula, for example `#DIV/0!`.
+        error: whether `value` is an error of a formula, for example `#DIV/0!`; without a value,
+            whether the text that the cell had is not in the file.
         formula: of the cell, beginning with `=`; empty for none. Without a value, its result is
             not stored.
         cell: where it stands, `sheet!address`.

@@ -24,25 +24,18 @@ from gripcourse.machine.content import (
     shown_name,
 )
 from gripcourse.machine.spreadsheet.addresses import Place, address, place_of
-from gripcourse.machine.spreadsheet.cell_value import (
-    GENERAL,
-    CellContent,
-    counts_from_1904,
-    formats_of,
-    shown_value,
-    text_index,
-)
-from gripcourse.machine.spreadsheet.package import Package
+from gripcourse.machine.spreadsheet.package import UNSOUND, Package
 from gripcourse.machine.spreadsheet.preflight import LARGEST_FILE, read_checked
 from gripcourse.machine.spreadsheet.sheet_cells import (
     EMPTY,
     StoredCell,
     first_of_merged,
-    shared_texts,
     stored_cells,
 )
 from gripcourse.machine.spreadsheet.xml_scan import local
+from gripcourse.submission.harmless import about_damage, about_lost_formats
 from gripcourse.submission.identity import creator_of, identity_of
+from gripcourse.submission.looks import looks_of
 from gripcourse.submission.model import Rejected, WhyRefused
 from gripcourse.submission.other_workbooks import about_other_workbooks
 from gripcourse.submission.raw import RawCell, RawWorkbook
@@ -59,6 +52,7 @@ _FAULTS: Final[tuple[tuple[tuple[type[Exception], ...], WhyRefused], ...]] = (
     ((OverflowError, RecursionError), WhyRefused.TOO_LARGE),
     ((MemoryError,), WhyRefused.TOO_COSTLY),
     ((KeyError,), WhyRefused.PART_MISSING),
+    (UNSOUND, WhyRefused.INVALID_XML),
 )
 
 _SUFFIXES: Final = frozenset({".xlsx", ".xlsm"})
@@ -83,6 +77,21 @@ class _Located:
     """A sheet with the cells that our names point to, by the place where a name puts them."""
 
     stored: Mapping[Place, tuple[Place, StoredCell]]
+
+
+@dataclass(frozen=True, slots=True)
+class _NamedCells:
+    """What the cells of a workbook hold.
+
+    Attributes:
+        named: by our names.
+        beside: of the columns of answers, in rows with a label, that no name points to.
+        remarks: about what of their looks is lost.
+    """
+
+    named: Mapping[str, RawCell]
+    beside: tuple[RawCell, ...]
+    remarks: tuple[Message, ...]
 
 
 def read_workbook(source: Readable) -> RawWorkbook | Rejected:
@@ -125,19 +134,26 @@ def _read(package: Package, file: str, digest: str) -> RawWorkbook | WhyRefused:
     named = _named(package, workbook)
     if not any(name.startswith(names.cell_name(names.ANSWER, "")) for name in named):
         return WhyRefused.FOREIGN
-    cells, beside = _cells(package, workbook, named)
-    answers = _of_role(cells, names.ANSWER)
-    identity, about_identity = identity_of(_of_role(cells, names.META), package)
-    remarks = (*about_identity, *_about_name(file), *about_other_workbooks(answers.values()))
+    found = _cells(package, workbook, named)
+    answers = _of_role(found.named, names.ANSWER)
+    identity, about_identity = identity_of(_of_role(found.named, names.META), package)
+    creator = creator_of(package)
+    remarks = (
+        *about_identity,
+        *_about_name(file),
+        *about_other_workbooks(answers.values()),
+        *found.remarks,
+        *about_damage(package.check_others()),
+    )
     return RawWorkbook(
         file=file,
         digest=digest,
         identity=identity,
-        creator=creator_of(package),
-        givens=_of_role(cells, names.GIVEN),
+        creator=creator,
+        givens=_of_role(found.named, names.GIVEN),
         answers=answers,
         remarks=remarks,
-        beside=beside,
+        beside=found.beside,
     )
 
 
@@ -168,15 +184,17 @@ def _definitions(package: Package, workbook: str) -> Iterator[tuple[str, str]]:
     return ((name, text) for _, name, text in sorted(ours, key=lambda one: one[0]))
 
 
-def _cells(
-    package: Package, workbook: str, named: Mapping[str, _Named]
-) -> tuple[Mapping[str, RawCell], tuple[RawCell, ...]]:
+def _cells(package: Package, workbook: str, named: Mapping[str, _Named]) -> _NamedCells:
     """Read the cells that our names point to, and those of their columns that none points to.
 
     Cells whose sheet is gone are left out.
+
+    Raises:
+        KeyError: a sheet is listed that has no cells, not even blank ones, and answers were there.
     """
-    related = package.related(workbook)
     answers = {one for name, one in named.items() if name.startswith(_ANSWER)}
+    if lost := package.lost_sheets(workbook) & {one.sheet for one in answers}:
+        raise KeyError(*lost)
     beside = set(_beside(answers))
     labels = {one: _label_of(one) for one in (*answers, *beside)}
     wanted_places = {*named.values(), *beside, *labels.values()}
@@ -187,23 +205,12 @@ def _cells(
             places.setdefault(parts[one.sheet], set()).add(one.place)
     located = {part: _located(package.tree(part), wanted) for part, wanted in places.items()}
     sheets = {title: located[part] for title, part in parts.items() if part in located}
-    by_kind = {one.kind: one.part for one in related}
     stored = [cell for sheet in located.values() for _, cell in sheet.stored.values()]
-    indices = (text_index(one.text) for one in stored if one.kind == "s")
-    wanted = {one for one in indices if one is not None}
-    shared = package.root(by_kind["sharedStrings"]).iter() if wanted else ()
-    texts = shared_texts(shared, wanted)
-    formats = formats_of(package, by_kind["styles"]) if any(one.style for one in stored) else ()
-    usual_format = formats[0] if formats else GENERAL
-    from_1904 = counts_from_1904(package, workbook)
-
-    def shown(cell: StoredCell) -> tuple[CellContent, str]:
-        number_format = formats[cell.style] if cell.style else usual_format
-        return shown_value(cell, number_format, texts, from_1904=from_1904), number_format
+    look = looks_of(package, workbook, stored)
 
     def raw(where: _Named, label: str = "") -> RawCell:
         place, cell = sheets[where.sheet].stored[where.place]
-        content, number_format = shown(cell)
+        content, number_format = look.shown(cell)
         return RawCell(
             value=content.value,
             number_format=number_format,
@@ -218,7 +225,7 @@ def _cells(
         _, cell = sheets[sheet].stored[place]
         if cell is EMPTY:
             return ""
-        label = shown(cell)[0].value
+        label = look.shown(cell)[0].value
         return " ".join(label.split()) if isinstance(label, str) else ""
 
     there = {name: where for name, where in named.items() if where.sheet in sheets}
@@ -227,7 +234,12 @@ def _cells(
         for name, where in there.items()
     }
     others = ((one, label_of(one)) for one in sorted(beside, key=_order) if one.sheet in sheets)
-    return cells, tuple(raw(one, label) for one, label in others if label)
+    counting = [sheets[where.sheet].stored[where.place][1] for where in there.values()]
+    return _NamedCells(
+        cells,
+        tuple(raw(one, label) for one, label in others if label),
+        about_lost_formats(look, counting),
+    )
 
 
 def _label_of(where: _Named) -> _Named:

@@ -30,6 +30,10 @@ _ERROR: Final = re.compile(
 )
 _VERDICT_NEEDED: Final = message("Yes or no is needed here.")
 _NUMBER_NEEDED: Final = message("A number is needed here, not a logical value.")
+_TEXT_LOST: Final = message(
+    "The text of this cell is not in the file, which is damaged. Type it again and save the "
+    "workbook."
+)
 _NO_NUMBER: Final = message("A number is needed here.")
 
 
@@ -44,7 +48,7 @@ def understand(quantity: Quantity, cell: RawCell) -> Understood | Message | None
         The value in the declared unit; None for a blank cell; else why it cannot be read.
     """
     if cell.value is None and not cell.formula:
-        return None
+        return _TEXT_LOST if cell.error else None
     if isinstance(cell.value, str) and not cell.value.strip():
         return None
     return _damaged(cell) or _value(quantity, cell)

@@ -2,12 +2,13 @@
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from functools import cache
 from typing import Final, NamedTuple, TypeAlias
 from xml.etree.ElementTree import Element
 
-from gripcourse.machine.spreadsheet.package import Package
+from gripcourse.machine.spreadsheet.package import UNSOUND, Package
 from gripcourse.machine.spreadsheet.sheet_cells import StoredCell
 from gripcourse.machine.spreadsheet.xml_scan import local
 
@@ -27,7 +28,8 @@ class CellContent(NamedTuple):
 
     Attributes:
         value: as a spreadsheet program understands it.
-        error: whether the value is an error of a formula.
+        error: whether the value is an error of a formula; without a value, whether the cell points
+            to a text that is not there.
     """
 
     value: CellValue
@@ -38,16 +40,50 @@ class UnreadableContentError(ValueError):
     """Something that no spreadsheet program writes, where it matters."""
 
 
-def formats_of(package: Package, part: str) -> tuple[str, ...]:
-    """Return the number format of every style of a workbook.
+@dataclass(frozen=True, slots=True)
+class NumberFormats:
+    """How a workbook shows its numbers.
+
+    Attributes:
+        of_styles: by the number of a style; None for a format that no program writes. Nothing where
+            the styles are gone or cannot be read.
+    """
+
+    of_styles: tuple[str | None, ...]
+
+    def of(self, cell: StoredCell) -> str:
+        """Return the format of a cell; the usual one where its own is lost."""
+        return self._found(cell) or GENERAL
+
+    def is_lost(self, cell: StoredCell) -> bool:
+        """Tell whether a cell has a style that nobody can know."""
+        return self._found(cell) is None and (cell.style != 0 or self.of_styles != ())
+
+    def _found(self, cell: StoredCell) -> str | None:
+        return self.of_styles[cell.style] if cell.style < len(self.of_styles) else None
+
+
+def formats_of(package: Package, part: str | None) -> NumberFormats:
+    """Return the number formats of a workbook: spreadsheet programs open one without styles, too.
+
+    Args:
+        package: the workbook.
+        part: with its styles; None where it names none.
 
     Raises:
-        UnreadableContentError: there is a format that no program writes.
+        UnreadableContentError: there are more styles than any program writes.
+        RefusedError: they hold what must not be read.
+        Exception: what `zipfile` raises of damaged ones.
     """
-    return package.made_of(part, _formats_in)
+    if part is None or not package.has(part):
+        return NumberFormats(())
+    try:
+        return NumberFormats(package.made_of(part, _formats_in))
+    except UNSOUND:
+        return NumberFormats(())
 
 
-def _formats_in(styles: Element) -> tuple[str, ...]:
+def _formats_in(styles: Element) -> tuple[str | None, ...]:
     declared: dict[str, str] = {}
     used: list[str] = []
     for element in styles.iter():
@@ -55,10 +91,11 @@ def _formats_in(styles: Element) -> tuple[str, ...]:
             declared[element.get("numFmtId", "")] = element.get("formatCode", "")
         elif local(element) == "cellXfs":
             used = [one.get("numFmtId", "0") for one in element if local(one) == "xf"]
-    if len(used) > _MOST_STYLES or any(len(one) > _LONGEST_FORMAT for one in declared.values()):
+    if len(used) > _MOST_STYLES:
         raise UnreadableContentError
     builtin = _builtin_formats()
-    return tuple(declared.get(one) or builtin.get(one, GENERAL) for one in used)
+    codes = (declared.get(one) or builtin.get(one, GENERAL) for one in used)
+    return tuple(code if len(code) <= _LONGEST_FORMAT else None for code in codes)
 
 
 @cache
@@ -79,25 +116,21 @@ def shown_value(
         number_format: of the cell; one of a date makes a date of its number.
         texts: the shared texts that cells point to.
         from_1904: whether the workbook counts days from 1904 on.
-
-    Raises:
-        UnreadableContentError: it points to a text that is not there.
     """
     text = cell.text
     if text is None:
         return CellContent(None)
     if cell.kind == "n" and _NUMBER.fullmatch(text):
         return _number(text, number_format, from_1904=from_1904)
-    return CellContent(_not_a_number(cell.kind, text, texts), error=cell.kind == "e")
-
-
-def _not_a_number(kind: str, text: str, texts: Mapping[int, str]) -> CellValue:
-    """Return what a cell holds; a number that is none stays what it is, a text."""
-    if kind == "s":
+    if cell.kind == "s":
         index = text_index(text)
-        if index is None or index not in texts:
-            raise UnreadableContentError
-        return texts[index] or None
+        shared = None if index is None else texts.get(index)
+        return CellContent(shared or None, error=shared is None)
+    return CellContent(_not_a_number(cell.kind, text), error=cell.kind == "e")
+
+
+def _not_a_number(kind: str, text: str) -> CellValue:
+    """Return what a cell holds; a number that is none stays what it is, a text."""
     if kind == "b" and text.strip() in {"0", "1"}:
         return text.strip() == "1"
     return _date(text) if kind == "d" else text

@@ -11,14 +11,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Final, TypeVar
+from urllib.parse import unquote
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
-from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.machine.spreadsheet.xml_scan import (
     Bounds,
     PartCounts,
-    RefusedError,
     XmlScan,
     local,
     local_name,
@@ -33,6 +32,8 @@ _CHUNK: Final = 1 << 16
 _PORTION: Final = 1 << 20
 _SHORT: Final = 1 << 15  # bytes of a part that may be the same in many works
 _KEPT: Final = 64  # such parts, two megabytes at most
+UNSOUND: Final = (expat.ExpatError, ParseError, LookupError, UnicodeError)
+"""What is raised of a part that is no sound XML; the latter two of encodings."""
 _BEFORE_XML: Final = b"\xef\xbb\xbf\xff\xfe\0 \t\r\n"  # byte order marks and white space
 
 
@@ -62,6 +63,7 @@ class Package:
         self._roots: dict[str, Element] = {}
         self._related: dict[str, tuple[Related, ...]] = {}
         self._seen: set[str] = set()
+        self._damaged: list[str] = []
 
     def has(self, part: str) -> bool:
         """Tell whether there is such a part."""
@@ -77,6 +79,20 @@ class Package:
         if part not in self._roots:
             self._roots[part] = self.tree(part)
         return self._roots[part]
+
+    def sound_root(self, part: str) -> Element | None:
+        """Return the tree of a short part that can be done without; None where it is damaged.
+
+        Raises:
+            KeyError: there is no such part.
+            RefusedError: it holds what must not be read.
+            Exception: what `zipfile` raises of damaged ones.
+        """
+        try:
+            return self.root(part)
+        except UNSOUND:
+            self._damaged.append(part)
+            return None
 
     def tree(self, part: str) -> Element:
         """Return the tree of a part that nobody else reads. Errors: as above."""
@@ -122,30 +138,32 @@ class Package:
         self._seen.add(name)
         return self._unpacked(member)
 
-    def check_others(self) -> None:
+    def check_others(self) -> tuple[str, ...]:
         """Check every part that nobody has read, in the order of the archive.
 
+        Returns:
+            The names of those that should be sound XML and are not, whoever met them: spreadsheet
+            programs open a workbook without them.
+
         Raises:
-            RefusedError: one holds what must not be read, or no sound XML.
+            RefusedError: one holds what must not be read.
             Exception: what `zipfile` raises of damaged ones.
         """
         for name, member in self._members.items():
             if name not in self._seen:
+                self._seen.add(name)
                 self._check(member)
+        return tuple(self._damaged)
 
     def _check(self, member: zipfile.ZipInfo) -> None:
         content = self._unpacked(member)
         try:
             if content:
                 self._check_content(content)
-        except (
-            expat.ExpatError,
-            LookupError,
-            UnicodeError,
-        ) as fault:  # the latter two of encodings
-            # The reader would stop at the same place; drawings of comments need not be sound XML.
+        except UNSOUND:
+            # Drawings of comments need not be sound XML.
             if member.filename.lower().endswith((".xml", ".rels")):
-                raise RefusedError(WhyRefused.INVALID_XML) from fault
+                self._damaged.append(member.filename)
 
     def _check_content(self, content: bytes) -> None:
         if len(content) > _SHORT:
@@ -177,16 +195,23 @@ class Package:
             Related(
                 identifier=one.get("Id", ""),
                 kind=one.get("Type", "").rpartition("/")[2],
-                part=posixpath.normpath(posixpath.join("/", folder, one.get("Target", ""))).lstrip(
-                    "/"
-                ),
+                part=self._target(folder, one.get("Target", "")),
             )
             for one in self.root(relations).iter()
             if local(one) == "Relationship" and one.get("TargetMode") != "External"
         )
 
+    def _target(self, folder: str, target: str) -> str:
+        """Return the part that a relationship means; some programs write it as an address."""
+        found = (
+            posixpath.normpath(posixpath.join("/", folder, spelled)).lstrip("/")
+            for spelled in (target, unquote(target), target.replace("\\", "/"))
+        )
+        first = next(found)
+        return first if self.has(first) else next((one for one in found if self.has(one)), first)
+
     def sheets(self, workbook: str) -> Mapping[str, str]:
-        """Return the part of every sheet by its title.
+        """Return the part of every sheet by its title; a sheet without a part is left out.
 
         Raises:
             ValueError: two sheets have one title: programs disagree which of them is meant.
@@ -205,6 +230,11 @@ class Package:
                     raise ValueError(title)
                 sheets[title] = part
         return sheets
+
+    def lost_sheets(self, workbook: str) -> frozenset[str]:
+        """Return the titles of the sheets whose cells are nowhere."""
+        listed = (one for one in self.root(workbook).iter() if local(one) == "sheet")
+        return frozenset(one.get("name", "") for one in listed) - self.sheets(workbook).keys()
 
     def hidden_sheets(self, workbook: str) -> frozenset[str]:
         """Return the titles of the sheets that nobody sees."""

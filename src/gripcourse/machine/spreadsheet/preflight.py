@@ -34,6 +34,7 @@ TABLE: Final = Bounds(64 * MEGABYTE, 96 * MEGABYTE, 3_000_000)
 _METHODS: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _CHUNK: Final = 1 << 16
 
+_WORKBOOK: Final = "/workbook.xml"
 _OLE: Final = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _ENCRYPTED: Final = "EncryptedPackage".encode("utf-16-le")
 _PICTURES: Final = (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"II*\0", b"MM\0*")
@@ -155,7 +156,7 @@ def _check_directory(members: Sequence[zipfile.ZipInfo]) -> None:
 
 def _check_kind(names: set[str], archive: zipfile.ZipFile) -> None:
     """Tell other documents that are zip archives too."""
-    if "xl/workbook.xml" in names:
+    if any(name.endswith(_WORKBOOK) for name in names):  # programs disagree about its folder
         return
     if "mimetype" in names and b"opendocument" in archive.read("mimetype"):
         raise RefusedError(WhyRefused.OPEN_DOCUMENT)

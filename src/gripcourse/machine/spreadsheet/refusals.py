@@ -95,7 +95,8 @@ REASONS: Final[Mapping[WhyRefused, Message]] = {
         "that was issued."
     ),
     WhyRefused.UNREADABLE_CONTENT: message(
-        "The workbook holds content that cannot be read, for example a damaged style. {remedy}",
+        "The workbook holds content that cannot be read, for example two sheets of one title. "
+        "{remedy}",
         remedy=_COPY,
     ),
     WhyRefused.WEB_PAGE: message(

@@ -1,5 +1,6 @@
 """The cells of a sheet that names point to, as the file stores them; no other cell is kept."""
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Final, NamedTuple, TypeAlias
@@ -25,6 +26,8 @@ class StoredCell(NamedTuple):
     formula: str
 
 
+_ESCAPED: Final = re.compile(r"_x([0-9A-Fa-f]{4})_")
+_NO_SIGN: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd]")  # that may stand in XML
 EMPTY: Final = StoredCell("n", None, 0, "")
 
 
@@ -127,6 +130,8 @@ def _stored(cell: Element, space: str) -> StoredCell:
     text = None if value is None else value.text
     if kind == "inlineStr":
         text = None if inline is None else text_of(inline)
+    elif kind == "str" and text:
+        text = _unescaped(text)
     return StoredCell(
         kind=kind,
         text=text or None,
@@ -139,7 +144,20 @@ def text_of(item: Element) -> str:
     """Join the pieces of a text; how it is pronounced is not part of it."""
     space = namespace(item)
     pieces = [item, *item.findall(f"{space}r")]
-    return "".join(one.text or "" for piece in pieces for one in piece.findall(f"{space}t"))
+    return _unescaped(
+        "".join(one.text or "" for piece in pieces for one in piece.findall(f"{space}t"))
+    )
+
+
+def _unescaped(text: str) -> str:
+    """Read the signs that the format writes by their numbers, as `_x000D_` for a line's end."""
+    return _ESCAPED.sub(_sign, text) if "_x" in text else text
+
+
+def _sign(escaped: re.Match[str]) -> str:
+    """Return a sign by its number; one that may not stand in XML stays as it is written."""
+    sign = chr(int(escaped[1], 16))
+    return escaped[0] if _NO_SIGN.match(sign) else sign
 
 
 def shared_texts(

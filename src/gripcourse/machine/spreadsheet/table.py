@@ -7,7 +7,6 @@ from typing import Final
 from xml.etree.ElementTree import Element
 
 from gripcourse.machine.spreadsheet.cell_value import (
-    GENERAL,
     CellValue,
     UnreadableContentError,
     counts_from_1904,
@@ -77,14 +76,17 @@ def _sheets(package: Package) -> tuple[TableSheet, ...]:
     sheets, hidden = package.sheets(workbook), package.hidden_sheets(workbook)
     titles = [title for title in sheets if title not in hidden] or list(sheets)[:1]
     parts = {one.kind: one.part for one in package.related(workbook)}
-    has_texts = "sharedStrings" in parts
+    has_texts = package.has(parts.get("sharedStrings", ""))
     texts = shared_texts(package.elements(parts["sharedStrings"])) if has_texts else {}
-    formats = formats_of(package, parts["styles"]) if "styles" in parts else ()
+    formats = formats_of(package, parts.get("styles"))
     from_1904 = counts_from_1904(package, workbook)
 
     def value_of(cell: StoredCell) -> CellValue:
-        number_format = formats[cell.style] if formats else GENERAL
-        shown = shown_value(cell, number_format, texts, from_1904=from_1904)
+        if cell.kind == "n" and cell.text is not None and formats.is_lost(cell):
+            raise UnreadableContentError  # half a point may have been half of all of them
+        shown = shown_value(cell, formats.of(cell), texts, from_1904=from_1904)
+        if shown.error and shown.value is None:  # a text that is not there: nobody may be left out
+            raise UnreadableContentError
         return cell.formula or None if shown.value is None else shown.value
 
     # Two titles may lead to one part, which is read once.
