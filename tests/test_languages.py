@@ -1,6 +1,7 @@
 """Every sentence in every language, with the same values in it."""
 
 import ast
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from string import Formatter
@@ -34,14 +35,31 @@ def takes_a_sentence(function: ast.expr) -> bool:
     return isinstance(function, ast.Name) and function.id == "message"
 
 
-def calls_without_a_sentence(tree: ast.Module) -> list[int]:
+def calls_with_sentences(tree: ast.Module) -> list[ast.Call]:
+    return [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and takes_a_sentence(node.func)
+    ]
+
+
+@cache
+def calls_of_the_program() -> Mapping[str, list[ast.Call]]:
+    """Find by their file all calls that take a sentence."""
+    return {
+        str(path.relative_to(REPOSITORY)): calls_with_sentences(
+            ast.parse(path.read_text(encoding="utf-8"))
+        )
+        for path in (REPOSITORY / "src").rglob("*.py")
+    }
+
+
+def without_a_sentence(calls: Iterable[ast.Call]) -> list[int]:
     """Lines of calls whose sentence the extractor cannot see: it is put together or passed on."""
     return [
         node.lineno
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call)
-        and takes_a_sentence(node.func)
-        and not (
+        for node in calls
+        if not (
             node.args
             and isinstance(node.args[0], ast.Constant)
             and isinstance(node.args[0].value, str)
@@ -57,9 +75,9 @@ def test_the_catalogues_are_those_of_the_program() -> None:
 
 def test_every_sentence_is_written_out_where_it_is_made() -> None:
     hidden = [
-        f"{path.relative_to(REPOSITORY)}:{line}"
-        for path in (REPOSITORY / "src").rglob("*.py")
-        for line in calls_without_a_sentence(ast.parse(path.read_text(encoding="utf-8")))
+        f"{file}:{line}"
+        for file, calls in calls_of_the_program().items()
+        for line in without_a_sentence(calls)
     ]
     assert hidden == []
 
@@ -67,11 +85,11 @@ def test_every_sentence_is_written_out_where_it_is_made() -> None:
 def test_the_extractor_sees_every_sentence() -> None:
     written = {
         node.args[0].value
-        for path in (REPOSITORY / "src").rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Call) and takes_a_sentence(node.func)
+        for calls in calls_of_the_program().values()
+        for node in calls
         if node.args and isinstance(node.args[0], ast.Constant)
     }
+    assert written
     assert written <= sentences()
 
 
@@ -80,7 +98,7 @@ def test_the_extractor_sees_every_sentence() -> None:
     ['message(f"{x} mm")', 'message("a" + b)', "message(text)", "words.translate(said.text)"],
 )
 def test_a_sentence_that_cannot_be_extracted_is_noticed(source: str) -> None:
-    assert calls_without_a_sentence(ast.parse(source)) == [1]
+    assert without_a_sentence(calls_with_sentences(ast.parse(source))) == [1]
 
 
 @pytest.mark.parametrize("language", messages.LANGUAGES)

@@ -3,6 +3,8 @@
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -43,20 +45,25 @@ def text_files() -> Iterator[Path]:
                 yield path
 
 
-def lines() -> Iterator[tuple[str, str]]:
-    """Each line of each text file with its place; pictures and workbooks are passed over."""
+@cache
+def texts() -> Mapping[str, str]:
+    """Each text file by its place; pictures and workbooks are passed over."""
+    found = {}
     for path in text_files():
-        try:
-            text = path.read_text(encoding="utf-8")
-        except UnicodeDecodeError:
-            continue
-        for number, line in enumerate(text.splitlines(), start=1):
-            yield f"{path.relative_to(REPOSITORY)}:{number}", line
+        with suppress(UnicodeDecodeError):
+            found[str(path.relative_to(REPOSITORY))] = path.read_text(encoding="utf-8")
+    return found
 
 
 @pytest.mark.parametrize("pattern", [UNFINISHED, MACHINE_PATH, PACKAGE_INDEX, TICKET])
 def test_no_file_says_what_belongs_elsewhere(pattern: re.Pattern[str]) -> None:
-    found = [f"{place}: {line.strip()}" for place, line in lines() if pattern.search(line)]
+    found = [
+        f"{place}:{number}: {line.strip()}"
+        for place, text in texts().items()
+        if pattern.search(text)  # none of them reaches over the end of a line
+        for number, line in enumerate(text.splitlines(), start=1)
+        if pattern.search(line)
+    ]
     assert not found, "\n".join(found)
 
 

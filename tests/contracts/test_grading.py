@@ -21,7 +21,7 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.submission.model import Answer, Identity, Reading, Submission
 from gripcourse.text.units import factor
 from gripcourse.variants.model import Issued, Student, Variant
-from support.each import each
+from support.each import each, named_if_it_fails
 
 if TYPE_CHECKING:
     from conftest import Composition
@@ -128,7 +128,7 @@ def test_one_answer_outside_its_band_loses_that_item_only(
     strict = replace(policy, printed_credit=None)  # else near a printed one it would earn all
     seen: set[object] = set()  # steps from an answer to what is computed from it
     for composition in compositions:
-        with subtests.test(composition=composition.name):
+        with named_if_it_fails(subtests, composition=composition.name):
             right = reference_answers(composition)
             methods, faults = methods_of(composition.plan, strict), []
             for one in composition.plan.answered:

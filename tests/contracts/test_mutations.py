@@ -21,6 +21,7 @@ from gripcourse.proofs.survivors import ProofGround, prove_operators
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.sizes import choose
 from gripcourse.solver.solve import Values
+from support.each import named_if_it_fails
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -63,7 +64,7 @@ def test_a_flipped_operator_changes_an_answer(
     """Also one of a printed version; what schemes and versions share is looked at once."""
     looked_at: set[object] = set()
     for convention, key in product(Convention, composition_keys):
-        with subtests.test(convention=convention, composition=key):
+        with named_if_it_fails(subtests, convention=convention, composition=key):
             scheme, options = key
             flips = flipped_formulas(make_plan(course, scheme, dict(options), convention))
             if {one.key for one in flips} <= looked_at:

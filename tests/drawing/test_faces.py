@@ -10,7 +10,7 @@ import pytest
 from gripcourse.course.view import Face
 from gripcourse.drawing.paper.document import LineKind
 from gripcourse.drawing.paper.strokes import Arc, Line
-from support.each import each
+from support.each import each, named_if_it_fails
 
 if TYPE_CHECKING:
     from conftest import Draw
@@ -44,7 +44,7 @@ def test_the_holes_of_the_flange_are_those_of_its_table(
     draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
     for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
+        with named_if_it_fails(subtests, variant=any_variant):
             drawn = draw(any_variant)
             if drawn.plan.options.get("mounting", "flange") != "flange":
                 continue
@@ -86,7 +86,7 @@ def test_a_bayonet_shank_has_its_two_lugs(
     draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
     for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
+        with named_if_it_fails(subtests, variant=any_variant):
             drawn = draw(any_variant)
             if drawn.plan.options.get("mounting") != "bayonet":
                 continue

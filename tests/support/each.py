@@ -1,14 +1,27 @@
-"""A test that looks at many things, each of them in a subtest that bears its name."""
+"""A test that looks at many things; each that fails is a subtest that bears its name."""
 
 import inspect
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import wraps
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    import pytest
+import pytest
 
 Test = Callable[..., None]
+
+
+@contextmanager
+def named_if_it_fails(subtests: pytest.Subtests, **names: object) -> Iterator[None]:
+    """Tell of one of many things only where something is wrong with it, then as a subtest.
+
+    What passes would be told too, thousands of times, by each process to the one that listens.
+    """
+    try:
+        yield
+    except (Exception, pytest.fail.Exception, pytest.skip.Exception):
+        with subtests.test(**names):
+            raise
 
 
 def each(many: str, one: str) -> Callable[[Test], Test]:
@@ -32,7 +45,7 @@ def each(many: str, one: str) -> Callable[[Test], Test]:
             things: Iterable[object] = fixtures.pop(many)
             subtests: pytest.Subtests = fixtures.pop("subtests")
             for thing in things:
-                with subtests.test(**{one: str(getattr(thing, "name", thing))}):
+                with named_if_it_fails(subtests, **{one: str(getattr(thing, "name", thing))}):
                     test(**{one: thing}, **fixtures)
 
         # What pytest asks for fixtures by.

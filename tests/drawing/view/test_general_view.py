@@ -31,7 +31,7 @@ from gripcourse.errors import CourseError
 from gripcourse.solver.plan import make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import LANGUAGES, Words
-from support.each import each
+from support.each import each, named_if_it_fails
 
 if TYPE_CHECKING:
     from conftest import Draw, Drawn
@@ -163,7 +163,7 @@ def test_a_dimension_measures_the_quantity_that_it_names(
     draw: "Draw", any_variants: list[str], subtests: pytest.Subtests
 ) -> None:
     for any_variant in any_variants:
-        with subtests.test(variant=any_variant):
+        with named_if_it_fails(subtests, variant=any_variant):
             drawn = draw(any_variant)
             assert drawn.view.figure.measured
             scale = drawn.view.arranged.factor
