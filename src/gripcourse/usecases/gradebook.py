@@ -24,8 +24,9 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.gradebook.timing import Rules, Waiver, timings_of
 from gripcourse.gradebook.works import StudentWork, works_of
 from gripcourse.grading.folded import Shelf
-from gripcourse.grading.model import Report
+from gripcourse.grading.model import FlagCode, Report, Timing
 from gripcourse.machine.database.home import exists
+from gripcourse.policy.model import Policy
 from gripcourse.policy.time_rules import LateRule
 from gripcourse.usecases.handed_in import HandingTime
 from gripcourse.variants.model import Issued
@@ -176,8 +177,18 @@ def _kept(
                 keeping.waived.get(name, (None,))[-1],
                 Rules(policy.late, policy.attempts),
             )
-            entered = [replace(one, timing=timings.get(one.digest)) for one in entered]
+            entered = [_with_timing(one, timings.get(one.digest), policy) for one in entered]
         yield name, entered
+
+
+def _with_timing(report: Report, timing: Timing | None, policy: Policy) -> Report:
+    """Return a report with its timing; of several files, a rule of the policy may say which counts.
+
+    Then nobody need be asked.
+    """
+    decided = timing is not None and policy.attempts is not None
+    flags = (one for one in report.flags if not (decided and one.code is FlagCode.SEVERAL_FILES))
+    return replace(report, timing=timing, flags=tuple(flags))
 
 
 def _timed(attempt: Attempt, handed_in: HandingTime | None) -> Attempt:
