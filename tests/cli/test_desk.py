@@ -12,7 +12,7 @@ import pytest
 from gripcourse.access.desk.links import Refused
 from gripcourse.access.desk.store import open_desk
 from gripcourse.cli import main as cli
-from gripcourse.exports.grades import grades_csv
+from gripcourse.exports.grades import grades_text
 from gripcourse.issuing.signature import key_path, read_key
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
@@ -92,7 +92,7 @@ def test_what_is_handed_in_is_collected_and_results_are_published_and_withdrawn(
     assert run("release", str(graded)).startswith("2")
     graded.mkdir()
     (graded / GRADES_JSON).write_text(json_text([], Words("en")), encoding="utf-8")
-    grades_csv([], graded / GRADES_CSV)
+    (graded / GRADES_CSV).write_text(grades_text([]), encoding="utf-8-sig")
     assert run("release", str(graded), "--by", "Ann", "--why", "end").startswith("0")
     published = current(context)
     assert published is not None

@@ -3,10 +3,9 @@
 import csv
 import io
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.exports.files import Fate, files_csv, graded_account
+from gripcourse.exports.files import Fate, files_text, graded_account
 from gripcourse.grading.unjudged import disputed_report, rejected_report
 from gripcourse.machine.spreadsheet.refusals import WhyRefused
 from gripcourse.submission.model import Rejected
@@ -33,10 +32,9 @@ def test_a_graded_file_has_no_reason(perfect: "Report") -> None:
     assert not account.needs_person
 
 
-def test_nothing_in_the_table_runs_and_each_reason_is_a_sentence(tmp_path: Path) -> None:
+def test_nothing_in_the_table_runs_and_each_reason_is_a_sentence() -> None:
     report = rejected_report(Rejected.because("=1+1.xlsx", "d", WhyRefused.PDF), None)
-    files_csv([graded_account(report)], tmp_path / "files.csv", Words("en"))
-    text = (tmp_path / "files.csv").read_text(encoding="utf-8-sig")
-    (row,) = csv.DictReader(io.StringIO(text))
+    text = files_text([graded_account(report)], Words("en"))
+    (row,) = csv.DictReader(io.StringIO(text, newline=""))
     assert row["file"] == "'=1+1.xlsx"
     assert row["message"] == "The file is a PDF document. Send the .xlsx workbook itself."

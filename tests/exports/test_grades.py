@@ -4,11 +4,10 @@ import csv
 import io
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-from gripcourse.exports.grades import Called, grades_csv, grades_text
+from gripcourse.exports.grades import Called, grades_text
 from gripcourse.grading.model import Flag, FlagCode, Outcome, Report
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
@@ -116,13 +115,6 @@ def test_a_text_cannot_become_a_formula(perfect: Report, start: str) -> None:
 def test_commas_quotes_and_lines_in_names_stay_in_their_cell(perfect: Report) -> None:
     name = 'Иванов, "Ваня"\nмл.'
     assert rows(grades_text([replace(perfect, name=name)]))[0]["name"] == name
-
-
-def test_excel_is_told_that_it_is_utf8(perfect: Report, tmp_path: Path) -> None:
-    target = tmp_path / "grades.csv"
-    grades_csv([perfect], target)
-    assert target.read_bytes().startswith(b"\xef\xbb\xbfstudent,name,group,email,variant,score")
-    assert [path.name for path in tmp_path.iterdir()] == ["grades.csv"]
 
 
 def test_recognised_slips_are_listed_where_they_were_made(

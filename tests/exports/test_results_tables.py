@@ -46,8 +46,11 @@ def test_csv_has_everybody_and_runs_nothing(grades: GradesResult) -> None:
                    for name in one if name.endswith("points") and one[name])  # fmt: skip
     (report,) = grades.reports
     for name in ("sections.csv", "quantities.csv"):
-        points = [float(one["points"]) for one in tables[name]]
-        assert sum(points) == pytest.approx(report.score, abs=0.01)
+        *found, missing = tables[name]
+        assert {one["student"] for one in found} == {"s017"}
+        assert sum(float(one["points"]) for one in found) == pytest.approx(report.score, abs=0.01)
+        assert (missing["student"], missing["email"], missing["points"]) == ("s018", "s018@uni", "")
+    assert missing["outcome"] == "not_handed_in"
 
 
 def test_a_workbook_holds_texts_and_no_formulas(grades: GradesResult) -> None:

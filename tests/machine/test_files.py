@@ -1,7 +1,9 @@
 """A reader never sees half of a file."""
 
+import errno
 import stat
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,7 @@ from gripcourse.machine.files import (
     replacing,
     write_bytes,
     write_text,
+    write_together,
 )
 
 
@@ -93,3 +96,18 @@ def test_a_folder_of_ours_is_rid_of_all_that_was_left_unfinished(tmp_path: Path)
     left = {path.name for path in tmp_path.iterdir()}
     assert left == {"s01.pdf", ".hidden.pdf", ".s.0a1b.pdf"}
     discard_all_unfinished(tmp_path / "gone")
+
+
+def test_files_that_belong_together_take_their_places_together(tmp_path: Path) -> None:
+    first, second = tmp_path / "a.csv", tmp_path / "b.json"
+    write_together({first: ["1", "\r\n"], second: ["ж"]})
+    assert (first.read_bytes(), second.read_bytes()) == (b"1\r\n", "ж".encode())
+
+    def without_room() -> Iterator[str]:
+        yield "half"
+        raise OSError(errno.ENOSPC, "full")
+
+    with pytest.raises(OSError, match="full"):
+        write_together({first: ["2"], second: without_room()})
+    assert (first.read_bytes(), second.read_bytes()) == (b"1\r\n", "ж".encode())
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["a.csv", "b.json"]

@@ -1,6 +1,5 @@
 """Values that come one by one are found again, but for what was damaged."""
 
-import os
 from hashlib import sha256
 from pathlib import Path
 
@@ -68,9 +67,10 @@ def test_a_full_disk_leaves_what_was_kept_before(folder: Path) -> None:
     records.add(KEYS[2], "third")
     if not Path("/dev/full").exists():
         pytest.skip("no device that is always full")
-    full = type(records)(records.path, Path("/dev/full").open("r+b", buffering=0))
-    with pytest.raises(OSError, match=str(os.fspath(records.path))):
-        full.add(KEYS[0], "lost")
+    with Path("/dev/full").open("r+b", buffering=0) as stream:
+        full = type(records)(records.path, stream)
+        with pytest.raises(OSError, match=records.path.name):
+            full.add(KEYS[0], "lost")
     assert found(folder) == [{"number": 0}, {"number": 1}, "third"]
 
 

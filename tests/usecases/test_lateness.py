@@ -10,6 +10,7 @@ from zoneinfo import ZoneInfo
 
 import pytest
 
+from gripcourse.batch.duplicates import mark_doubles
 from gripcourse.batch.one_file import grade_file
 from gripcourse.batch.run import Graded
 from gripcourse.cli.demo.students import correct
@@ -18,6 +19,7 @@ from gripcourse.documents.report.standing import timing_texts
 from gripcourse.errors import UsageError
 from gripcourse.exports.grades import grades_text
 from gripcourse.exports.platforms.moodle_words import HEADINGS, MoodleColumn
+from gripcourse.exports.report_result import report_result
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.grading.model import Flag, FlagCode, Report, Timing
 from gripcourse.policy.time_rules import AttemptRule, Counts, LateRule
@@ -48,7 +50,8 @@ class Office:
         self.files, self.place = files, str(folder / "gradebook.sqlite")
 
     def grade(self, *said: str) -> list[Report]:
-        graded = [Graded(grade_file(one, self.context), "") for one in self.files]
+        reports = mark_doubles([grade_file(one, self.context) for one in self.files])
+        graded = [Graded(one, "") for one in reports]
         times = handed_in_times(said, self.files, KYIV)
         return [one.report for one in keep(graded, self.context, self.place, NOW, times)]
 
@@ -166,11 +169,20 @@ def test_a_grading_worksheet_says_when_its_participants_handed_in(
         handed_in_times([str(sheet)], [Path("3.xlsx")], KYIV)
 
 
+def test_where_a_rule_says_which_of_several_works_counts_nobody_is_asked(office: Office) -> None:
+    reports = office.grade()
+    assert [one.flags for one in reports] == [(), ()]
+    assert [report_result(one, Words("en")).counts for one in reports] == [False, True]
+
+
 def test_without_a_rule_nothing_is_said_of_time(office: Office) -> None:
     office.context = replace(
         office.context, policy=replace(office.context.policy, late=None, attempts=None)
     )
     assert office.timings() == []
+    reports = office.grade()
+    assert {flag.code for one in reports for flag in one.flags} == {FlagCode.SEVERAL_FILES}
+    assert [report_result(one, Words("en")).counts for one in reports] == [None, None]
     assert "earned" not in grades_text(office.grade())
 
 

@@ -12,7 +12,7 @@ from starlette.testclient import TestClient
 from gripcourse.access.desk.store import open_desk
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.exports.grades import grades_csv
+from gripcourse.exports.grades import grades_csv, grades_text
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes
@@ -87,7 +87,7 @@ class Server:
         (self.graded / REPORTS).mkdir(parents=True, exist_ok=True)
         (self.graded / REPORTS / "s01.pdf").write_bytes(b"%PDF report")
         (self.graded / GRADES_JSON).write_text(json_text(reports, Words("en")), encoding="utf-8")
-        grades_csv(reports, self.graded / GRADES_CSV)
+        (self.graded / GRADES_CSV).write_text(grades_text(reports), encoding="utf-8-sig")
         assert reports
 
 

@@ -10,7 +10,7 @@ from gripcourse.grading.made_for import versions_of
 from gripcourse.grading.model import Report
 from gripcourse.likeness.evidence import find_evidence
 from gripcourse.likeness.flags import flags_by_student
-from gripcourse.likeness.issued import issued_values
+from gripcourse.likeness.issued import IssuedValues, issued_values
 from gripcourse.likeness.model import Evidence
 from gripcourse.likeness.works import work_of
 from gripcourse.solver.plan import make_plan
@@ -35,7 +35,7 @@ def mark_likeness(
     """
 
     def find() -> FlagsOf:
-        return flags_by_student(evidence_of(reports, context), _titles(context))
+        return flags_by_student(evidence_of(reports, context, kept), _titles(context))
 
     try:
         flags = find() if kept is None else kept.flags_of(reports, find)
@@ -50,8 +50,16 @@ def mark_likeness(
     return tuple(marked), ""
 
 
-def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evidence, ...]:
-    """Compare the judged submissions of a batch with each other and with all issued variants."""
+def evidence_of(
+    reports: Sequence[Report], context: GradingContext, kept: KeptReports | None = None
+) -> tuple[Evidence, ...]:
+    """Compare the judged submissions of a batch with each other and with all issued variants.
+
+    Args:
+        reports: of the batch.
+        context: the course, its policy, the register.
+        kept: what an earlier run found out; None for nothing.
+    """
     judged = [one for one in reports if one.judged and one.student in context.register]
     if not judged:
         return ()
@@ -60,8 +68,17 @@ def evidence_of(reports: Sequence[Report], context: GradingContext) -> tuple[Evi
     works = (work_of(report, _made_for(report, context), AUTHOR) for report in judged)
     by_owner = {one.student: context.declared.get(one.declarations) for one in judged}
     declared = {owner: course for owner, course in by_owner.items() if course is not None}
-    variants = [(student, entry.variant) for student, entry in issued.items()]
-    values = issued_values(context.course, variants, declared)
+
+    def solved() -> IssuedValues:
+        variants = [(student, entry.variant) for student, entry in issued.items()]
+        return issued_values(context.course, variants, declared)
+
+    if kept is None:
+        values = solved()
+    else:
+        versions = [(student, one.version) for student, one in issued.items()]
+        by = [(one.student, one.declarations) for one in judged if one.student in declared]
+        values = kept.issued_values(repr((versions, by)), solved)
     return find_evidence(works, values, context.policy.likeness)
 
 

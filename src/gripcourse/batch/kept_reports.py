@@ -9,11 +9,13 @@ from typing import TypeAlias
 
 from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
+from gripcourse.likeness.issued import IssuedValues
 from gripcourse.machine.content import Readable, digest_of_content, shown_name
 from gripcourse.machine.kept import read_value, write_value
 from gripcourse.machine.kept_records import Find, RecordsFile, kept_records, new_records
 
 _COMPARED = "compared.kept"
+_ISSUED = "issued.kept"
 
 FlagsOf: TypeAlias = Mapping[str, tuple[Flag, ...]]
 """Flags by student."""
@@ -74,6 +76,23 @@ class KeptReports:
             write_value(path, _Compared(key, found))
         return found
 
+    def issued_values(self, about: str, find: Callable[[], IssuedValues]) -> IssuedValues:
+        """Return the right values of what was issued; the last ones are kept.
+
+        Args:
+            about: which versions they are of, and by which declarations.
+            find: solves them, where an earlier run did not solve just these.
+        """
+        key, path = hashlib.sha256(about.encode()).hexdigest(), self.folder / _ISSUED
+        kept = read_value(path)
+        if isinstance(kept, _Solved) and kept.key == key:
+            return kept.values
+        found = find()
+        # What was found is compared all the same.
+        with suppress(OSError):
+            write_value(path, _Solved(key, found))
+        return found
+
     def _known(self, file: Readable, find: Find) -> Report | None:
         digest = digest_of_content(file)
         found = find(self._key(file, digest)) if digest else None
@@ -82,6 +101,14 @@ class KeptReports:
     def _key(self, file: Readable, digest: str) -> bytes:
         name = shown_name(file)
         return hashlib.sha256(repr((name, digest, self.whose.get(name))).encode()).digest()
+
+
+@dataclass(frozen=True, slots=True)
+class _Solved:
+    """The right values of what was issued, and a digest of what that is."""
+
+    key: str
+    values: IssuedValues
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,11 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
-from pathlib import Path
 
 from gripcourse.exports.csv_text import table_text, text_cell
 from gripcourse.grading.model import FlagCode, Report
-from gripcourse.machine.files import write_bytes
 from gripcourse.text.words import Message, Words
 
 
@@ -57,12 +55,8 @@ def reason_of(account: FileAccount, words: Words) -> str:
     return "" if account.message is None else words.say(account.message)
 
 
-def files_csv(accounts: Iterable[FileAccount], path: Path, words: Words) -> None:
-    """Write what became of every file.
-
-    Raises:
-        OSError: the file cannot be written.
-    """
+def files_text(accounts: Iterable[FileAccount], words: Words) -> str:
+    """Return the table of what became of every file."""
     header = ("file", "fate", "student", "why", "message")
     rows = (
         (
@@ -74,5 +68,4 @@ def files_csv(accounts: Iterable[FileAccount], path: Path, words: Words) -> None
         )
         for one in accounts
     )
-    # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    write_bytes(path, table_text(header, rows).encode("utf-8-sig"), private=True)
+    return table_text(header, rows)

@@ -1,13 +1,12 @@
 """The table of grades: one row for each file and for each student without one.
 
-UTF-8 with a byte order mark, so that Excel reads Cyrillic; decimal points and commas between cells
-in every language, so that a program reads it the same everywhere.
+Decimal points and commas between cells in every language, so that a program reads it the same
+everywhere.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC
-from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
@@ -17,7 +16,6 @@ from gripcourse.documents.report.totals import totals_of
 from gripcourse.exports.csv_text import number_cell, table_text, text_cell
 from gripcourse.grading.folded import Derivation, derived
 from gripcourse.grading.model import Finding, Report
-from gripcourse.machine.files import write_bytes
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import Words
 from gripcourse.variants.model import Student
@@ -39,37 +37,21 @@ _TIMED = ("earned", "attempt", "counts", "handed_in", "days_late")
 _PLAIN = Called((), Words("en"))
 
 
-def grades_csv(
-    reports: Iterable[Report],
-    path: Path,
-    students: Mapping[str, Student] = _NOBODY,
-    called: Called = _PLAIN,
-) -> None:
-    """Write the grades of a batch.
-
-    A file that could not be judged has its row with empty points: it is not a zero.
-
-    Args:
-        reports: of the batch, in the order of the rows.
-        path: file to write, whole or not at all; only its owner may read it.
-        students: everybody to whom something was issued, by id; who has no file among the reports
-            has a row all the same, without points.
-        called: the scales; a grade that points which wait for a person decide is left empty.
-
-    Raises:
-        OSError: the file cannot be written.
-    """
-    # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
-    text = grades_text(tuple(reports), students, called)
-    write_bytes(path, text.encode("utf-8-sig"), private=True)
-
-
 def grades_text(
     reports: Sequence[Report],
     students: Mapping[str, Student] = _NOBODY,
     called: Called = _PLAIN,
 ) -> str:
-    """Return the table as text; see `grades_csv`."""
+    """Return the table of the grades of a batch.
+
+    A file that could not be judged has its row with empty points: it is not a zero.
+
+    Args:
+        reports: of the batch, in the order of the rows.
+        students: everybody to whom something was issued, by id; who has no file among the reports
+            has a row all the same, without points.
+        called: the scales; a grade that points which wait for a person decide is left empty.
+    """
     timed = any(report.timing is not None for report in reports)
     parts = [
         _parts(report, students.get(report.student), called, timed=timed) for report in reports

@@ -8,7 +8,16 @@ from typing import Any, ClassVar
 from gripcourse.documents.report.standing import percent_of, standing_of
 from gripcourse.exports.files import Fate, FileAccount, graded_account, reason_of
 from gripcourse.exports.plain import from_plain, to_plain
-from gripcourse.grading.model import Against, Decision, Finding, Flag, KnownBy, Outcome, Report
+from gripcourse.grading.model import (
+    Against,
+    Decision,
+    Finding,
+    Flag,
+    FlagCode,
+    KnownBy,
+    Outcome,
+    Report,
+)
 from gripcourse.policy.scales import Scale, certain_grade
 from gripcourse.text.words import LANGUAGES, Message, Words
 from gripcourse.variants.model import Student
@@ -114,7 +123,8 @@ class ReportResult:
             nothing.
         earned: what is left of the score after lateness; null where not judged or not known.
         days_late: days begun after the deadline that cost something.
-        counts: whether it is the work of the student that counts.
+        counts: whether it is the work of the student that counts; null where there are several and
+            the policy does not say which.
         percent: score as a percentage of the points that wait for nobody; null where not judged.
         scales: by the id of each scale of the policy, what the earned points are called, in the
             language of the sentences; empty where points that wait for a person decide.
@@ -140,7 +150,7 @@ class ReportResult:
     known_by: KnownBy = KnownBy.NOTHING
     earned: float | None = None
     days_late: int = 0
-    counts: bool = True
+    counts: bool | None = True
     percent: float | None = None
     scales: Mapping[str, str] = field(default_factory=dict)
 
@@ -284,10 +294,17 @@ def report_result(report: Report, words: Words, scales: Sequence[Scale] = ()) ->
         known_by=report.known_by,
         earned=_points(report.earned) if report.judged else None,
         days_late=0 if report.timing is None else report.timing.days_late,
-        counts=report.timing is None or report.timing.counts,
+        counts=_counts(report),
         percent=percent_of(report) if report.judged else None,
         scales=called if report.judged else {},
     )
+
+
+def _counts(report: Report) -> bool | None:
+    """Tell whether a work counts; None where nobody has decided which of several does."""
+    if any(one.code is FlagCode.SEVERAL_FILES for one in report.flags):
+        return None
+    return report.timing is None or report.timing.counts
 
 
 def _points(value: float) -> float:

@@ -1,8 +1,8 @@
 """Results as tables for other programs: one by student, one by section, one by quantity.
 
-Who has not handed in has a row among the students. Scales stand as they were called when the work
-was graded. A text that a spreadsheet program would run as a formula does not:
-in CSV it begins with an apostrophe, in a workbook it is stored as text.
+Who has not handed in has a row in each table, without points. Scales stand as they were called
+when the work was graded. A text that a spreadsheet program would run as a formula does not: in CSV
+it begins with an apostrophe, in a workbook it is stored as text.
 """
 
 import io
@@ -53,9 +53,13 @@ def results_tables(
             *(_student(one, students) for one in grades.reports),
             *({**_known(one), "flags": NOT_HANDED_IN} for one in missing),
         ],
-        "sections": [row for one in grades.reports for row in _sections(one, students)],
+        "sections": [
+            *(row for one in grades.reports for row in _sections(one, students)),
+            *map(_known, missing),
+        ],
         "quantities": [
-            _quantity(one, found, students) for one in grades.reports for found in one.findings
+            *(_quantity(one, found, students) for one in grades.reports for found in one.findings),
+            *({**_known(one), "outcome": NOT_HANDED_IN} for one in missing),
         ],
     }
     before = _STUDENTS.index("earned")
@@ -146,7 +150,7 @@ def _student(report: ReportResult, students: Mapping[str, Student]) -> Cells:
         **report.scales,
         "earned": _points(report.earned),
         "days_late": report.days_late,
-        "counts": int(report.counts),
+        "counts": None if report.counts is None else int(report.counts),
         "flags": "; ".join(dict.fromkeys(one.code for one in report.flags)),
     }
 

@@ -1,17 +1,18 @@
 """Attempts and marks as rows of the tables, and back again."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from datetime import UTC, datetime
 from sys import intern
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
-from sqlalchemy import RowMapping
+from sqlalchemy import Row as SqlRow
 
 from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result
 from gripcourse.grading.outcome import outcome_named
 
 Row: TypeAlias = dict[str, object]
 """Values by column, as they are inserted."""
+RowOfTable: TypeAlias = SqlRow[Any]
 
 
 def attempt_row(attempt: Attempt) -> Row:
@@ -77,51 +78,53 @@ def line_rows(mark: Mark) -> Iterator[Row]:
         }
 
 
-def attempt_of_rows(rows: Sequence[RowMapping]) -> Attempt:
-    """Put an attempt together from its row, joined with the row of each result (or with none)."""
-    first = rows[0]
-    return Attempt(
-        student=first["student"],
-        number=first["number"],
-        variant=first["variant"],
-        scheme=first["scheme"],
-        file=first["file"],
-        digest=first["digest"],
-        graded_at=in_utc(first["graded_at"]),
-        fingerprints=Fingerprints(first["course"], first["policy"], first["engine"] or ""),
-        judged=first["judged"],
-        results=tuple(
-            Result(
-                # One text for all attempts, of which a cohort has thousands.
-                intern(row["quantity"]),
-                outcome_named(row["outcome"]),
-                row["points"],
-                row["max_points"],
-            )
-            for row in rows
-            if row["quantity"] is not None
-        ),
-        regrade=first["regrade"],
-        handed_in=None if first["handed_in"] is None else in_utc(first["handed_in"]),
-        handed_in_said=bool(first["handed_in_said"]),
-        version=first["version"] or 1,
-        either_version=bool(first["either_version"]),
+def results_of_rows(rows: Iterable[RowOfTable]) -> tuple[Result, ...]:
+    """Return the results of one attempt.
+
+    Args:
+        rows: of each its attempt's student and number, quantity, outcome and both points.
+    """
+    return tuple(
+        # One text for all attempts, of which a cohort has thousands.
+        Result(intern(quantity), outcome_named(outcome), points, most)
+        for _, _, quantity, outcome, points, most in rows
     )
 
 
-def mark_of_rows(rows: Sequence[RowMapping]) -> Mark:
+def attempt_of_row(row: RowOfTable, results: tuple[Result, ...]) -> Attempt:
+    """Put an attempt together from its row and its results."""
+    return Attempt(
+        student=row.student,
+        number=row.number,
+        variant=row.variant,
+        scheme=row.scheme,
+        file=row.file,
+        digest=row.digest,
+        graded_at=in_utc(row.graded_at),
+        fingerprints=Fingerprints(row.course, row.policy, row.engine or ""),
+        judged=row.judged,
+        results=results,
+        regrade=row.regrade,
+        handed_in=None if row.handed_in is None else in_utc(row.handed_in),
+        handed_in_said=bool(row.handed_in_said),
+        version=row.version or 1,
+        either_version=bool(row.either_version),
+    )
+
+
+def mark_of_rows(rows: Sequence[RowOfTable]) -> Mark:
     """Put a mark together from its row, joined with the row of each line (or with none)."""
     first = rows[0]
     return Mark(
-        student=first["student"],
-        quantity=first["quantity"],
-        number=first["number"],
-        attempt=first["attempt"],
-        credit=first["credit"],
-        lines={row["line"]: row["line_credit"] for row in rows if row["line"] is not None},
-        marker=first["marker"],
-        marked_at=in_utc(first["marked_at"]),
-        comment=first["comment"],
+        student=first.student,
+        quantity=first.quantity,
+        number=first.number,
+        attempt=first.attempt,
+        credit=first.credit,
+        lines={row.line: row.line_credit for row in rows if row.line is not None},
+        marker=first.marker,
+        marked_at=in_utc(first.marked_at),
+        comment=first.comment,
     )
 
 

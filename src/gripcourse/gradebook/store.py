@@ -8,9 +8,10 @@ nothing is lost, and nothing is half-written.
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
+from operator import itemgetter
 from typing import Any, TypeAlias, TypeVar
 
-from sqlalchemy import Connection, Engine, RowMapping, Select, Table, and_, select
+from sqlalchemy import Connection, Engine, Row, Select, Table, and_, select
 
 from gripcourse.errors import GradebookError, Problem
 from gripcourse.gradebook import rows, schema
@@ -100,21 +101,25 @@ class Gradebook:
     def attempts(self, students: Collection[str] | None = None) -> tuple[Attempt, ...]:
         """Return the attempts of these students (all where None), oldest first for each."""
         one, result = schema.attempts.c, schema.results.c
-        question = (
-            select(
-                schema.attempts, result.quantity, result.outcome, result.points, result.max_points
-            )
-            .outerjoin(
-                schema.results, and_(one.student == result.student, one.number == result.attempt)
-            )
-            .order_by(*in_code_order(self.engine, one.student, one.number, result.place))
+        heads = select(schema.attempts).order_by(
+            *in_code_order(self.engine, one.student, one.number)
         )
+        # Not joined: the moments of an attempt would be read once for each of its results.
+        lines = select(
+            *(result.student, result.attempt),
+            *(result.quantity, result.outcome, result.points, result.max_points),
+        ).order_by(*in_code_order(self.engine, result.student, result.attempt, result.place))
         with refusals_named(self.place), self.engine.connect() as connection:
-            found = _answers(connection, question, schema.attempts, students)
-            return tuple(
-                rows.attempt_of_rows(list(group))
-                for _, group in groupby(found, key=lambda row: (row["student"], row["number"]))
-            )
+            found = list(_answers(connection, heads, schema.attempts, students))
+            # After them: results of an attempt that is added in between belong to none of these.
+            answers = _answers(connection, lines, schema.results, students)
+            results = {
+                key: rows.results_of_rows(group)
+                for key, group in groupby(answers, key=itemgetter(0, 1))
+            }
+        return tuple(
+            rows.attempt_of_row(row, results.get((row.student, row.number), ())) for row in found
+        )
 
     def entries(
         self,
@@ -145,7 +150,7 @@ class Gradebook:
             marks = [
                 rows.mark_of_rows(list(group))
                 for _, group in groupby(
-                    found, key=lambda row: (row["student"], row["quantity"], row["number"])
+                    found, key=lambda row: (row.student, row.quantity, row.number)
                 )
             ]
         kept = {(one.student, one.number): one for one in known or ()}
@@ -219,21 +224,21 @@ def open_gradebook(place: str) -> Gradebook:
 
 def _answers(
     connection: Connection, question: Select[Any], table: Table, students: Collection[str] | None
-) -> Iterator[RowMapping]:
+) -> Iterator[Row[Any]]:
     """Ask in portions of students, in the order of their ids; all at once where None.
 
     Rows come as they are asked for: those of a whole cohort take more room than what they say.
     """
     if students is None:
         with connection.execute(question, execution_options={"yield_per": _AT_ONCE}) as streamed:
-            yield from streamed.mappings()
+            yield from streamed
         return
     names = sorted(students)
     portions = [
         names[start : start + _ASKED_AT_ONCE] for start in range(0, len(names), _ASKED_AT_ONCE)
     ]
     for portion in portions:
-        yield from connection.execute(question.where(table.c.student.in_(portion))).mappings()
+        yield from connection.execute(question.where(table.c.student.in_(portion)))
 
 
 def attempt_rows(attempts: Sequence[Attempt]) -> Writing:

@@ -7,8 +7,8 @@ operating system does in one step. What was there before stays until the new fil
 import errno
 import os
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 _TOKEN_BYTES = 4
@@ -52,6 +52,26 @@ def write_text(path: Path, text: str, *, private: bool = False) -> None:
         OSError: the folder cannot be written; the old file is untouched.
     """
     write_bytes(path, text.encode(), private=private)
+
+
+def write_together(texts: Mapping[Path, Iterable[str]]) -> None:
+    """Write files as UTF-8 that belong together; none takes its place before all are whole.
+
+    Args:
+        texts: by file, the pieces of its text, asked for one after the other; only its owner may
+            read it.
+
+    Raises:
+        OSError: one of them cannot be written; what was there before is untouched.
+    """
+    with ExitStack() as stack:
+        for path, pieces in texts.items():
+            temporary = stack.enter_context(replacing(path))
+            make_private(temporary)
+            with temporary.open("w", encoding="utf-8", newline="") as stream:
+                stream.writelines(pieces)
+                stream.flush()
+                os.fsync(stream.fileno())
 
 
 @contextmanager

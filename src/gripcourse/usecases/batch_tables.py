@@ -1,16 +1,16 @@
 """The tables of a whole batch: grades and all files that were found, as CSV and JSON."""
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from gripcourse.batch.one_file import GradingContext
-from gripcourse.exports.files import Fate, FileAccount, files_csv, graded_account
-from gripcourse.exports.grades import Called, grades_csv
+from gripcourse.exports.files import Fate, FileAccount, files_text, graded_account
+from gripcourse.exports.grades import Called, grades_text
 from gripcourse.exports.report_json import report_json
 from gripcourse.exports.report_result import GradesResult, around_reports, grades_result
 from gripcourse.grading.model import Report
-from gripcourse.machine.files import make_private, replacing
+from gripcourse.machine.files import write_together
 from gripcourse.policy.scales import Scale
 from gripcourse.text.words import Words
 from gripcourse.usecases.collect import REASONS, PassedOver
@@ -48,16 +48,36 @@ def write_tables(
     out: Path,
     passed_over: Sequence[PassedOver] = (),
 ) -> None:
-    """Write what concerns the whole batch: grades and all files, as CSV and JSON."""
+    """Write what concerns the whole batch: grades and all files, as CSV and JSON.
+
+    All of them or none: on a full disk none is newer than the others.
+
+    Raises:
+        OSError: one of them cannot be written; those of an earlier run are untouched.
+    """
     students = {name: issued.student for name, issued in context.register.items()}
     words = Words(context.course.language)
-    grades_csv(reports, out / GRADES_CSV, students, Called(context.policy.scales, words))
-    accounts = (*map(graded_account, reports), *map(passed_over_account, passed_over))
-    files_csv(accounts, out / FILES_CSV, words)
     called = Called(context.policy.scales, words)
-    _write_json(
-        out / GRADES_JSON, _json_pieces(reports, called, passed_over, missing(reports, context))
+
+    def accounts() -> Iterator[FileAccount]:
+        yield from map(graded_account, reports)
+        yield from map(passed_over_account, passed_over)
+
+    write_together(
+        {
+            out / GRADES_CSV: _for_excel(lambda: grades_text(reports, students, called)),
+            out / FILES_CSV: _for_excel(lambda: files_text(accounts(), words)),
+            out / GRADES_JSON: _json_pieces(
+                reports, called, passed_over, missing(reports, context)
+            ),
+        }
     )
+
+
+def _for_excel(text: Callable[[], str]) -> Iterator[str]:
+    # The byte order mark is what tells Excel that the Cyrillic is UTF-8.
+    yield "\ufeff"
+    yield text()
 
 
 def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student, ...]:
@@ -66,14 +86,6 @@ def missing(reports: Sequence[Report], context: GradingContext) -> tuple[Student
     return tuple(
         issued.student for name, issued in sorted(context.register.items()) if name not in handed_in
     )
-
-
-def _write_json(path: Path, pieces: Iterable[str]) -> None:
-    """Write what `json_text` returns, one report after the other: all at once are large."""
-    with replacing(path) as temporary:
-        make_private(temporary)
-        with temporary.open("w", encoding="utf-8", newline="") as file:
-            file.writelines(pieces)
 
 
 def json_text(

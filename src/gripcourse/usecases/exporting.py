@@ -212,7 +212,7 @@ def _only_report(results: Results, student: str) -> ReportResult:
     found = [one for one in results.grades.reports if student in {"", one.student}]
     # Of several works of one student the policy may say which counts.
     of_one = len({one.student for one in found}) == 1
-    counting = [one for one in found if of_one and one.judged and one.counts]
+    counting = [one for one in found if of_one and one.judged and one.counts is not False]
     for chosen in (found, counting):
         if len(chosen) == 1:
             return chosen[0]

@@ -98,7 +98,7 @@ def works_of(
     """
     judged: dict[str, list[ReportResult]] = {}
     for report in grades.reports:
-        if report.judged and report.student and report.counts:
+        if report.judged and report.student and report.counts is not False:
             judged.setdefault(report.student, []).append(report)
     works, notes = [], []
     for student, reports in judged.items():
