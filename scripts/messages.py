@@ -76,6 +76,7 @@ class Source:
         method: Babel's name of the way to read them, or the way itself.
         functions: names of the functions whose first argument is a sentence.
         options: of the method.
+        counts: whether there are sentences of two forms, as well.
     """
 
     folder: str
@@ -83,6 +84,7 @@ class Source:
     method: str | Callable[..., Any]
     functions: tuple[str, ...]
     options: Mapping[str, str]
+    counts: bool = True
 
 
 SOURCES = (
@@ -93,6 +95,7 @@ SOURCES = (
         help_texts,
         ("help", "metavar", "show_default", "command_group"),
         {},
+        counts=False,
     ),
     # Not silent: a template that does not parse would count as one without sentences.
     Source("templates", "*.j2", "jinja2.ext:babel_extract", ("_",), {"silent": "false"}),
@@ -116,7 +119,9 @@ def extracted(root: Path) -> Iterator[Sentence]:
 
 
 def _sentences(stream: BinaryIO, source: Source) -> Iterator[Sentence]:
-    keywords: dict[str, Any] = {**dict.fromkeys(source.functions), "counted": (1, 2)}
+    keywords: dict[str, Any] = dict.fromkeys(source.functions)
+    if source.counts:
+        keywords["counted"] = (1, 2)
     options = dict(source.options)
     for _, text, _, _ in extract(source.method, stream, keywords=keywords, options=options):
         yield text if isinstance(text, str) else (text[0], text[1])

@@ -196,7 +196,7 @@ class TestHappyPaths:
         table.write_text("\n".join([head, first, *rest, twin]) + "\n", encoding="utf-8")
         doubled = gripcourse(*audit)
         assert doubled.code == cli.NEEDS_PERSON
-        assert "2 are too near to another variant." in doubled.out
+        assert "Too near to another variant: 2." in doubled.out
 
     def test_an_imported_table_is_counted(self, gripcourse: Command, tmp_path: Path) -> None:
         drawn, out = tmp_path / "drawn.csv", tmp_path / "own.csv"

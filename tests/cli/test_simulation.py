@@ -27,7 +27,7 @@ def test_a_cohort_is_simulated_and_evaluated(tmp_path: Path) -> None:
     out = tmp_path / "cohort"
     code, said = call("simulate", *FEW, "--out", str(out))
     assert code == 0
-    assert "2 workbooks of virtual students" in said
+    assert "Workbooks of virtual students in" in said
     assert len(list((out / "submissions").iterdir())) == 2
     code, said = call("evaluate", str(out), "--workers", "0")
     assert code == 0
@@ -38,7 +38,7 @@ def test_a_cohort_is_simulated_and_evaluated(tmp_path: Path) -> None:
 def test_a_cohort_is_evaluated_in_memory(tmp_path: Path) -> None:
     code, said = call("evaluate", "--in-memory", *FEW, "--misses", str(tmp_path / "misses.csv"))
     assert code == 0
-    assert "2 virtual students" in said
+    assert "Virtual students: 2" in said
     assert (tmp_path / "misses.csv").is_file()
 
 

@@ -221,7 +221,7 @@ class TestNearest:
         found = [finding(case, "bore_first", size) for size in sizes[place - 2 : place + 3]]
         right, wrong = Outcome.CORRECT, Outcome.WRONG
         assert [one.outcome for one in found] == [wrong, right, right, right, wrong]
-        assert "more than 1 steps from the nearest size" in str(found[0].message)
+        assert "more than 1 step from the nearest size" in str(found[0].message)
 
     def test_a_second_row_is_sound_where_it_is_as_near(self, nearest: "Case") -> None:
         """70 mm of the second row is farther from 59.7 mm than 63 mm."""

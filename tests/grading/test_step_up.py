@@ -20,7 +20,7 @@ NOT_STEPPED_UP = (
     "The size is not below the required value, but it does not satisfy F_t,max ≥ F_t: step up to "
     "the next size that does."
 )
-WASTEFUL = "Wastefully large: more than 1 steps above the smallest size that fits."
+WASTEFUL = "Wastefully large: more than 1 step above the smallest size that fits."
 PER_WIDTH = 6.7396  # newtons for each millimetre, by hand
 
 

@@ -45,9 +45,15 @@ def test_without_steps_only_the_nearest_size_is_asked_for(plan: Plan, steps: int
 @pytest.mark.parametrize(
     ("language", "said"),
     [
-        ("en", "the size of the series nearest to 3, or one within ±2 places of it"),
-        ("ru", "значение ряда, ближайшее к 3, или отстоящее от него в ряду не более чем на ±2"),
-        ("uk", "значення ряду, найближче до 3, або віддалене від нього в ряду не більше ніж на ±2"),
+        ("en", "nearest to 3, or one within 2 places of it"),
+        (
+            "ru",
+            "или отстоящее от него в ряду не более чем на 2 места",
+        ),
+        (
+            "uk",
+            "або віддалене від нього в ряду не більше ніж на 2 місця",
+        ),
     ],
 )
 def test_with_steps_the_nearest_size_has_neighbours_on_either_side(

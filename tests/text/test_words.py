@@ -1,7 +1,9 @@
+from copy import copy
+
 import pytest
 
 from gripcourse.text.number_text import format_number
-from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, counted, message
 
 EVERY_LANGUAGE = pytest.mark.parametrize("language", LANGUAGES)
 
@@ -57,3 +59,29 @@ def test_a_value_that_is_missing_is_an_error() -> None:
 def test_equal_messages_are_equal() -> None:
     assert message("{a}", a=1) == message("{a}", a=1)
     assert message("{a}", a=1) != message("{a}", a=2)
+
+
+@pytest.mark.parametrize(
+    ("language", "forms"),
+    [
+        ("en", {1: "1 assignment is", 2: "2 assignments are", 21: "21 assignments are"}),
+        (
+            "ru",
+            {1: "1 задание", 2: "2 задания", 5: "5 заданий", 11: "11 заданий", 21: "21 задание"},
+        ),
+        (
+            "uk",
+            {1: "1 завдання", 2: "2 завдання", 5: "5 завдань", 11: "11 завдань", 21: "21 завдання"},
+        ),
+    ],
+)
+def test_a_counted_message_goes_with_its_number(language: str, forms: dict[int, str]) -> None:
+    for number, form in forms.items():
+        said = counted(
+            "{count} assignment is in {folder}.",
+            "{count} assignments are in {folder}.",
+            number,
+            folder="out",
+        )
+        assert Words(language).say(said).startswith(f"{form} "), number
+        assert Words(language).say(copy(said)).startswith(f"{form} "), "as one that travelled"

@@ -178,7 +178,7 @@ class TestRefusals:
         table = classroom.order.table
         rows = table.read_text(encoding="utf-8-sig").splitlines()
         table.write_text("\n".join([*rows[:2], rows[7]]) + "\n", encoding="utf-8")
-        refused(classroom, TableError, "2 students need a variant and 1 variants are free")
+        refused(classroom, TableError, "Students who need a variant: 2; variants that are free: 1")
 
     def test_nothing_is_written_where_a_fixed_variant_is_unknown(
         self, classroom: Classroom

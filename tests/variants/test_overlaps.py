@@ -69,4 +69,4 @@ def test_of_bodies_the_audit_speaks_only_where_some_were_looked_at(
     )
     said = [audit_text(WrittenAudit("t.csv", found, (), tested), Words("en")) for tested in (0, 3)]
     assert "bodies" not in said[0]
-    assert "No bodies stand in each other in 3 variants." in said[1]
+    assert "No bodies stand in each other; variants looked at: 3." in said[1]

@@ -88,7 +88,7 @@ def moodle_xml(
     document = Words(document_language(language, loaded.language))
     place = table or main_table(loaded.root)
     count = moodle_questions(loaded, place, variants or (), out, document)
-    said = message("{count} questions were written to {file}.", count=count, file=str(out))
+    said = message("Questions written to {file}: {count}.", count=count, file=str(out))
     confirm(words_for(language).say(said))
 
 

@@ -255,7 +255,9 @@ def marking_text(marking: "Marking", context: "GradingContext", words: Words) ->
         )
     if marking.empty:
         lines.append(
-            words.say(message("{count} rows without a mark were left out.", count=marking.empty))
+            words.say(
+                message("Rows without a mark that were left out: {count}.", count=marking.empty)
+            )
         )
     if marking.items:
         lines.append(words.say(message("Grade again to renew the reports.")))

@@ -1,6 +1,7 @@
 """What is printed of regrades, of what students were told, and of a student's history."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -192,4 +193,4 @@ def _left_out(found: "Regrading", context: "GradingContext", words: Words) -> It
     for said, names in kinds:
         if names:
             more = f", … ({len(names)})" if len(names) > _NAMED else ""
-            yield words.say(Message(said.text, {"names": ", ".join(names[:_NAMED]) + more}))
+            yield words.say(replace(said, values={"names": ", ".join(names[:_NAMED]) + more}))

@@ -151,7 +151,7 @@ def tolerance_audit(  # noqa: PLR0913 (one parameter per option)
     typer.echo(f"\n{paying_text(paying, words)}")
     if apply:
         changed = command.apply(found, loaded, policy)
-        said = message("{count} tolerances were written into the policy.", count=changed)
+        said = message("Tolerances written into the policy: {count}.", count=changed)
         confirm(words.say(said))
     elif found.refuses or paying.problems:
         raise typer.Exit(NEEDS_PERSON)

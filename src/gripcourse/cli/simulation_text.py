@@ -74,7 +74,7 @@ def simulated_text(count: int, out: Path, seconds: float, words: Words) -> str:
     """Return how many workbooks were written, where, and how fast."""
     return words.say(
         message(
-            "{count} workbooks of virtual students are in {folder}: {speed} per second.",
+            "Workbooks of virtual students in {folder}: {count}, {speed} per second.",
             count=count,
             folder=str(out),
             speed=float(f"{count / max(seconds, 1e-9):.3g}"),
@@ -94,7 +94,7 @@ def evaluation_text(
         layout: of the tables.
     """
     lines = [
-        words.say(message("{count} virtual students", count=found.students)),
+        words.say(message("Virtual students: {count}", count=found.students)),
         _confusion(found, words, layout),
         rates_table(found.rates, _RATES, words, layout),
         _kinds(found, policy, words, layout),

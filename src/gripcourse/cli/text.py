@@ -2,7 +2,7 @@
 
 import json
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -14,7 +14,7 @@ from gripcourse.cli.table_layout import table_text
 from gripcourse.errors import Problem, UsageError
 from gripcourse.machine.files import write_text
 from gripcourse.text.shown import one_line, shown
-from gripcourse.text.words import Message, Texts, Words, message
+from gripcourse.text.words import Message, Texts, Words, counted, message
 
 # rich costs 60 ms to import: only who prints a table or a bar pays; likewise other rare ones.
 # ruff: noqa: PLC0415
@@ -96,15 +96,19 @@ def progress() -> Iterator[Step]:
         yield step
 
 
+def written_variants(count: int, file: Path) -> Message:
+    """Say how many variants a file got."""
+    return counted(
+        "{count} variant was written to {file}.",
+        "{count} variants were written to {file}.",
+        count,
+        file=str(file),
+    )
+
+
 def drawn_text(drawn: "Drawn", out: Path, words: Words) -> str:
     """Return how many variants were drawn, the acceptance rates and the main reasons."""
-    lines = [
-        words.say(
-            message(
-                "{count} variants were written to {file}.", count=len(drawn.variants), file=str(out)
-            )
-        )
-    ]
+    lines = [words.say(written_variants(len(drawn.variants), out))]
     for tally in drawn.tallies:
         lines.append(
             words.say(
@@ -138,15 +142,16 @@ def audit_text(audited: "WrittenAudit", words: Words) -> str:
     found = audited.audit
     share = float(found.apart.whole.share.max(initial=0.0))
     said = [
-        message("{count} variants of {file} were checked.", count=len(found.variants),
-                file=str(audited.table)),
-        message("{count} break a rule of their space.",
+        counted("{count} variant of {file} was checked.",
+                "{count} variants of {file} were checked.",
+                len(found.variants), file=str(audited.table)),
+        message("Breaking a rule of their space: {count}.",
                 count=sum(bool(one.broken) for one in found.variants)),
-        message("{count} have a slip that gives nearly the right result.",
+        message("With a slip that gives nearly the right result: {count}.",
                 count=sum(bool(one.slips) for one in found.variants)),
-        message("{count} have a size at the edge of its step.",
+        message("With a size at the edge of its step: {count}.",
                 count=sum(bool(one.edges) for one in found.variants)),
-        message("{count} are too near to another variant.",
+        message("Too near to another variant: {count}.",
                 count=sum(one.above for one in found.variants)),
         *_overlap_lines(found, audited.tested),
         message("At most {share} % of the points of computed quantities are shared.",
@@ -169,38 +174,51 @@ def _overlap_lines(found: "VariantAudit", tested: int) -> Iterator[Message]:
     if found.overlaps is None or not tested:
         return
     if not found.overlaps:
-        yield message("No bodies stand in each other in {count} variants.",
-                      count=tested)  # fmt: skip
+        yield message("No bodies stand in each other; variants looked at: {count}.", count=tested)
         return
-    yield message("{count} have bodies that stand in each other:", count=found.overlaps)
+    yield message("With bodies that stand in each other: {count}.", count=found.overlaps)
     worst = [(one.variant.id, one.overlap) for one in found.variants if one.overlap is not None]
     for variant, overlap in worst[:_MOST_TOLD]:
         yield message("  {variant}: {what}", variant=variant, what=overlap_text(overlap))
 
 
 def _monotony_lines(found: "VariantAudit") -> Iterator[Message]:
+    """Name what hardly differs from variant to variant; nothing where everything does."""
     same, ends, verdicts = found.same_sizes, found.same_ends, found.lopsided_verdicts
-    yield message("{count} sizes are one and the same in most variants of a scheme:"
-                  " {sizes}.", count=len(same), sizes="; ".join(
-                      f"{one.scheme} {one.quantity} {round(100 * one.share)} %"
-                      for one in same[:_MOST_TOLD]) or "—")  # fmt: skip
-    yield message("{count} verdicts hardly come out either way: {verdicts}.",
-                  count=len(verdicts), verdicts="; ".join(
-                      f"{one.scheme} {one.quantity} {one.yes}/{one.variants}"
-                      for one in verdicts[:_MOST_TOLD]) or "—")  # fmt: skip
-    yield message("{count} formulas mostly take the same of two values: {formulas}.",
-                  count=len(ends), formulas="; ".join(
-                      f"{one.scheme} {one.quantity} {round(100 * one.same)} %"
-                      for one in ends[:_MOST_TOLD]) or "—")  # fmt: skip
+    if same:
+        yield message("Sizes that are one and the same in most variants of a scheme: {sizes}.",
+                      sizes=_some(f"{one.scheme} {one.quantity} {round(100 * one.share)} %"
+                                  for one in same))  # fmt: skip
+    if verdicts:
+        yield message("Verdicts that hardly come out either way: {verdicts}.",
+                      verdicts=_some(f"{one.scheme} {one.quantity} {one.yes}/{one.variants}"
+                                     for one in verdicts))  # fmt: skip
+    if ends:
+        yield message("Formulas that mostly take the same of two values: {formulas}.",
+                      formulas=_some(f"{one.scheme} {one.quantity} {round(100 * one.same)} %"
+                                     for one in ends))  # fmt: skip
     if found.told_ends:
-        yield message("{count} formulas can take only one of two values: ends.csv says why.",
-                      count=len(found.told_ends))  # fmt: skip
+        yield message("Formulas that can take only one of two values, as ends.csv says why:"
+                      " {count}.", count=len(found.told_ends))  # fmt: skip
+
+
+def _some(named: Iterable[str]) -> Message:
+    """Name the first of several."""
+    names = list(named)
+    said = message("{names}", names="; ".join(names[:_MOST_TOLD]))
+    more = len(names) - _MOST_TOLD
+    return message("{names} and {count} more", names=said, count=more) if more > 0 else said
 
 
 def issuing_text(issuing: "Issuing", out: Path, words: Words) -> str:
     """Return what was issued, the notes and what could not be written."""
     whole = [one for one in issuing.handouts if not one.faults]
-    said = message("{count} assignments are in {folder}.", count=len(whole), folder=str(out))
+    said = counted(
+        "{count} assignment is in {folder}.",
+        "{count} assignments are in {folder}.",
+        len(whole),
+        folder=str(out),
+    )
     lines = [words.say(said), *(words.say(note) for note in issuing.notes)]
     lines += [
         f"{one_line(one.student)}: {words.say(fault)}"

@@ -28,7 +28,7 @@ from gripcourse.cli.options import (
     main_table,
     words_for,
 )
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Words, message
 
 # Every command imports what it needs itself: numpy, pandas and WeasyPrint cost up to half a second.
 # ruff: noqa: PLC0415
@@ -83,7 +83,7 @@ def import_(
     table = import_table(load_course(course_folder(course)), source, out)
     for note in table.notes:
         confirm(words.say(note))
-    confirm(words.say(_written(len(table.variants), out)))
+    confirm(words.say(cli_text.written_variants(len(table.variants), out)))
 
 
 @app.command("template", cls=SpokenCommand)
@@ -101,11 +101,7 @@ def template(
 
     words = words_for(language)
     variants = write_template(load_course(course_folder(course)), scheme, rows, out)
-    confirm(words.say(_written(len(variants), out)))
-
-
-def _written(count: int, file: Path) -> Message:
-    return message("{count} variants were written to {file}.", count=count, file=str(file))
+    confirm(words.say(cli_text.written_variants(len(variants), out)))
 
 
 @app.command("audit", cls=SpokenCommand)

@@ -211,7 +211,7 @@ def _faults_of_amount(draft: Draft, result: Result, rubric: Rubric | None) -> It
     if points is not None and not (math.isfinite(points) and 0 <= points <= most):
         yield EntryFault(
             "points",
-            message("{points} points are outside of the item.", points=points),
+            message("The item cannot have so many points: {points}.", points=points),
             message("Write a number from 0 to {most}.", most=result.max_points),
         )
     if draft.credit is not None and (points is not None or draft.lines):

@@ -9,7 +9,7 @@ from gripcourse.grading.model import Against, Cause, Finding, Outcome
 from gripcourse.grading.substitution import Substitution
 from gripcourse.solver.plan import Plan
 from gripcourse.text.amounts import amount_text
-from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, counted, message
 
 
 def roots_of(plan: Plan, outcomes: Mapping[str, tuple[Outcome, Against]]) -> dict[str, set[str]]:
@@ -67,10 +67,11 @@ def causes_of(
         Cause(
             root,
             tuple(names),
-            message(
+            counted(
+                "Your {title} explains {count} later answer.",
                 "Your {title} explains {count} later answers.",
+                len(names),
                 title=plan.quantities[root].title,
-                count=len(names),
             ),
         )
         for root, names in explained.items()

@@ -16,7 +16,7 @@ from gripcourse.slips.model import SlipId
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
 from gripcourse.solver.size_numbers import entry_number
-from gripcourse.text.words import LANGUAGES, Message, Texts, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, counted, message
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -144,9 +144,10 @@ def _fault_up(
     largest = float(series[min(first + choice.steps, len(series) - 1)])
     if chosen <= largest * (1 + _SAME):
         return None
-    return message(
-        "Wastefully large: more than {steps} steps above the smallest size that fits.",
-        steps=choice.steps,
+    return counted(
+        "Wastefully large: more than {count} step above the smallest size that fits.",
+        "Wastefully large: more than {count} steps above the smallest size that fits.",
+        choice.steps,
     )
 
 
@@ -164,9 +165,10 @@ def _fault_nearest(
         return None
     if not steps:
         return message("Not the nearest size: another one is nearer to the required value.")
-    return message(
-        "Too far from what is required: more than {steps} steps from the nearest size.",
-        steps=steps,
+    return counted(
+        "Too far from what is required: more than {count} step from the nearest size.",
+        "Too far from what is required: more than {count} steps from the nearest size.",
+        steps,
     )
 
 

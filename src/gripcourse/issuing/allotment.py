@@ -134,8 +134,8 @@ def _allot(
                 "",
                 "",
                 message(
-                    "{students} students need a variant and {free} variants are free:"
-                    " {missing} are missing.",
+                    "Students who need a variant: {students}; variants that are free: {free};"
+                    " missing: {missing}.",
                     students=len(waiting),
                     free=len(free),
                     missing=len(waiting) - len(free),

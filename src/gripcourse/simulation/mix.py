@@ -187,5 +187,5 @@ def _whole(table: Table, name: str) -> int:
 def _check_figures(table: Table, mix: Mix) -> None:
     for figures in mix.figures:
         if not 1 <= figures <= DISPLAY:
-            what = message("Nobody writes {value} figures.", value=figures)
+            what = message("Nobody writes so many figures: {value}.", value=figures)
             table.add("figures", what, message("Write 1 to {most}.", most=DISPLAY))

@@ -14,7 +14,7 @@ from gripcourse.formula.tree import Call, Formula, walk
 from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.condition_text import condition_text
 from gripcourse.solver.plan import Plan
-from gripcourse.text.words import Message, Words, message
+from gripcourse.text.words import Message, Words, counted, message
 
 NOTED: Final = frozenset({Kind.CHOICE, Kind.PICK, Kind.VERDICT})
 """Kinds of answers that the note of the source stands beside without being asked for."""
@@ -69,9 +69,14 @@ def _rule(quantity: Quantity, plan: Plan, words: Words) -> Iterator[str]:
     elif choice.rounding is Rounding.NEAREST and not choice.steps:
         yield words.say(message("the size of the series nearest to {needed}", needed=needed))
     elif choice.rounding is Rounding.NEAREST:
-        yield words.say(message(
-            "the size of the series nearest to {needed}, or one within ±{count} places of it",
-            needed=needed, count=choice.steps))  # fmt: skip
+        yield words.say(
+            counted(
+                "the size of the series nearest to {needed}, or one within {count} place of it",
+                "the size of the series nearest to {needed}, or one within {count} places of it",
+                choice.steps or 0,
+                needed=needed,
+            )
+        )
     else:
         yield words.say(_from_needed_up(quantity, sizes, needed, plan, words))
         if quantity.steps_up:
@@ -102,7 +107,9 @@ def _sizes(choice: Choice) -> Message:
         return message("any size")
     if not choice.steps:
         return message("the first size")
-    return message("one of the first {count} sizes", count=choice.steps + 1)
+    return counted(
+        "one of the first {count} size", "one of the first {count} sizes", choice.steps + 1
+    )
 
 
 def _reads_table(formula: Formula) -> bool:

@@ -25,14 +25,17 @@ class Message:
     Attributes:
         text: the English sentence with `{named}` places; it is the key of the catalogues too.
         values: what stands in the places: text, numbers, other messages or `Texts`.
+        many: the same sentence for any number but one, where its form goes with a number; else
+            empty. The number is the value `count`.
     """
 
     text: str
     values: Mapping[str, object] = field(default_factory=dict)
+    many: str = ""
 
-    def __reduce__(self) -> "tuple[type[Message], tuple[str, Mapping[str, object]]]":
+    def __reduce__(self) -> "tuple[type[Message], tuple[str, Mapping[str, object], str]]":
         # Half the time that dataclasses take of themselves; a batch unpacks millions.
-        return Message, (self.text, self.values)
+        return Message, (self.text, self.values, self.many)
 
     def __str__(self) -> str:
         """The sentence in English."""
@@ -55,6 +58,18 @@ def message(text: str, /, **values: object) -> Message:
     return Message(text, values)
 
 
+def counted(one: str, many: str, count: int, /, **values: object) -> Message:
+    """Make a message whose form goes with a whole number, which stands in the place `{count}`.
+
+    Args:
+        one: the English sentence for one.
+        many: the same for any other number.
+        count: the number.
+        **values: what stands in the other places.
+    """
+    return Message(one, {**values, "count": count}, many)
+
+
 @dataclass(frozen=True, slots=True)
 class Words:
     """The language that one reader sees."""
@@ -63,7 +78,7 @@ class Words:
 
     def say(self, said: Message) -> str:
         """Put a message into words: translated, numbers written as the language writes them."""
-        template = self.translate(said.text)
+        template = self._form(said) if said.many else self.translate(said.text)
         return template.format(**{name: self._place(v) for name, v in said.values.items()})
 
     def translate(self, text: str) -> str:
@@ -87,6 +102,12 @@ class Words:
     def number(self, value: float, figures: int = 5) -> str:
         """Write a number with so many significant figures, as the language writes it."""
         return format_number(value, self.language, figures)
+
+    def _form(self, said: Message) -> str:
+        count = said.values["count"]
+        if not isinstance(count, int):
+            raise TypeError(count)
+        return self.counted(said.text, said.many, count)
 
     def _place(self, value: object) -> str:
         if isinstance(value, Message):

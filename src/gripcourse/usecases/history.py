@@ -79,7 +79,7 @@ def history(
     for told in publications(book):
         if told.student == student:
             said = message(
-                "Told to the student: {points} of {most} points (attempt {number}).",
+                "Points told to the student: {points} of {most} (attempt {number}).",
                 points=round(told.points, _DECIMALS),
                 most=round(told.max_points, _DECIMALS),
                 number=numbers.get(told.attempt, told.attempt),
@@ -145,7 +145,7 @@ def _result(attempt: Attempt) -> Message:
         return message("not judged.")
     sums = points_of(attempt.results, {})
     return message(
-        "{points} of {most} points by the program.",
+        "Points by the program: {points} of {most}.",
         points=round(sums.score, _DECIMALS),
         most=round(sums.max_score, _DECIMALS),
     )
@@ -168,7 +168,7 @@ def _of_mark(entry: GradebookEntry, called: Callable[[str], str]) -> Event:
         result = entry.attempt.by_quantity.get(mark.quantity)
         possible = result.max_points if result else 0.0
         what = message(
-            "{item}: {points} of {most} points.",
+            "{item}: points {points} of {most}.",
             item=item,
             points=round(mark.credit * possible, _DECIMALS),
             most=round(possible, _DECIMALS),

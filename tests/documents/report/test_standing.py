@@ -14,7 +14,7 @@ Change = Callable[..., Report]
 
 def test_what_waits_is_said_in_points_and_by_name(perfect: Report, plan: Plan) -> None:
     said = waiting_text(perfect, plan.quantities, Words("en"))
-    assert said.startswith("4 of 136 points wait for a person: ")
+    assert said.startswith("Points that wait for a person: 4 of 136; ")
     names = [
         plan.quantities[one.quantity].title.of("en") for one in perfect.findings if one.is_open
     ]

@@ -13,7 +13,7 @@ from gripcourse.formula.tree import Formula
 from gripcourse.formula.typeset import typeset
 from gripcourse.text.amounts import amount_text, percent_text
 from gripcourse.text.units import unit_text
-from gripcourse.text.words import LANGUAGES, Message, Texts, Words, message
+from gripcourse.text.words import LANGUAGES, Message, Texts, Words, counted, message
 
 _FIGURES: Final = 12  # a declared number is printed as it was declared
 _KINDS: Final = {
@@ -301,10 +301,16 @@ def _accepted(choice: Choice) -> Message:
     if choice.rounding is Rounding.NEAREST:
         if not choice.steps:
             return message("no other entry is accepted")
-        return message("accepted up to {steps} steps on either side of it", steps=choice.steps)
+        return counted(
+            "accepted {count} step on either side of it",
+            "accepted up to {count} steps on either side of it",
+            choice.steps,
+        )
     if choice.steps is None:
         return message("any larger entry is accepted")
-    return message("accepted up to {steps} steps above it", steps=choice.steps)
+    return counted(
+        "accepted {count} step above it", "accepted up to {count} steps above it", choice.steps
+    )
 
 
 def _printed(one: AsPrinted, quantity: Quantity, symbols: Symbols, words: Words) -> Printed:

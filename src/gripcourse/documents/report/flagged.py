@@ -1,7 +1,7 @@
 """What somebody should look at before marks are published, in an instructor's words."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final
 
@@ -56,7 +56,7 @@ def _titled(said: Message, declared: Mapping[str, Quantity], words: Words) -> Me
         ids = listed.split(", ") if isinstance(listed, str) else []
         if ids and all(id_ in declared for id_ in ids):
             values[place] = _named(ids, count, declared, words)
-    return Message(said.text, values)
+    return replace(said, values=values)
 
 
 def _named(

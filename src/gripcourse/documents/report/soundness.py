@@ -86,8 +86,8 @@ def time_sentence(reports: Sequence[Report], words: Words) -> str:
         return ""
     works = Counter({student: timing.of for student, timing in timed})
     said = message(
-        "{works} works of {students} students; {again} of them handed in more than once, and"
-        " {late} works came late.",
+        "Works: {works}, students: {students}; handed in more than once: {again}; late works:"
+        " {late}.",
         works=len(timed),
         students=len(works),
         again=sum(count > 1 for count in works.values()),

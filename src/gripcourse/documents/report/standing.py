@@ -52,7 +52,7 @@ def waiting_text(report: Report, quantities: Mapping[str, Quantity], words: Word
         if one.is_open
     ]
     said = message(
-        "{points} of {total} points wait for a person: {names}.",
+        "Points that wait for a person: {points} of {total}; {names}.",
         points=points_text(report.open_points, words),
         total=points_text(report.max_score + report.open_points, words),
         names="; ".join(names),
@@ -69,8 +69,8 @@ def timing_texts(report: Report, words: Words) -> list[str]:
     if timing.days_late and timing.handed_in and timing.deadline:
         said.append(
             message(
-                "Handed in {when}, the deadline was {deadline}: {days} days late. Lateness takes "
-                "{share} off, {earned} of {score} points count.",
+                "Handed in {when}, the deadline was {deadline}; days late: {days}. Lateness takes "
+                "{share} off; points that count: {earned} of {score}.",
                 when=_moment(timing.handed_in, timing.deadline),
                 deadline=_moment(timing.deadline, timing.deadline),
                 days=timing.days_late,
