@@ -42,7 +42,7 @@ def with_ids(
     made: list[str] = []
     for place in nameless:
         student = students[place]
-        id_ = _known_id(student, known) or ""
+        id_ = _known_id(student, known, students) or ""
         if not id_:
             id_ = _free(_wanted(student), taken)
             taken.add(id_.casefold())
@@ -51,14 +51,18 @@ def with_ids(
     return tuple(found), _note(made), doubles
 
 
-def _known_id(student: Student, known: Iterable[Student]) -> str | None:
-    """Return the id of the one known student who this is; None for nobody, or several."""
+def _known_id(student: Student, known: Iterable[Student], listed: Iterable[Student]) -> str | None:
+    """Return the id of the one known student who this is; None for nobody, or several.
+
+    Who was listed without a group may have got one since, where the list has no namesake.
+    """
+    alone = sum(_same(one.name, student.name) for one in listed) == 1
     same = [one for one in known if student.email and _same(one.email, student.email)]
     same = same or [
         one
         for one in known
         if _same(one.name, student.name)
-        and _same(one.group, student.group)
+        and (_same(one.group, student.group) or (alone and not one.group))
         and not (one.email and student.email)
     ]
     return same[0].id if len(same) == 1 else None

@@ -7,9 +7,10 @@ column or in three, no ids. Who has no id gets one, the same again whenever the 
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gripcourse.errors import Problem, TableError
+from gripcourse.issuing.group_titles import GroupTitles, group_titles
 from gripcourse.issuing.made_ids import with_ids
 from gripcourse.issuing.office_list import PARTS_OF_NAME, with_names, with_somebody
 from gripcourse.machine.content import Readable
@@ -75,9 +76,11 @@ def read_roster(
         problems.append(_without_names(whole, columns))
     students: tuple[Student, ...] = ()
     made: tuple[Message, ...] = ()
+    groups = GroupTitles() if "group" in columns else group_titles(whole)
+    sheet = replace(sheet, rows=tuple(row for row in sheet.rows if row.number not in groups.rows))
     sheet, left_out = with_somebody(sheet, columns, vocabulary)
     if not problems:
-        reader = _Reader(sheet, columns, languages, problems)
+        reader = _Reader(sheet, columns, languages, groups, problems)
         students = tuple(reader.student(row) for row in sheet.rows)
         reader.refuse_doubles(students)
     if columns and not sheet.rows:
@@ -91,7 +94,7 @@ def read_roster(
         )
     if problems:
         raise TableError(problems)
-    return Roster(students, (*sheet.notes, *left_out, *made))
+    return Roster(students, (*sheet.notes, *groups.note(), *left_out, *made))
 
 
 def _without_names(whole: Sheet, columns: Mapping[str, TableColumn]) -> Problem:
@@ -111,6 +114,7 @@ class _Reader:
     sheet: Sheet
     columns: Mapping[str, TableColumn]
     languages: Sequence[str]
+    groups: GroupTitles
     problems: list[Problem]
 
     def student(self, row: SheetRow) -> Student:
@@ -120,7 +124,7 @@ class _Reader:
             id=unicodedata.normalize("NFC", self._cell(row, "student")),
             name=self._name(row),
             # A letter has its headings line by line: nobody adds one by a cell of two lines.
-            group=" ".join(self._cell(row, "group").split()),
+            group=" ".join(self._cell(row, "group").split()) or self.groups.above(row.number),
             email=" ".join(self._cell(row, "email").split()),
             language=self._language(row),
             variant=self._cell(row, "variant"),

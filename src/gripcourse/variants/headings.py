@@ -7,7 +7,7 @@ table has is in `headings.toml`.
 import re
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from importlib.resources import files
@@ -26,6 +26,7 @@ from gripcourse.variants.sheet import Sheet, SheetRow, column_name
 
 _LISTED: Final = 100  # names of columns, at most, of which it helps to be shown the first
 _REMEMBERED: Final = 4  # courses
+_WORD: Final = re.compile(r"[^\W_]+(?:'[^\W_]+)?|[№#]")
 _WITH_UNIT = (
     re.compile(r"(?P<name>.+?)\s*\[(?P<unit>[^\[\]]*)\]"),
     re.compile(r"(?P<name>.+?)\s*\((?P<unit>[^()]*)\)"),
@@ -57,12 +58,14 @@ class Vocabulary:
         titles: ids by titles in any language, in small letters.
         symbols: ids by symbols, in which capitals count.
         quantities: those of the ids that carry a unit.
+        spoken: ids by their words alone, however dots, commas and strokes stand between them.
     """
 
     ids: Mapping[str, frozenset[str]]
     titles: Mapping[str, frozenset[str]]
     symbols: Mapping[str, frozenset[str]]
     quantities: Mapping[str, Quantity]
+    spoken: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     def is_heading(self, text: str) -> bool:
         """Tell whether a text, with or without a unit, is the name of a column."""
@@ -76,7 +79,8 @@ class Vocabulary:
         small = plain(name)
         title, _, symbol = name.rpartition(",")
         both = self.titles.get(plain(title), frozenset()) & self._of_symbol(symbol)
-        return both or self.ids.get(small) or self.titles.get(small) or self._of_symbol(name)
+        exact = both or self.ids.get(small) or self.titles.get(small) or self._of_symbol(name)
+        return exact or self.spoken.get(_spoken(name), frozenset())
 
     def _of_symbol(self, text: str) -> frozenset[str]:
         return self.symbols.get(text.strip(), frozenset())
@@ -97,7 +101,9 @@ def declared_names(table: str) -> Mapping[str, frozenset[str]]:
 
 def roster_vocabulary() -> Vocabulary:
     """Return what the columns of a roster may be called."""
-    return Vocabulary(declared_names("roster"), {}, {}, {})
+    ids = declared_names("roster")
+    spoken = _grouped((_spoken(name), id_) for name, found in ids.items() for id_ in found)
+    return Vocabulary(ids, {}, {}, {}, spoken)
 
 
 def table_vocabulary(course: Course) -> Vocabulary:
@@ -287,6 +293,11 @@ def _unit(
         )  # fmt: skip
         return None
     return unit
+
+
+def _spoken(name: str) -> str:
+    """Return the words of a heading: offices put dots and commas between them as they like."""
+    return " ".join(_WORD.findall(plain(name)))
 
 
 def _all(texts: Texts) -> tuple[str, ...]:

@@ -62,6 +62,7 @@ class Sheet:
             are separated by commas it could group thousands.
         notes: how the file was read where it could have been read in another way.
         heading_row: in which row the headings are, as a spreadsheet shows it.
+        titles: what stands in the rows above the headings.
     """
 
     file: str
@@ -70,6 +71,7 @@ class Sheet:
     decimal_comma: bool
     notes: tuple[Message, ...] = ()
     heading_row: int = 1
+    titles: tuple[str, ...] = ()
 
 
 def read_sheet(source: Readable, is_heading: IsHeading = lambda _: False) -> Sheet:
@@ -181,7 +183,8 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
             message("The table is blank."),
             message("Put the headings into the first row of the first sheet."),
         )
-    rows = rows[_heading_row(rows, is_heading) :]
+    heading = _heading_row(rows, is_heading)
+    above, rows = rows[:heading], rows[heading:]
     width = max(_width(row.cells) for row in rows)
     if width * len(rows) > _MOST_CELLS:
         raise _failure(
@@ -200,6 +203,7 @@ def _sheet(source: Readable, found: list[SheetRow], is_heading: IsHeading) -> Sh
         rows=tuple(padded[1:]),
         decimal_comma=True,
         heading_row=padded[0].number,
+        titles=tuple(cell for row in above for cell in row.cells if cell),
     )
 
 

@@ -4,6 +4,7 @@ from gripcourse.course.column_symbols import column_symbols
 from gripcourse.course.quantity import Kind, Quantity, Rounding
 from gripcourse.formula.boxes import Box
 from gripcourse.formula.plain import text
+from gripcourse.formula.prose import without_looks
 from gripcourse.formula.tree import Call, Formula, names, walk
 from gripcourse.formula.typeset import symbol_box, typeset
 from gripcourse.solver.condition_text import condition_text
@@ -26,11 +27,17 @@ def formula_text(quantity: Quantity, plan: Plan, words: Words) -> str:
         return f"{own} = {written}{_units(formula, plan, words)}"
     if reference_rounding(quantity, plan.convention) is Rounding.NEAREST:
         rule = message(
-            "{own} ≈ {required}, from {series}", own=own, required=written, series=_series(quantity)
+            "{own} ≈ {required}, from {series}",
+            own=own,
+            required=written,
+            series=_series(quantity, plan, words),
         )
     else:
         rule = message(
-            "{own} ≥ {required}, from {series}", own=own, required=written, series=_series(quantity)
+            "{own} ≥ {required}, from {series}",
+            own=own,
+            required=written,
+            series=_series(quantity, plan, words),
         )
     if reference_steps_up(quantity, plan.convention):
         condition = condition_text(quantity, plan, words.language)
@@ -93,5 +100,10 @@ def _units(formula: Formula, plan: Plan, words: Words) -> str:
     return f"  [{'; '.join(listed)}]" if listed else ""
 
 
-def _series(quantity: Quantity) -> str:
-    return "" if quantity.choice is None else quantity.choice.column
+def _series(quantity: Quantity, plan: Plan, words: Words) -> str:
+    """Return what a person calls the series that a size is taken from."""
+    if quantity.choice is None:
+        return ""
+    catalogue = plan.course.catalogues[quantity.choice.column.partition(".")[0]]
+    title = catalogue.source if catalogue.title is None else catalogue.title
+    return f"«{without_looks(title.of(words.language))}»"

@@ -5,6 +5,7 @@ absolute tolerance, and it knows nothing of consequences: a part counts by its o
 """
 
 import re
+from base64 import b64encode
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
 from html import escape
@@ -13,11 +14,13 @@ from xml.etree import ElementTree as ET
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Kind, Quantity
-from gripcourse.documents.assignment_sheet import given_data
+from gripcourse.documents.assignment_sheet import given_data, option_pairs
+from gripcourse.drawing.diagram.kinematic_diagram import KinematicDiagram, kinematic_diagram
+from gripcourse.drawing.diagram.nominal import nominal_values
 from gripcourse.policy.bands import band
 from gripcourse.policy.model import Policy
 from gripcourse.policy.points import points_of
-from gripcourse.solver.plan import plan_of
+from gripcourse.solver.plan import Plan, plan_of
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.shown import shown
 from gripcourse.text.units import unit_text
@@ -28,6 +31,7 @@ _LOWERED: Final = re.compile(r"_([^\W_]+)")
 _DIGITS: Final = 10  # significant
 _LEAST: Final = 1e-9  # a tolerance of zero would refuse what floating point rounds
 _WEIGHT: Final = 10  # weights are whole numbers: tenths of points
+_DIAGRAM: Final = "diagram.svg"
 _PENALTY: Final = "0.3333333"
 
 
@@ -63,7 +67,13 @@ def _add_question(
     question = ET.SubElement(quiz, "question", type="cloze")
     ET.SubElement(ET.SubElement(question, "name"), "text").text = shown(_title(variant, words))
     text = ET.SubElement(question, "questiontext", format="html")
-    ET.SubElement(text, "text").text = shown("".join(_html(variant, course, policy, words)))
+    plan = plan_of(course, variant.composition)
+    diagram = kinematic_diagram(plan, nominal_values(plan), words.language)
+    html = _html(variant, plan, diagram, policy, words)
+    ET.SubElement(text, "text").text = shown("".join(html))
+    if diagram is not None:
+        file = ET.SubElement(text, "file", name=_DIAGRAM, path="/", encoding="base64")
+        file.text = b64encode(diagram.svg().encode()).decode()
     ET.SubElement(ET.SubElement(question, "generalfeedback", format="html"), "text").text = ""
     ET.SubElement(question, "penalty").text = _PENALTY
     ET.SubElement(question, "hidden").text = "0"
@@ -74,11 +84,18 @@ def _title(variant: Variant, words: Words) -> str:
     return words.say(message("Variant {id}", id=variant.id))
 
 
-def _html(variant: Variant, course: Course, policy: Policy, words: Words) -> Iterator[str]:
-    """Yield the text of a question: what is given, then a line for each answer."""
-    plan = plan_of(course, variant.composition)
-    language = words.language
-    yield f"<p>{escape(plan.scheme.task.of(language))}</p><ul>"
+def _html(
+    variant: Variant, plan: Plan, diagram: KinematicDiagram | None, policy: Policy, words: Words
+) -> Iterator[str]:
+    """Yield the text of a question: the diagram, what is given, then a line for each answer."""
+    course, language = plan.course, words.language
+    yield f"<p>{escape(plan.scheme.task.of(language))}</p>"
+    if diagram is not None:
+        address, alt = f"@@PLUGINFILE@@/{_DIAGRAM}", escape(diagram.title)
+        yield f'<p><img src="{address}" alt="{alt}" style="max-width:100%"></p>'
+    yield "<ul>"
+    for title, choice in option_pairs(plan, words):
+        yield f"<li>{escape(title)}: {escape(choice)}</li>"
     for datum in given_data(plan.givens, variant.given, words):
         value = f"{datum.value} {datum.unit}".strip()
         yield f"<li>{escape(datum.title)}: {_symbol(datum.symbol)} = {escape(value)}</li>"
