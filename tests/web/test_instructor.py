@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 import pytest
 from starlette.testclient import TestClient
 
-from gripcourse.usecases.publish import current, withdraw
+from gripcourse.machine.files import write_bytes
+from gripcourse.usecases.publish import current, publish, published_to, withdraw
 from gripcourse.usecases.sign_in import SIGN_IN_MINUTES, offer_sign_in
 from gripcourse.web.checking import make_checkers
 from gripcourse.web.downloads import download_routes
@@ -149,3 +150,27 @@ def test_results_are_seen_from_publication_to_withdrawal(
         (True, "Dr. Ноль", "<b>term</b> over"),
         (False, "Dr. Ноль", "a mistake"),
     ]
+
+
+def test_two_clicks_publish_twice_and_students_see_the_results(
+    server: "Server", filled: bytes, tmp_path: "Path", monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.client().post(f"{server.home('s01')}hand-in", files={"file": ("a.xlsx", filled)})
+    server.grade(tmp_path)
+    context, now = server.context, server.clock.now
+    second: list[int] = []
+
+    def meanwhile(path: "Path", data: bytes, *, private: bool) -> None:
+        if not second:
+            second.append(0)
+            second[:] = [publish(context, server.graded, "Dr. Ray", "second", now).number]
+        write_bytes(path, data, private=private)
+
+    monkeypatch.setattr("gripcourse.usecases.publish.write_bytes", meanwhile)
+    first = publish(context, server.graded, "Dr. Ray", "first", now).number
+    assert first < second[0]
+    shown = current(context)
+    assert shown is not None
+    assert shown.number == second[0]
+    assert published_to(context, "s01") is not None
+    withdraw(context, "Dr. Ray", "a test", now)

@@ -9,6 +9,8 @@ import pytest
 
 from gripcourse.gradebook.journal import regrades
 from gripcourse.gradebook.store import Gradebook
+from gripcourse.gradebook.works import works_of
+from gripcourse.usecases.regrade import Regrading
 from web.conftest import form_key, sign_in
 
 if TYPE_CHECKING:
@@ -97,3 +99,26 @@ def test_a_regrade_counts_only_as_it_was_shown_and_with_a_reason(graded: "Server
     assert 'name="seen"' not in again
     client.post("/desk/regrading/undo", data={"form_key": key, "why": "a mistake"})
     assert regrades(book(graded))[-1].undoes == kept.number
+
+
+def test_works_that_were_graded_and_never_handed_in_are_named(
+    graded: "Server", monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (work, *_) = works_of(book(graded).standing({"s01"}))["s01"]
+    found = Regrading((), (), (), missing=(work,), incidents=())
+    monkeypatch.setattr("gripcourse.web.regrading.regrading_now", lambda _: found)
+    client = sign_in(graded)
+    page = client.post("/desk/regrading", data={"form_key": form_key(client)}).text
+    assert re.search(r'class="notice">[^<]*Иванова Анна', page) is not None
+
+
+def test_what_fails_on_our_side_in_a_regrade_is_logged(
+    graded: "Server", monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def fail(*_: object) -> None:
+        raise ValueError("unforeseen")
+
+    monkeypatch.setattr("gripcourse.batch.one_file.interpret", fail)
+    client = sign_in(graded)
+    assert client.post("/desk/regrading", data={"form_key": form_key(client)}).status_code == 200
+    assert "unforeseen" in caplog.text

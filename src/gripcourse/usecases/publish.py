@@ -10,7 +10,7 @@ from gripcourse.errors import NextStep, Problem, UsageError
 from gripcourse.exports.report_result import GradesResult, ReportResult
 from gripcourse.gradebook.journal import Signed
 from gripcourse.machine.database.home import home_of
-from gripcourse.machine.files import write_bytes, write_text
+from gripcourse.machine.files import make_private_folder, write_bytes, write_text
 from gripcourse.text.words import message
 from gripcourse.usecases.batch_tables import GRADES_CSV, GRADES_JSON
 from gripcourse.usecases.desk import DeskContext
@@ -40,18 +40,46 @@ def publish(context: DeskContext, graded: Path, by: str, why: str, now: datetime
         UsageError: the folder holds no results.
         OSError: something cannot be read or written; nothing was published.
     """
-    source = graded / GRADES_JSON
-    if not source.is_file():
+    if not (graded / GRADES_JSON).is_file():
         what = message("There are no results in this folder.")
         remedy = message("Name the folder that grading wrote.")
         raise UsageError(
             [Problem(str(graded), "", what, remedy, parameter="graded", step=NextStep.GRADE)]
         )
+    publication = None
+    while publication is None:
+        number = _free_number(context)
+        _copy(context, graded, _folder(context, number))
+        # Somebody may have withdrawn the results before, meanwhile: that has a number, too.
+        publication = context.desk.add_publication(number, by, why, now)
+    # Who has been told a result must not lose it by grading again: the gradebook keeps that, too.
+    keep_told(home_of(context.course.root), (), Signed(by, now, why))
+    return publication
+
+
+def _free_number(context: DeskContext) -> int:
+    """Make the folder of the next publication, and return its number.
+
+    Who publishes at the same time, by a second click for example, gets another one: both are whole,
+    and the last one counts.
+    """
+    known = context.desk.publications()
+    number = known[-1].number + 1 if known else 1
+    make_private_folder(_folder(context, number).parent)
+    while True:
+        try:
+            _folder(context, number).mkdir(mode=0o700)
+        except FileExistsError:
+            number += 1
+        else:
+            return number
+
+
+def _copy(context: DeskContext, graded: Path, folder: Path) -> None:
+    """Copy what students of the register are told, and the table of grades."""
+    plain = json.loads((graded / GRADES_JSON).read_text(encoding="utf-8"))
     register = context.register()
-    grades = GradesResult.from_dict(json.loads(source.read_text(encoding="utf-8")))
-    number = len(context.desk.publications()) + 1
-    folder = _folder(context, number)
-    for report in grades.reports:
+    for report in GradesResult.from_dict(plain).reports:
         if report.student in register:
             text = json.dumps(report.to_dict(), ensure_ascii=False, allow_nan=False)
             write_text(folder / f"{report.student}.json", text, private=True)
@@ -59,10 +87,6 @@ def publish(context: DeskContext, graded: Path, by: str, why: str, now: datetime
             if printed.is_file():
                 write_bytes(folder / printed.name, printed.read_bytes(), private=True)
     write_bytes(folder / GRADES_CSV, (graded / GRADES_CSV).read_bytes(), private=True)
-    publication = context.desk.add_publication(published=True, by=by, why=why, now=now)
-    # Who has been told a result must not lose it by grading again: the gradebook keeps that, too.
-    keep_told(home_of(context.course.root), (), Signed(by, now, why))
-    return publication
 
 
 def withdraw(context: DeskContext, by: str, why: str, now: datetime) -> Publication:
@@ -74,7 +98,7 @@ def withdraw(context: DeskContext, by: str, why: str, now: datetime) -> Publicat
     if current(context) is None:
         what = message("Nothing is published.")
         raise UsageError([Problem("", "", what, message("There is nothing to withdraw."))])
-    return context.desk.add_publication(published=False, by=by, why=why, now=now)
+    return context.desk.add_withdrawal(by, why, now)
 
 
 def current(context: DeskContext) -> Publication | None:

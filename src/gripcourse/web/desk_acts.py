@@ -1,7 +1,9 @@
 """What pages of the desk and programs of instructors do alike, by one call of the library."""
 
 import hashlib
-from pathlib import PurePath
+import logging
+from dataclasses import dataclass
+from pathlib import Path, PurePath
 
 from gripcourse.gradebook.enter import Draft
 from gripcourse.gradebook.journal import Regrade, Signed
@@ -12,14 +14,17 @@ from gripcourse.machine.database.home import home_of
 from gripcourse.text.words import message
 from gripcourse.usecases.begin_grading import begin_grading
 from gripcourse.usecases.desk import DeskContext
-from gripcourse.usecases.hand_in import kept_path
+from gripcourse.usecases.hand_in import kept_path, latest
 from gripcourse.usecases.mark import Marking, enter_mark
 from gripcourse.usecases.opening import grading_of
-from gripcourse.usecases.progress import batch_progress
+from gripcourse.usecases.progress import BatchProgress, batch_progress
 from gripcourse.usecases.regrade import Regrading, apply_regrade, regrade, undo_regrade
 from gripcourse.web.acts import reason
+from gripcourse.web.batch import LastBatch
 from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal, unless_in_conflict
 from gripcourse.web.site import Site
+
+_log = logging.getLogger(__name__)
 
 _RUNS: WebRefusal = WebRefusal(
     Code.CONFLICT, message("A batch is being graded already. Wait until it has ended.")
@@ -38,9 +43,8 @@ def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
     if site.graded is None:
         return NOT_FOUND
     with site.own_batch.lock:
-        progress = batch_progress(site.graded)
-        running = progress is not None and not progress.is_silent(site.clock())
-        if running or site.own_batch.runs:
+        now = grading_now(site, site.graded)
+        if site.own_batch.runs or (now.runs and not now.silent):
             return _RUNS
         wanted = site.context, site.graded, site.checkers.workers, by, reason(why)
         process = unless_in_conflict(lambda: begin_grading(*wanted))
@@ -48,6 +52,44 @@ def begin_batch(site: Site, by: str, why: str) -> WebRefusal | None:
             return process
         site.own_batch.began(process)
     return None
+
+
+@dataclass(frozen=True, slots=True)
+class GradingNow:
+    """The batch that is being graded, and what the next one would grade.
+
+    Attributes:
+        runs: whether one is at work.
+        silent: whether nothing was heard of it for minutes: it may be begun again.
+        failed: whether the one that was begun here last did not come to its end.
+        progress: how far it is; None where none has begun, or it is about to begin or to end.
+        last: what was graded last; None for nothing.
+        waiting: students whose last workbook a batch would grade.
+    """
+
+    runs: bool
+    silent: bool
+    failed: bool
+    progress: BatchProgress | None
+    last: LastBatch | None
+    waiting: int
+
+
+def grading_now(site: Site, graded: Path) -> GradingNow:
+    """Tell how far a batch is that writes into a folder, whoever began it.
+
+    Raises:
+        OSError: the folder cannot be read.
+    """
+    progress, hand_ins = batch_progress(graded), site.context.desk.hand_ins()
+    return GradingNow(
+        runs=progress is not None or site.own_batch.runs,
+        silent=progress is not None and progress.is_silent(site.clock()),
+        failed=site.own_batch.failed,
+        progress=progress,
+        last=site.batches.read(graded),
+        waiting=len(latest(hand_ins)),
+    )
 
 
 def marks_seen(site: Site, student: str, item: str) -> str:
@@ -75,7 +117,10 @@ def regrading_now(site: Site) -> Regrading:
     grading, place = grading_of(context.course, context.policy), home_of(context.course.root)
     # A file is never opened by the server itself, but where a test wants everything in one process.
     workers = 0 if site.checkers.pool is None else site.checkers.workers
-    return regrade(works_handed_in(context), grading, place, workers, site.clock())
+    found = regrade(works_handed_in(context), grading, place, workers, site.clock())
+    for trace in found.incidents:
+        _log.error("%s", trace)
+    return found
 
 
 def digest_of_changes(found: Regrading) -> str:

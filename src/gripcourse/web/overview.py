@@ -13,10 +13,9 @@ from gripcourse.solver.solve import solve_variant
 from gripcourse.text.words import Words
 from gripcourse.usecases.desk import DeskContext
 from gripcourse.usecases.figures import Facility, group_figures
-from gripcourse.usecases.progress import batch_progress
 from gripcourse.variants.model import Issued
 from gripcourse.web.batch import BatchWork, FoundFlag
-from gripcourse.web.desk_acts import begin_batch
+from gripcourse.web.desk_acts import begin_batch, grading_now
 from gripcourse.web.downloads import names_of_tables
 from gripcourse.web.refusals import NOT_FOUND
 from gripcourse.web.seat import Seat, desk_route
@@ -116,23 +115,21 @@ def grading(seat: Seat) -> Response:
     site, live = seat.site, seat.request.query_params.get("live") == "yes"
     if site.graded is None:
         return seat.refuse(NOT_FOUND)
-    progress, batch = batch_progress(site.graded), site.batches.read(site.graded)
-    hand_ins = site.context.desk.hand_ins()
-    runs = progress is not None or site.own_batch.runs
+    now = grading_now(site, site.graded)
     values: dict[str, object] = {
-        "progress": progress,
-        "silent": progress is not None and progress.is_silent(site.clock()),
-        "runs": runs,
-        "failed": site.own_batch.failed,
+        "progress": now.progress,
+        "silent": now.silent,
+        "runs": now.runs,
+        "failed": now.failed,
         "live": live,
-        "last": None if batch is None else batch.at,
-        "graded": 0 if batch is None else len(batch.works),
-        "waiting": len({one.student for one in hand_ins if not one.is_drawing}),
+        "last": None if now.last is None else now.last.at,
+        "graded": 0 if now.last is None else len(now.last.works),
+        "waiting": now.waiting,
         "tables": names_of_tables(site),
         "batches": site.context.desk.batches()[: -_BATCHES - 1 : -1],
     }
     response = seat.page("grading", values)
-    if runs and live:
+    if now.runs and live:
         response.headers["Refresh"] = str(_SECONDS)
     return response
 

@@ -8,7 +8,6 @@ from starlette.routing import Route
 from gripcourse.gradebook.journal import Signed, applied, regrades
 from gripcourse.gradebook.regrade import Shift
 from gripcourse.gradebook.store import Gradebook
-from gripcourse.solver.plan import plan_of
 from gripcourse.usecases.regrade import Regrading
 from gripcourse.web.desk_acts import (
     apply_shown,
@@ -17,6 +16,7 @@ from gripcourse.web.desk_acts import (
     signed_by,
     take_last_back,
 )
+from gripcourse.web.overview import titles_of
 from gripcourse.web.refusals import WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
@@ -57,22 +57,16 @@ def regrading_undone(seat: Seat) -> Response:
 
 def _page(seat: Seat, found: Regrading | None) -> Response:
     context = seat.site.context
-    register = context.register()
-    titles: dict[str, str] = {}
-    for change in () if found is None else found.to_apply:
-        issued = register.get(change.work.student)
-        plan = None if issued is None else plan_of(context.course, issued.variant.composition)
-        for item in change.items if plan is not None else ():
-            quantity = plan.quantities.get(item.quantity) if plan is not None else None
-            titles[item.quantity] = (
-                item.quantity if quantity is None else quantity.title.of(seat.words.language)
-            )
+    students = (issued.student for issued in context.register().values())
+    names = {one.id: one.name for one in students if one.name}
+    missing = () if found is None else dict.fromkeys(one.student for one in found.missing)
     values: dict[str, object] = {
         "found": found,
         "seen": "" if found is None else digest_of_changes(found),
         "counts": {} if found is None else {one.value: len(found.going(one)) for one in Shift},
-        "titles": titles,
-        "names": {id_: issued.student.name for id_, issued in register.items()},
+        "titles": titles_of(context, seat.words),
+        "names": names,
+        "missing": [names.get(one, one) for one in missing],
         "stands": applied(regrades(Gradebook(context.desk.engine))),
     }
     return seat.page("regrading", values)

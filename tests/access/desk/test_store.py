@@ -105,7 +105,7 @@ def test_checks_are_allowed_so_often_by_all_servers_together(desk: Desk) -> None
 def test_courses_in_one_database_know_nothing_of_each_other(desk: Desk) -> None:
     other = Desk(desk.engine, "large")
     other.revoke("s01", "Петров", NOW)
-    other.add_publication(published=True, by="Петров", why="", now=NOW)
+    other.add_publication(1, "Петров", "", NOW)
     assert (desk.revoked("s01"), other.revoked("s01")) == (0, 1)
     assert desk.publications() == ()
     assert other.publications()[0].published is True

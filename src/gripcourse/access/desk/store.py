@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from functools import partial
 from typing import Any, Final, TypeVar
@@ -133,9 +133,15 @@ class Desk:
         with refusals_named(self.place), self.engine.connect() as connection:
             return int(connection.execute(question).scalar_one())
 
-    def add_publication(self, *, published: bool, by: str, why: str, now: datetime) -> Publication:
-        """Keep that results were published or withdrawn."""
-        row = {"published": published, "by": by, "why": why, "at": _utc(now)}
+    def add_publication(self, number: int, by: str, why: str, now: datetime) -> Publication | None:
+        """Keep that results were published under a number; None where that is taken."""
+        made = Publication(number, published=True, by=by, why=why, at=now)
+        row = {**asdict(made), "course": self.course, "at": _utc(now)}
+        return made if self._insert(schema.publications, row) else None
+
+    def add_withdrawal(self, by: str, why: str, now: datetime) -> Publication:
+        """Keep that the last publication was withdrawn."""
+        row = {"published": False, "by": by, "why": why, "at": _utc(now)}
         return Publication(**_plain(self._append(schema.publications, {}, row)))
 
     def publications(self) -> tuple[Publication, ...]:

@@ -162,7 +162,7 @@ def _with_letters(marks: list[Mark], size: Box, scale: float, widest: float) -> 
     """Place the letters, and everything on the smallest sheet that holds it."""
     drawn: list[Mark] = [mark for mark in marks if not isinstance(mark, Letter)]
     letters = [mark for mark in marks if isinstance(mark, Letter)]
-    room = (widest - (size.width)) / 2, (HIGHEST - (size.height)) / 2
+    room = (widest - size.width) / 2, (HIGHEST - size.height) / 2
     sheet = Box(
         size.left - room[0], size.bottom - room[1], size.right + room[0], size.top + room[1]
     )

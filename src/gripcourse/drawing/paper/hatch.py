@@ -3,7 +3,8 @@
 import math
 from collections.abc import Iterator, Sequence
 
-Point = tuple[float, float]
+from gripcourse.drawing.paper.text import Point
+
 Segment = tuple[Point, Point]
 
 

@@ -72,6 +72,7 @@ _LINE = 6.0
 _INDENT = 3.0  # of characteristics, from the frame
 # Of the parts list: position, title, number, material, sizes.
 _COLUMNS = (10.0, 61.0, 10.0, 23.0, 81.0)
+_SIZES = len(_COLUMNS) - 1
 _CORNER = (70.0, 14.0)  # field 26: the designation again, upside down, in the upper left corner
 _ABOVE_LIST = 4.0
 _BESIDE = 4.0
@@ -148,7 +149,7 @@ def draw_list(layout: "Modelspace", sheet: Format, rows: Sequence[PartsRow], wor
         for column, text in enumerate(_cells(row)):
             middle = row is heading or column in {0, 2}
             place, size = (edges[column], bottom), (_COLUMNS[column], _ROW)
-            if text is row.sizes and row is not heading:
+            if column == _SIZES and row is not heading:
                 cell.symbols(text, place, size, NORMAL, most=2)
             else:
                 cell.words(text, place, size, NORMAL, middle=middle, most=2)

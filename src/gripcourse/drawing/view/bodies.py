@@ -14,6 +14,7 @@ import shapely
 from numpy.typing import NDArray
 
 from gripcourse.course.view import SHAPES, Expression, Face, Need, Repeat, Ring, ViewPart, ViewShape
+from gripcourse.drawing.view.placed_shapes import MOST_COPIES
 from gripcourse.formula.evaluate import Array, Column
 from gripcourse.formula.evaluate import evaluate as evaluate_formula
 from gripcourse.solver.solve import Values
@@ -22,7 +23,6 @@ from gripcourse.text.units import factor
 Geometries = NDArray[np.object_]
 Rows = NDArray[np.intp]
 
-_MOST = 60  # copies of one shape: as many as are drawn
 _CHORDS = 64  # of a full circle
 _QUARTER_CHORDS = 12  # of a quarter of a bar's round end
 _SHARPEST = 4.0  # how far the corner of a bar reaches at most, in half widths
@@ -197,7 +197,7 @@ def _moves(repeat: Repeat | Ring, scene: Scene) -> list[tuple[Array, Array, Arra
     place = scene.arrays(repeat.about if isinstance(repeat, Ring) else repeat.step)
     if counts is None or place is None:
         return []
-    count = np.minimum(np.round(counts[:, 0]), _MOST)
+    count = np.minimum(np.round(counts[:, 0]), MOST_COPIES)
     most, nothing = int(np.nan_to_num(count).max(initial=0)), np.zeros(scene.count)
     found = []
     for time in range(most):

@@ -3,6 +3,7 @@
 Pure: from the plan, the solved values, the language and what the title block says.
 """
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -88,7 +89,7 @@ def general_view(
     shown = _numbered(plain, face_layout(plain, Face.MAIN, arranged.factor, words, there))
     faces = {face: face_layout(shown, face, arranged.factor, words, there) for face in shown.faces}
     enlarged = [
-        (detail_layout(details[number], letter, *arranged.details[number][:1], words), number)
+        (detail_layout(details[number], letter, arranged.details[number][0], words), number)
         for letter, number in enumerate(sorted(arranged.details))
     ]
     rows = tuple(_rows(shown, view, plan, values, words))
@@ -161,12 +162,17 @@ def _rows(
     """Yield the parts list: the sizes of a part that this variant has."""
     numbers = numbers_at(plan, view, values, view.position)
     for number, one in enumerate(shown.positions, 1):
-        sizes = [name for name in one.part.sizes if values.get(name) == values.get(name, 0.0)]
-        written = "; ".join(_size(name, plan, values, words) for name in sizes if name in values)
+        sizes = [name for name in one.part.sizes if _has(values, name)]
+        written = "; ".join(_size(name, plan, values, words) for name in sizes)
         title = one.part.title.of(words.language) if one.part.title is not None else ""
         named = made_of(one.part, view, numbers).material
         material = named.of(words.language) if named is not None else ""
         yield PartsRow(str(number), capital(title), str(one.count), capital(material), written)
+
+
+def _has(values: Mapping[str, float], name: str) -> bool:
+    """Tell whether a variant has a quantity: one that its options leave out has no value."""
+    return not math.isnan(values.get(name, math.nan))
 
 
 def _size(name: str, plan: Plan, values: Mapping[str, float], words: Words) -> str:
@@ -203,7 +209,7 @@ def _notes(view: View, plan: Plan, values: Mapping[str, float], words: Words) ->
 def _lines(view: View, plan: Plan, values: Mapping[str, float], words: Words) -> Iterator[str]:
     """Yield the characteristics that this variant has."""
     for name in view.characteristics:
-        if name not in values or values[name] != values[name]:
+        if not _has(values, name):
             continue
         quantity = plan.quantities[name]
         unit = unit_text(quantity.unit, words.language)

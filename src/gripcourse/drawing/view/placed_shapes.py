@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
+from typing import Final
 
 from gripcourse.course.view import Face, Repeat, Ring, ViewPart, ViewShape
 from gripcourse.drawing.paper.document import LineKind
@@ -20,7 +21,8 @@ from gripcourse.drawing.paper.text import Point
 from gripcourse.drawing.view.numbers import Numbers
 from gripcourse.drawing.view.outlines import Outline, outline
 
-_MOST = 60  # of one shape in a row: more cannot be told apart on paper
+MOST_COPIES: Final = 60
+"""Of one shape in a row: more cannot be told apart on paper."""
 _FULL_TURN = 360.0
 _ORIGIN = (0.0, 0.0)
 
@@ -107,7 +109,7 @@ def _moves(repeat: Repeat | Ring, numbers: Numbers) -> list[_Move]:
     place = numbers.point(repeat.about if isinstance(repeat, Ring) else repeat.step)
     if count is None or place is None:
         return []
-    times = range(min(_MOST, round(count)))
+    times = range(min(MOST_COPIES, round(count)))
     if isinstance(repeat, Ring):
         return [_Move(about=place, angle=_FULL_TURN * time / len(times)) for time in times]
     return [_Move(shift=(place[0] * time, place[1] * time)) for time in times]

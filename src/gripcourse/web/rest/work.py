@@ -8,12 +8,12 @@ from gripcourse.gradebook.journal import Regrade, applied, regrades
 from gripcourse.gradebook.regrade import Shift, WorkChange
 from gripcourse.gradebook.store import Gradebook
 from gripcourse.usecases.figures import Facility, group_figures
-from gripcourse.usecases.progress import batch_progress
 from gripcourse.web.batch import LastBatch
 from gripcourse.web.desk_acts import (
     apply_shown,
     begin_batch,
     digest_of_changes,
+    grading_now,
     regrading_now,
     signed_by,
     take_last_back,
@@ -101,15 +101,14 @@ def grading(call: DeskCall) -> GradingResult | WebRefusal:
     site = call.site
     if site.graded is None:
         return NOT_FOUND
-    progress, last = batch_progress(site.graded), _last(call)
-    hand_ins = site.context.desk.hand_ins()
+    now = grading_now(site, site.graded)
     return GradingResult(
-        runs=progress is not None or site.own_batch.runs,
-        silent=progress is not None and progress.is_silent(site.clock()),
-        failed=site.own_batch.failed,
-        progress=progress,
-        last=None if last is None else last.at,
-        waiting=len({one.student for one in hand_ins if not one.is_drawing}),
+        runs=now.runs,
+        silent=now.silent,
+        failed=now.failed,
+        progress=now.progress,
+        last=None if now.last is None else now.last.at,
+        waiting=now.waiting,
         batches=site.context.desk.batches(),
     )
 
