@@ -10,8 +10,13 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gripcourse.documents.report.mistakes import kind_rows, slip_rows
+from gripcourse.exports.analysis_tables import analysis_tables
+from gripcourse.exports.report_result import grades_result
+from gripcourse.exports.results_tables import csv_tables
 from gripcourse.grading.model import Against, Finding, Outcome
 from gripcourse.slips.model import SlipId
+from gripcourse.text.words import Words
 
 if TYPE_CHECKING:
     from conftest import Case
@@ -59,6 +64,17 @@ def test_a_width_that_slips_has_a_name_and_no_other_wrong_one_has(flat_belt: "Ca
     for width in (50.0, 65.0, 90.0):
         other = finding(flat_belt, belt_width=width)
         assert (other.outcome, other.slip) == (Outcome.WRONG, None)
+
+
+def test_everything_that_counts_slips_counts_it(flat_belt: "Case") -> None:
+    reports = [flat_belt.judge(flat_belt.following(belt_width=63.0))] * 2
+    grades, words = grades_result(reports, Words("en")), Words("en")
+    tables = csv_tables(analysis_tables(grades))
+    assert "belt_width,not_stepped_up:belt_width,2" in tables["slips.csv"].decode()
+    [kind] = kind_rows(reports, flat_belt.policy.slips, words)
+    assert (kind.title, kind.students) == ("a size that was not stepped up", "2")
+    [row] = slip_rows(reports, flat_belt.plan.quantities, words)
+    assert (row.count, row.hint) == ("2", NOT_STEPPED_UP)
 
 
 def test_the_width_that_was_not_stepped_up_costs_once(flat_belt: "Case") -> None:

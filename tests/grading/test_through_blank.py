@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gripcourse.grading.model import Outcome
+from gripcourse.course.quantity import Kind
+from gripcourse.grading.model import Finding, Outcome
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     Typed = Callable[[str, float, int], Answer]
 
 ANGLE, OFFSET = "nominal_lever_angle", "apex_offset_at_min"
+LOAD_OF = ("mass", "gravity", "acceleration")
+HEIGHT, APEX, ERROR = "centre_height_at_max", "apex_height", "centre_error_at_max"
 
 
 def offset_of(case: "Case", angle: float) -> float:
@@ -34,12 +37,17 @@ def angle_by(case: "Case", pi: float) -> float:
 
 
 @pytest.fixture(scope="module")
-def prisms(draw_more: "DrawMore") -> "list[Case]":
+def levers(draw_more: "DrawMore") -> "list[Case]":
+    """Variants with differences of near numbers."""
+    return [case.without_errata for case in draw_more(["prism_lever"])]
+
+
+@pytest.fixture(scope="module")
+def prisms(levers: "list[Case]") -> "list[Case]":
     """Variants in which half of 3.14 moves the difference of near numbers out of its band."""
-    cases = [case.without_errata for case in draw_more(["prism_lever"])]
     found = [
         case
-        for case in cases
+        for case in levers
         if abs(offset_of(case, angle_by(case, 3.14)) / case.reference[OFFSET] - 1) > 0.015
     ]
     assert found
@@ -93,3 +101,117 @@ def test_what_a_short_pi_explains_is_wrong_where_the_step_stands_in_its_cell_rig
         offset = typed(OFFSET, offset_of(case, angle_by(case, 3.14)), 5)
         answers = {**case.answers, ANGLE: typed(ANGLE, case.reference[ANGLE], 6), OFFSET: offset}
         assert OFFSET in case.lost(answers), case.label
+
+
+def test_ten_for_gravity_in_a_blank_step_is_too_coarse_and_costs_once(
+    drawn: "tuple[Case, ...]", typed: "Typed"
+) -> None:
+    """As where the load is written; a pocket calculator makes m·(10 + a) of it."""
+    told = 0
+    for one in drawn:
+        case = one.without_errata
+        users = [name for name in case.plan.inputs if "lifting_load" in case.plan.inputs[name]]
+        if case.plan.inputs.get("lifting_load") != LOAD_OF or "mass" not in case.given:
+            continue
+        load = case.given["mass"] * (10 + case.given["acceleration"])
+        following = case.following(lifting_load=load)
+        if load / case.reference["lifting_load"] < 1.011:
+            continue
+        written = {
+            name: typed(name, following[name], 5)
+            for name in users
+            if name in following and case.plan.quantities[name].kind is Kind.FORMULA
+        }
+        findings = case.findings({**case.answers, **following, **written, "lifting_load": None})
+        lost = [name for name in findings if _is_lost(case, findings[name])]
+        assert len(lost) <= 1, (case.label, lost)
+        coarse = [findings[name] for name in lost]
+        assert all("10" in str(finding.message) for finding in coarse), case.label
+        assert all(finding.outcome is Outcome.ROUGH for finding in coarse), case.label
+        told += len(coarse)
+    assert told
+
+
+def _is_lost(case: "Case", finding: Finding) -> bool:
+    is_asked = case.plan.quantities[finding.quantity].kind.answered
+    return is_asked and bool(finding.typed) and finding.points < finding.max_points - 1e-9
+
+
+def test_a_reading_that_is_right_in_its_cell_is_right_where_the_cell_is_blank(
+    drawn: "tuple[Case, ...]", typed: "Typed"
+) -> None:
+    """The guide prints ten for gravity in the load, and its readers are let do so."""
+    told = set()
+    for case in drawn:
+        quantity = case.plan.quantities.get("lifting_load")
+        if quantity is None or not quantity.as_printed or "mass" not in case.given:
+            continue
+        load = case.given["mass"] * (10 + case.given["acceleration"])
+        following = case.following(lifting_load=load)
+        for name in ("element_force", "mount_torque"):
+            off = abs(following.get(name, 0.0) / case.reference.get(name, 1.0) - 1)
+            if 0.011 < off < 0.05 and "lifting_load" in case.plan.inputs[name]:
+                answer = typed(name, following[name], 5)
+                found = case.findings({**case.answers, name: answer, "lifting_load": None})[name]
+                assert found.points == found.max_points, (case.label, name)
+                told.add(str(found.message))
+    assert told
+
+
+def rounded(value: float, figures: int) -> float:
+    return float(f"{value:.{figures - 1}e}")
+
+
+def cut(value: float, figures: int) -> float:
+    unit = 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)
+    return math.trunc(value / unit) * unit
+
+
+@pytest.mark.parametrize(
+    ("lose", "figures", "outcome"),
+    [
+        (rounded, 3, Outcome.CARRIED),
+        (cut, 3, Outcome.CARRIED),
+        (rounded, 4, Outcome.CARRIED),
+        (cut, 4, Outcome.CARRIED),
+        (rounded, 2, Outcome.ROUGH),
+    ],
+)
+def test_figures_lost_in_a_blank_step_cost_what_they_cost_in_its_cell(
+    levers: "list[Case]",
+    typed: "Typed",
+    lose: "Callable[[float, int], float]",
+    figures: int,
+    outcome: Outcome,
+) -> None:
+    """140.12 mm − 135.23 mm are 4.89 mm; who writes 140 mm down finds 4.77 mm."""
+    told = []
+    for case in levers:
+        height, right = case.reference[HEIGHT], case.reference[ERROR]
+        error = lose(height, figures) - case.reference[APEX]
+        # 140 has two figures as it has three.
+        fine = {} if figures > 2 else {rounded(height, 3), cut(height, 3)}
+        off = max(0.012 * abs(right), 0.011)
+        if off < abs(error - right) < 0.39 * abs(right) and lose(height, figures) not in fine:
+            answers = {**case.answers, HEIGHT: None, ERROR: typed(ERROR, error, 4)}
+            told.append(case.findings(answers)[ERROR].outcome)
+    assert set(told) - {Outcome.CORRECT} == {outcome}  # some errors have wider bands of their own
+
+
+@pytest.mark.parametrize("share", [0.9, 0.95, 1.05, 1.1])
+def test_a_number_that_nobody_computes_stays_wrong_after_blank_steps(
+    drawn: "tuple[Case, ...]", typed: "Typed", share: float
+) -> None:
+    """Every second step is blank; of the numbers beside the right ones hardly one is taken."""
+    accepted = tried = 0
+    for case in drawn[::6]:
+        computed = [one.id for one in case.plan.answered if one.kind is Kind.FORMULA]
+        blank = dict.fromkeys(computed[::2])
+        for name in computed[1::8]:
+            if case.reference[name] and not case.plan.quantities[name].integer:
+                wrong = typed(name, share * case.reference[name], 4)
+                finding = case.findings({**case.answers, **blank, name: wrong})[name]
+                accepted += "that you left blank" in str(finding.message)
+                tried += 1
+    assert tried > 20
+    assert accepted <= 0.05 * tried

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import product
 from typing import Final
 
-from gripcourse.course.quantity import AsPrinted, Quantity
+from gripcourse.course.quantity import Quantity
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.rounding import endings
 from gripcourse.grading.shortened import EXACTLY, shortenings
@@ -61,11 +61,11 @@ def _readings(policy: Policy, blank: Sequence[Quantity]) -> Iterator[Mapping[str
     """Yield one step after the other read otherwise, then all as the sources print them."""
     printed: dict[str, Formula] = {}
     for step in blank:
-        accepted = step.as_printed if policy.printed_credit is not None else ()
-        for other in (*step.alternatives, *accepted):
-            if other.formula is not None:
-                yield {step.id: other.formula}
-                if isinstance(other, AsPrinted):
-                    printed[step.id] = other.formula
+        for alternative in step.alternatives:
+            yield {step.id: alternative.formula}
+        for one in step.as_printed if policy.printed_credit is not None else ():
+            if one.formula is not None:
+                yield {step.id: one.formula}
+                printed[step.id] = one.formula
     if len(printed) > 1:
         yield printed
