@@ -9,7 +9,7 @@ import pytest
 
 from gripcourse.cli import grade as cli_grade
 from gripcourse.cli import main as cli
-from gripcourse.cli.problems import TYPED, spoken
+from gripcourse.cli.problems import TYPED, said_of, spoken
 from gripcourse.errors import NextStep, Problem
 from gripcourse.text.words import LANGUAGES, Words, message
 
@@ -55,3 +55,16 @@ def test_a_parameter_is_called_what_its_option_is_called() -> None:
     problem = Problem("", "mass", message("Wrong."), message("Mend it."), parameter="given")
     assert problem.say(Words("en")) == "given: mass: Wrong. Mend it."
     assert spoken(problem, Words("en")) == "--set: mass: Wrong. Mend it."
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_of_thousands_of_problems_those_are_said_that_somebody_reads(language: str) -> None:
+    words = Words(language)
+    many = [
+        Problem("a.csv", f"{row}", message("It is bad."), message("Mend it."))
+        for row in range(5_000)
+    ]
+    *lines, last = said_of(many, words)
+    assert lines == [spoken(one, words) for one in many[:100]]
+    assert "4900" in last
+    assert list(said_of(many[:100], words)) == lines

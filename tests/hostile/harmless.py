@@ -156,6 +156,10 @@ def names_of_members_with_backslashes() -> bytes:
     return archive({name.replace("/", "\\"): data for name, data in PARTS.items()})
 
 
+def names_of_members_that_begin_with_a_dot() -> bytes:
+    return archive({f"./{name}": data for name, data in PARTS.items()})
+
+
 def a_folder_of_another_name() -> bytes:
     return archive(
         {

@@ -33,7 +33,7 @@ def invented(data: bytes, raw: RawWorkbook) -> list[str]:
         if _is(one, "definedName")
     ]
     merged = " ".join(
-        one.get("ref", "")
+        f"{one.get('ref', '')} {_first_corner(one.get('ref', ''))}"
         for tree in parts.values()
         for one in tree.iter()
         if _is(one, "mergeCell")
@@ -47,6 +47,15 @@ def invented(data: bytes, raw: RawWorkbook) -> list[str]:
         if not any(_points_at(to, address) for to in places) and address not in merged:
             faults.append(f"{name}: no name points to {address}")
     return faults
+
+
+def _first_corner(reference: str) -> str:
+    """Return the cell that a range shows, whichever of its corners are named."""
+    corners = _ADDRESS.findall(reference)
+    if not corners:
+        return ""
+    column = min((letters.upper() for letters, _ in corners), key=lambda one: (len(one), one))
+    return f"{column}{min(int(row) for _, row in corners)}"
 
 
 def _named(raw: RawWorkbook) -> Iterator[tuple[str, RawCell]]:

@@ -54,7 +54,7 @@ from gripcourse.cli.options import (
     words_for,
 )
 from gripcourse.cli.pairs import read_pairs
-from gripcourse.cli.problems import spoken
+from gripcourse.cli.problems import said_of
 from gripcourse.errors import GripcourseError, system_problem
 from gripcourse.machine.process_wide import collect_rarely
 from gripcourse.text.words import Words, message
@@ -267,9 +267,8 @@ def _guard(run: Callable[[], int | None]) -> int:
     try:
         return run() or DONE
     except GripcourseError as error:
-        words = chosen_words()
-        for problem in error.problems:
-            typer.echo(spoken(problem, words), err=True)
+        for line in said_of(error.problems, chosen_words()):
+            typer.echo(line, err=True)
         return WRONG_USE
     except OSError as error:
         typer.echo(system_problem(error).say(chosen_words()), err=True)

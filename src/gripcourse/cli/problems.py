@@ -1,6 +1,6 @@
 """Problems in the words of the command line: its options, and the command that mends them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -31,6 +31,17 @@ TYPED: Final[Mapping[NextStep, str]] = {
     NextStep.SIMULATE: "gripcourse simulate",
 }
 """What is typed for each step that the library can only name."""
+
+
+_MOST: Final = 100  # that are said; whoever has more has one mistake many times
+
+
+def said_of(problems: Sequence[Problem], words: Words) -> Iterator[str]:
+    """Put problems into words, and say how many more there are than anybody reads."""
+    yield from (spoken(one, words) for one in problems[:_MOST])
+    if len(problems) > _MOST:
+        left = len(problems) - _MOST
+        yield words.say(message("And {count} more problems. Mend these first.", count=left))
 
 
 def spoken(problem: Problem, words: Words) -> str:

@@ -44,6 +44,14 @@ def test_who_has_no_work_keeps_what_stood_there(works: Works) -> None:
     assert second[-1] == "N/A"
 
 
+@pytest.mark.parametrize("points", ["nan", "1e999"])
+def test_points_that_are_no_number_fill_in_none(works: Works, points: str) -> None:
+    first = table(EXPORT.replace("50.00", points), works=works(FILES))[2]
+    own = table(EXPORT.replace("50.00", "?"), works=works(FILES))[2]
+    assert first == own
+    assert 0 < float(first[-1]) < 200
+
+
 def test_the_assignment_must_be_clear() -> None:
     with pytest.raises(UsageError, match="Lab"):
         table(assignment="")

@@ -138,6 +138,12 @@ def test_a_scale_of_words_is_refused(works: Works) -> None:
         filled(sheet(EN.replace("100.00", "A B C")), works({ZIP.format(12): "s17"}))
 
 
+@pytest.mark.parametrize("maximum", ["nan", "1e999", "0", "-5", "inf"])
+def test_a_maximum_of_which_there_is_no_part_is_refused(works: Works, maximum: str) -> None:
+    with pytest.raises(UsageError, match="no points"):
+        filled(sheet(EN.replace("100.00", maximum)), works({ZIP.format(12): "s17"}))
+
+
 def test_a_comment_is_html_without_line_ends(works: Works, course: Course) -> None:
     (work,) = works({ZIP.format(12): "s17"})
     said = comment_html(work, course, Words("ru"))

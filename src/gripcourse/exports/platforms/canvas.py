@@ -6,6 +6,7 @@ filled in. Totals and other assignments are left out, so that nothing else can c
 
 import csv
 import io
+import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -133,9 +134,10 @@ def _possible(table: RawTable, column: int) -> float | None:
         if cells and _POSSIBLE in cells[0]:
             whole, point, rest = cells[column].strip().replace(",", ".").rpartition(".")
             try:
-                return float(f"{whole.replace('.', '')}{point}{rest}")
+                possible = float(f"{whole.replace('.', '')}{point}{rest}")
             except ValueError:
                 return None
+            return possible if math.isfinite(possible) else None
     return None
 
 

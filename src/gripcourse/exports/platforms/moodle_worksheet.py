@@ -7,6 +7,7 @@ byte for byte. A date of the last grade that Moodle wrote and cannot read again 
 the row: it is written so that it can.
 """
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -186,7 +187,7 @@ def _maximum(
     if not written and not worksheet.cell(cells, MoodleColumn.SCALE):
         return work.total
     maximum = _number(written)
-    if maximum is None:
+    if maximum is None or not 0 < maximum < math.inf:
         what = message("The assignment has a scale of words there, no points.")
         remedy = message("Set the assignment to points in Moodle and export the worksheet again.")
         place = message("row {row}", row=row.line)

@@ -281,7 +281,7 @@ def _ended(parser: "XMLPullParser[Element]") -> Iterator[Element]:
 
 def part_name(member: str) -> str:
     """Return what the name of a member means."""
-    return member.replace("\\", "/").lstrip("/").lower()
+    return member.replace("\\", "/").removeprefix("./").lstrip("/").lower()
 
 
 def _attribute(element: Element, name: str) -> str | None:
