@@ -10,11 +10,10 @@ from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import pytest
-import typer
 
 from gripcourse.cli.main import app
 from gripcourse.machine.resources import course_root
-from support.command_line import Run, call
+from support.command_line import Run, call, put_together
 
 # What a command wants besides the path that is tried; "{}" is a folder with nothing in it.
 REQUIRED: dict[str, tuple[str, ...]] = {
@@ -68,7 +67,7 @@ def commands() -> Iterator[tuple[str, Any]]:
             for name, command in inner.items():
                 yield from below(f"{words} {name}".strip(), command)
 
-    yield from below("", typer.main.get_command(app))
+    yield from below("", put_together(app))
 
 
 def paths() -> Iterator[tuple[str, str, str]]:
