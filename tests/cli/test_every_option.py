@@ -6,10 +6,12 @@ The commands and their options are found in the command line itself: a new one i
 import logging
 import shutil
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import pytest
+from pypdf import PdfWriter
 
 from gripcourse.cli.main import app
 from gripcourse.machine.resources import course_root
@@ -120,6 +122,21 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "roster.csv").write_text("student,name\ns1,Anna\n", encoding="utf-8")
     (folder / "table.csv").write_text("variant\n1\n", encoding="utf-8")
     return folder
+
+
+@pytest.fixture(scope="module")
+def page() -> bytes:
+    """A page with nothing on it."""
+    writer, stream = PdfWriter(), BytesIO()
+    writer.add_blank_page(595, 842)
+    writer.write(stream)
+    return stream.getvalue()
+
+
+@pytest.fixture(autouse=True)
+def sheets_cost_nothing(page: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where a path is refused last, students are issued to before: nobody reads their sheets."""
+    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: page)
 
 
 def place(kind: str) -> str:
