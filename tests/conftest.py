@@ -24,6 +24,7 @@ from support.by_folder import (
     tell_whether_fresh,
 )
 from support.classroom import classroom, issued
+from support.databases import postgresql_server
 
 REPOSITORY = Path(__file__).parents[1]
 SCHEME = "rack_parallelogram"

@@ -5,10 +5,9 @@ are translated. What a course declares (ids of quantities, schemes, sections, pa
 catalogues, works) is looked for as well, where it is more than a plain word.
 """
 
-import io
 import re
-import tokenize
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -61,24 +60,25 @@ def words_of(text: str) -> Iterator[str]:
     return (word.lower() for word in WORD.findall(_NAMES.sub("", text)))
 
 
-def texts() -> Iterator[tuple[Path, int, str]]:
-    for path in sorted(ENGINE.rglob("*.py")):
-        source = path.read_text(encoding="utf-8")
-        for token in tokenize.generate_tokens(io.StringIO(source).readline):
-            if token.type in {tokenize.NAME, tokenize.STRING, tokenize.COMMENT}:
-                yield path, token.start[0], token.string
-    files = [*TEMPLATES.rglob("*"), *(ENGINE / "locale").glob("*.po"), *ENGINE.rglob("*.toml")]
+@cache
+def lines() -> Mapping[str, tuple[str, ...]]:
+    """Every line of the engine once, with all places where it stands."""
+    sources, looks = ENGINE.rglob("*.py"), TEMPLATES.rglob("*")
+    files = [*sources, *looks, *(ENGINE / "locale").glob("*.po"), *ENGINE.rglob("*.toml")]
+    found: dict[str, list[str]] = {}
     for path in sorted(one for one in files if one.is_file()):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            yield path, number, line
+            found.setdefault(line, []).append(f"{path.relative_to(REPOSITORY)}:{number}")
+    return {line: tuple(places) for line, places in found.items()}
 
 
 def test_the_engine_has_no_word_of_the_subject() -> None:
     found = [
-        f"{path.relative_to(REPOSITORY)}:{line}: {word}"
-        for path, line, text in texts()
-        for word in words_of(text)
+        f"{place}: {word}"
+        for line, places in lines().items()
+        for word in words_of(line)
         if word.startswith(STEMS) and word not in ALLOWED
+        for place in places
     ]
     assert found == []
 
@@ -101,9 +101,10 @@ def declared(course: Course) -> set[str]:
 def test_the_engine_names_nothing_that_the_course_declares(declared: set[str]) -> None:
     name = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
     found = [
-        f"{path.relative_to(REPOSITORY)}:{line}: {one}"
-        for path, line, text in texts()
-        for one in name.findall(text)
+        f"{place}: {one}"
+        for line, places in lines().items()
+        for one in name.findall(line)
         if one in declared and one not in KINDS_OF_DOCUMENT | STATICS
+        for place in places
     ]
     assert found == []

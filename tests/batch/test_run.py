@@ -95,7 +95,7 @@ def test_several_files_of_a_student_and_equal_bytes_are_flagged(
 ) -> None:
     again = {"s03/answers": "good xyz"}
     files = inbox(s01="good abc", s02="good abc", s03="good def", **again)
-    graded = graded_by_name(files, grade_files(files, context, 1, grade_one=fake.obey))
+    graded = graded_by_name(files, grade_files(files, context, 0, grade_one=fake.obey))
     flags = {name: [flag.code for flag in one.report.flags] for name, one in graded.items()}
     assert flags == {
         "s01": ["same_bytes"],

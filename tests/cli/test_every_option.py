@@ -6,15 +6,16 @@ The commands and their options are found in the command line itself: a new one i
 import logging
 import shutil
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import pytest
-import typer
+from pypdf import PdfWriter
 
 from gripcourse.cli.main import app
 from gripcourse.machine.resources import course_root
-from support.command_line import Run, call
+from support.command_line import Run, call, put_together
 
 # What a command wants besides the path that is tried; "{}" is a folder with nothing in it.
 REQUIRED: dict[str, tuple[str, ...]] = {
@@ -68,7 +69,7 @@ def commands() -> Iterator[tuple[str, Any]]:
             for name, command in inner.items():
                 yield from below(f"{words} {name}".strip(), command)
 
-    yield from below("", typer.main.get_command(app))
+    yield from below("", put_together(app))
 
 
 def paths() -> Iterator[tuple[str, str, str]]:
@@ -121,6 +122,21 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "roster.csv").write_text("student,name\ns1,Anna\n", encoding="utf-8")
     (folder / "table.csv").write_text("variant\n1\n", encoding="utf-8")
     return folder
+
+
+@pytest.fixture(scope="module")
+def page() -> bytes:
+    """A page with nothing on it."""
+    writer, stream = PdfWriter(), BytesIO()
+    writer.add_blank_page(595, 842)
+    writer.write(stream)
+    return stream.getvalue()
+
+
+@pytest.fixture(autouse=True)
+def sheets_cost_nothing(page: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where a path is refused last, students are issued to before: nobody reads their sheets."""
+    monkeypatch.setattr("gripcourse.usecases.handout.assignment_sheet", lambda *_: page)
 
 
 def place(kind: str) -> str:

@@ -11,7 +11,7 @@ from gripcourse.gradebook.store import Gradebook, open_gradebook
 from gripcourse.grading.flags import not_judged_flags
 from gripcourse.grading.model import Against, Finding, Outcome, Report
 from gripcourse.text.words import message
-from support.databases import either_place, postgresql_server
+from support.databases import either_place
 
 MORNING = datetime(2026, 12, 2, 9, tzinfo=UTC)
 FINGERPRINTS = Fingerprints("c" * 64, "d" * 64)

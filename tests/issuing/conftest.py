@@ -1,3 +1,3 @@
 """The register in databases of either kind."""
 
-from support.databases import either_place, postgresql_server
+from support.databases import either_place

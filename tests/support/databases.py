@@ -10,7 +10,7 @@ from support.postgres import Server, running
 
 @pytest.fixture(name="postgresql", scope="session")
 def postgresql_server() -> Iterator[Server]:
-    """A server, started where the first test needs it."""
+    """A server, started where the first test needs it: one for all folders of a process."""
     with running() as server:
         yield server
 

@@ -29,7 +29,6 @@ from gripcourse.usecases.gradebook import keep
 from gripcourse.usecases.hand_in import hand_in, kept_path
 from gripcourse.usecases.restore import restore
 from support.classroom import KEY
-from support.databases import postgresql_server  # noqa: F401 (a fixture)
 
 if TYPE_CHECKING:
     from support.classroom import Classroom

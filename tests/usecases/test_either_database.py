@@ -29,7 +29,6 @@ from gripcourse.usecases.mark import enter_mark
 from gripcourse.usecases.regrade import publish
 from gripcourse.usecases.waive import waive
 from support.classroom import forget_one_jaw
-from support.databases import postgresql_server  # noqa: F401 (a fixture)
 
 if TYPE_CHECKING:
     from support.classroom import Classroom

@@ -51,6 +51,8 @@ LATER: Final = datetime(2026, 12, 10, 9, tzinfo=UTC)
 WORKS: Final = Path("works")
 SAID: Final = SaidAtEnd("belts", "two works", "", needs_person=False)
 HERE = Path(__file__).parent
+# Two hundred files, which each test would copy and each grading would look at.
+NOT_LOADED_AGAIN = ("schemes", "sections", "equilibrium", "options", "drawing", "spaces")
 LATE = """
 [late]
 per_day = 0.1
@@ -129,12 +131,10 @@ def fake() -> Iterator[ModuleType]:
         yield found
 
 
-@pytest.fixture(scope="module")
-def graded_once(
-    issued: "Classroom", fake: ModuleType, tmp_path_factory: pytest.TempPathFactory
-) -> Path:
-    base = tmp_path_factory.mktemp("desk")
-    shutil.copytree(issued.course.root, base / "course")
+def grade_once(issued: "Classroom", fake: ModuleType, base: Path, *left_out: str) -> None:
+    """Grade two works in a folder of their own, with a course that lacks some of its files."""
+    ignored = shutil.ignore_patterns(*left_out)
+    shutil.copytree(issued.course.root, base / "course", ignore=ignored)
     issued.hand_in("s01", correct, base / WORKS / "s01.xlsx")
     issued.hand_in("s02", forget_one_jaw, base / WORKS / "s02.xlsx")
     for one in (base / WORKS).iterdir():
@@ -144,6 +144,14 @@ def graded_once(
         patch.chdir(base)
         desk.add("grader/policy.toml", LATE)
         assert desk.grade().taken_over == TakenOver(0, 0)
+
+
+@pytest.fixture(scope="module")
+def graded_once(
+    issued: "Classroom", fake: ModuleType, tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    base = tmp_path_factory.mktemp("desk")
+    grade_once(issued, fake, base, *NOT_LOADED_AGAIN)
     return base
 
 
@@ -159,6 +167,16 @@ def desk(
     base = tmp_path / "desk"
     shutil.copytree(graded_once, base)
     monkeypatch.chdir(base)
+    return Desk(replace(issued.course, root=Path("course")), fake)
+
+
+@pytest.fixture
+def whole_desk(
+    issued: "Classroom", fake: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Desk:
+    """What was graded once with a course that another process can load."""
+    grade_once(issued, fake, tmp_path)
+    monkeypatch.chdir(tmp_path)
     return Desk(replace(issued.course, root=Path("course")), fake)
 
 
@@ -411,9 +429,9 @@ def grade_to_the_end() -> None:
     importlib.import_module("grade_aloud").main()
 
 
-def test_a_run_that_is_killed_again_and_again_ends_as_one_that_is_not(desk: Desk) -> None:
+def test_a_run_that_is_killed_again_and_again_ends_as_one_that_is_not(whole_desk: Desk) -> None:
     whole = made("out")
-    kept = open_gradebook(desk.gradebook).attempts()
+    kept = open_gradebook(whole_desk.gradebook).attempts()
     shutil.rmtree("out")
     for moment in ("graded", "reported"):
         call = [sys.executable, str(HERE / "grade_aloud.py")]

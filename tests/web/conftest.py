@@ -34,7 +34,6 @@ from gripcourse.web.site import Site
 from gripcourse.workbook.write import write_answer_workbook
 from support.classroom import KEY, Classroom, forget_one_jaw, open_classroom
 from support.clock import BEGAN, Clock
-from support.databases import postgresql_server
 
 
 @dataclass(frozen=True, slots=True)

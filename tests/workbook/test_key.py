@@ -1,13 +1,13 @@
 import io
-import subprocess
-from dataclasses import replace
-from pathlib import Path
+from collections.abc import Mapping
 
 import pytest
 from openpyxl import Workbook, load_workbook
 
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention, Kind
+from gripcourse.machine.office import office_command
+from gripcourse.proofs.workbooks import recalculate
 from gripcourse.solver.plan import Plan, make_plan
 from gripcourse.solver.solve import solve_variant
 from gripcourse.text.units import factor
@@ -16,6 +16,8 @@ from gripcourse.variants.model import Variant
 from gripcourse.workbook.key import key_workbook, write_key_workbook
 
 ENGLISH = Words("en")
+# Givens that a drive has besides, by the drive.
+DRIVES: Mapping[str, Mapping[str, float]] = {"hydraulic": {}, "pneumatic": {"supply_pressure": 0.6}}
 
 
 def value_of(book: Workbook, name: str) -> object:
@@ -81,36 +83,40 @@ def test_the_convention_of_the_plan_decides_the_formulas(course: Course, variant
         assert value_of(book, f"answer.{quantity.id}") == pytest.approx(values[quantity.id])
 
 
+@pytest.fixture(scope="module")
+def computed_anew(
+    course: Course, variant: Variant, tmp_path_factory: pytest.TempPathFactory
+) -> Mapping[str, tuple[Plan, Mapping[str, float], Workbook]]:
+    """The key for each drive with other numbers, as a spreadsheet program computes it."""
+    office, folder = office_command(), tmp_path_factory.mktemp("keys")
+    assert office is not None
+    written = {}
+    for drive, more in DRIVES.items():
+        plan = make_plan(course, variant.scheme, variant.options | {"drive": drive})
+        given = variant.given | {"mass": 20.0, "arm_length": 120.0} | more
+        path = folder / f"{drive}.xlsx"
+        write_key_workbook(path, plan, variant, ENGLISH)
+        changed = load_workbook(path)  # formulas only: stored results are lost, all is computed
+        for name, value in given.items():
+            [(sheet, address)] = changed.defined_names[f"given.{name}"].destinations
+            changed[sheet][address] = value
+        changed.save(path)
+        written[drive] = plan, given
+    recalculate(folder, list(written), office)
+    return {
+        drive: (*made, load_workbook(folder / "out" / f"{drive}.xlsx", data_only=True))
+        for drive, made in written.items()
+    }
+
+
 @pytest.mark.office
-@pytest.mark.parametrize("drive", ["hydraulic", "pneumatic"])
+@pytest.mark.parametrize("drive", DRIVES)
 def test_a_spreadsheet_program_computes_what_the_engine_computes(
-    course: Course, variant: Variant, drive: str, tmp_path: Path
+    computed_anew: Mapping[str, tuple[Plan, Mapping[str, float], Workbook]], drive: str
 ) -> None:
-    plan = make_plan(course, variant.scheme, variant.options | {"drive": drive})
-    given = variant.given | {"mass": 20.0, "arm_length": 120.0}
-    if drive == "pneumatic":
-        given |= {"supply_pressure": 0.6}
-    path = tmp_path / "key.xlsx"
-    write_key_workbook(path, plan, variant, ENGLISH)
-    changed = load_workbook(path)  # formulas only: stored results are lost, all is computed anew
-    for name, value in given.items():
-        [(sheet, address)] = changed.defined_names[f"given.{name}"].destinations
-        changed[sheet][address] = value
-    changed.save(path)
-    computed = load_workbook(recalculated(path, tmp_path), data_only=True)
-    values = solve_variant(plan, replace(variant, given=given).given)
+    plan, given, computed = computed_anew[drive]
+    values = solve_variant(plan, given)
     for quantity in plan.answered:
         if quantity.kind is not Kind.MANUAL:
             found = value_of(computed, f"answer.{quantity.id}")
             assert found == pytest.approx(values[quantity.id], rel=1e-9), quantity.id
-
-
-def recalculated(path: Path, folder: Path) -> Path:
-    """Let LibreOffice, with a profile of its own, open a workbook and save it elsewhere."""
-    out = folder / "out"
-    command = [
-        *("soffice", f"-env:UserInstallation={(folder / 'profile').as_uri()}", "--headless"),
-        *("--convert-to", "xlsx", "--outdir", str(out), str(path)),
-    ]
-    subprocess.run(command, check=True, capture_output=True, timeout=120)  # noqa: S603
-    return out / path.name
