@@ -87,7 +87,7 @@ def results_of_rows(rows: Iterable[RowOfTable]) -> tuple[Result, ...]:
     return tuple(
         # One text for all attempts, of which a cohort has thousands.
         Result(intern(quantity), outcome_named(outcome), points, most)
-        for _, _, quantity, outcome, points, most in rows
+        for _, _, quantity, outcome, points, most in map(tuple, rows)
     )
 
 

@@ -60,7 +60,7 @@ def register_of_rows(found: RegisterRows, course_id: str, place: str) -> Registe
     persons = {row.student: row._asdict() for row in found.persons}
     entries: dict[str, Issued] = {}
     earlier: list[Issued] = []
-    shared = _Shared()
+    shared = _CommonParts()
     for row in (one._asdict() for one in found.issued):
         student = row["student"]
         try:
@@ -149,7 +149,7 @@ def _person_row(course: str, number: int, student: Student) -> _Row:
 
 
 @dataclass(frozen=True, slots=True)
-class _Shared:
+class _CommonParts:
     """What many entries have in common, held once: a register may have ten thousand.
 
     Attributes:
@@ -176,7 +176,7 @@ class _Shared:
         return self.days[written]
 
 
-def _entry(row: Mapping[str, Any], person: Mapping[str, Any], shared: _Shared) -> Issued:
+def _entry(row: Mapping[str, Any], person: Mapping[str, Any], shared: _CommonParts) -> Issued:
     """Put an entry together.
 
     Raises:

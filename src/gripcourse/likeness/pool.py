@@ -61,8 +61,7 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
     columns = issued.columns
     students: list[str] = []
     slips: dict[object, int] = {}
-    places, columns_of, slip_of = array("i"), array("i"), array("i")
-    values, halves, explained = array("d"), array("d"), array("b")
+    wholes, reals = array("i"), array("d")
     for row, work in enumerate(works):
         students.append(work.student)
         for one in sorted(
@@ -70,27 +69,24 @@ def pool(works: Iterable[ComparedWork], issued: IssuedValues) -> ComparisonPool:
             key=lambda one: columns[one.quantity],
         ):
             slip = slips.setdefault((one.quantity, one.slip), len(slips)) if one.slip else -1
-            places.append(row)
-            columns_of.append(columns[one.quantity])
-            slip_of.append(slip)
-            values.append(one.value)
-            halves.append(one.half_unit)
-            explained.append(one.explained)
+            wholes.extend((row, columns[one.quantity], one.explained, slip))
+            reals.extend((one.value, one.half_unit))
     # Looked at as they lie there: a copy would take as much room again.
-    column, value = np.frombuffer(columns_of, np.int32), np.frombuffer(values)
+    of_row, column, explained, slip_of = np.frombuffer(wholes, np.int32).reshape(-1, 4).T
+    value, half = np.frombuffer(reals).reshape(-1, 2).T
     return ComparisonPool(
         students=tuple(students),
         own=np.array([rows[student] for student in students], dtype=np.intp),
         issued=issued,
         spread=Spread.of(issued.values),
         numbers=ComparedNumbers(
-            row=np.frombuffer(places, np.int32),
+            row=of_row,
             column=column,
             value=value,
-            unit=last_unit(value, np.frombuffer(halves)),
+            unit=last_unit(value, half),
         ),
-        explained=np.frombuffer(explained, np.bool_),
-        slip=_slip_shares(column, np.frombuffer(slip_of, np.int32)),
+        explained=explained != 0,
+        slip=_slip_shares(column, slip_of),
     )
 
 
