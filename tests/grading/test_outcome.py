@@ -109,7 +109,7 @@ def test_the_measured_grader_says_every_outcome_that_it_can_find() -> None:
 
 def test_one_entry_adds_an_outcome_everywhere(tmp_path: Path) -> None:
     """The how-to followed in a copy: statistics, the gradebook's files and signs know the new."""
-    (entry,) = blocks("add-an-outcome.md", "python")
+    entry, *_ = blocks("add-an-outcome.md", "python")
     shutil.copytree(SOURCES, tmp_path / "gripcourse", ignore=shutil.ignore_patterns("__pycache__"))
     module = tmp_path / "gripcourse" / "grading" / "outcome.py"
     text = module.read_text(encoding="utf-8")

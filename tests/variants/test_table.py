@@ -241,7 +241,7 @@ def test_the_same_fault_in_many_rows_of_a_column_is_told_once(
     assert problems_of(path, small_course) == [
         (
             "rows 2–4, 6 (4 in all), column mass [kg]",
-            "The value is missing: the scheme 'press' needs it. Write a number.",
+            "The value is missing: the scheme of the row needs it. Write a number.",
         )
     ]
 

@@ -157,27 +157,26 @@ class RowReader:
         given: dict[str, float] = {}
         for quantity in plan.givens:
             if quantity not in filled:
-                value = self._given(row, quantity, plan)
+                value = self._given(row, quantity)
                 given |= {} if value is None else {quantity.id: value}
         for quantity in filled:
             value = self.defaults.number(plan, quantity.id, given) if self.defaults else None
             if value is None:
-                self._given(row, quantity, plan)  # says that it is missing
+                self._given(row, quantity)  # says that it is missing
             else:
                 given[quantity.id] = value
                 self.filled[quantity.id] = quantity.title
         return given
 
-    def _given(self, row: SheetRow, quantity: Quantity, plan: Plan) -> float | None:
+    def _given(self, row: SheetRow, quantity: Quantity) -> float | None:
         written = self._cell(row, quantity.id)
         if not written:
             self._add(
                 row,
                 quantity.id,
-                message("The value is missing: the scheme '{scheme}' needs it.",
-                        scheme=plan.scheme.id),
+                message("The value is missing: the scheme of the row needs it."),
                 message("Write a number."),
-            )  # fmt: skip
+            )
             return None
         value = exact_number(written, decimal_comma=self.sheet.decimal_comma)
         if value is None:
