@@ -218,7 +218,12 @@ class Table:
                 self.add(
                     name,
                     message("The first number is above the second."),
-                    message("Write the lower first: [{high}, {low}].", high=high, low=low),
+                    message(
+                        "Write the lower first: [{high}, {low}].",
+                        # As it can be copied, without the groups and commas of a language.
+                        high=f"{high:g}",
+                        low=f"{low:g}",
+                    ),
                 )
                 return default
         self._wrong_type(name, message("two numbers, the lower first"))

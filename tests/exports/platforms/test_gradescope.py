@@ -41,7 +41,7 @@ def test_lateness_costs_on_a_platform_what_it_costs_in_the_grades(
     earlier = replace(report, score=1.0, earned=1.0, counts=False)
     ((work,), notes) = works_of(GradesResult((earlier, late), needs_person=False), {})
     assert (work.points, notes) == (report.score / 2, ())
-    assert "минус" in list(comment_lines(work, course, Words("ru")))[1]
+    assert "снято баллов" in list(comment_lines(work, course, Words("ru")))[1]
 
 
 def test_what_is_published_is_seen_at_once(graded: Graded, course: Course) -> None:
