@@ -12,7 +12,7 @@ from starlette.routing import Route
 from gripcourse.desk.model import HandIn
 from gripcourse.jobs.lost import Lost
 from gripcourse.machine.content import NamedBytes
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.text.words import message
 from gripcourse.usecases.hand_in import kept_path
 from gripcourse.web import acts
@@ -93,5 +93,6 @@ def painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:
     assert isinstance(picture, PaintedPage)  # noqa: S101 (what the workers return)
     page = page if 1 <= page <= picture.pages else 1
     path = folder / f"{kept.digest}-{kind}-{page}-of-{picture.pages}.png"
+    make_private_folder(folder)
     write_bytes(path, picture.png, private=True)
     return path, picture.pages
