@@ -11,10 +11,12 @@ from gripcourse.cli.demo.students import correct
 from gripcourse.course.load import load_course
 from gripcourse.course.quantity import Kind
 from gripcourse.errors import CourseError, TableError, UsageError
+from gripcourse.gradebook.deadlines import deadlines_path
 from gripcourse.grading.model import Outcome
 from gripcourse.grading.self_check import State
 from gripcourse.machine.resources import COURSE_FOLDERS
 from gripcourse.policy.model import Tells
+from gripcourse.policy.time_rules import LateRule
 from support.classroom import forget_one_jaw
 
 if TYPE_CHECKING:
@@ -165,6 +167,24 @@ class TestGrading:
         assert [flag.code for flag in empty.flags] == ["rejected"]
         assert graded.needs_person
         assert list(tmp_path.iterdir()) == []
+
+    def test_what_cannot_be_used_is_refused_before_anything_is_graded(
+        self, own: gc.Course, handed_in: dict[str, bytes], tmp_path: Path
+    ) -> None:
+        done: list[object] = []
+        late = replace(own.policy, late=LateRule(0.1, 0.5, 0, "Europe/Kyiv"))
+        course = replace(own, policy=late)
+        table = deadlines_path(own.root)
+        table.write_text("group,student,deadline\n,,some day\n", encoding="utf-8")
+        files, book = [("s01.xlsx", handed_in["s01"])], tmp_path / "book.sqlite"
+        try:
+            with pytest.raises(gc.GripcourseError, match="some day"):
+                course.grade(files, gradebook=book, on_done=done.append)
+        finally:
+            table.unlink()
+        with pytest.raises(gc.GripcourseError, match="tomorrow"):
+            course.grade(files, gradebook=book, handed_in=["tomorrow"], on_done=done.append)
+        assert (done, book.exists()) == ([], False)
 
     def test_two_files_of_one_name_are_two(
         self, own: gc.Course, handed_in: dict[str, bytes]

@@ -1,9 +1,12 @@
 """Drawings beside the rubric: pictures of our own making, whatever a student sends."""
 
+import hashlib
 import io
+import os
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING
+from xml.etree.ElementTree import ParseError
 
 import ezdxf
 import pytest
@@ -11,7 +14,9 @@ from PIL import Image
 from pypdf import PdfWriter
 
 from gripcourse.machine.content import NamedBytes
+from gripcourse.machine.jobs.standing import StandingWorkers
 from gripcourse.usecases.hand_in import hand_in, latest
+from gripcourse.web.drawings import PICTURES
 from gripcourse.web.pictures import PAINTED, picture_of
 
 if TYPE_CHECKING:
@@ -64,6 +69,24 @@ def test_every_kind_of_drawing_is_painted(suffix: str) -> None:
         assert 500 < max(image.size) <= 2200
         darkest = image.convert("L").getextrema()[0]
     assert (darkest < 100) == (suffix != ".pdf")  # the pages of ours are blank
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"no drawing",
+        SVG[:-9],
+        b'<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;">'
+        + b"".join(
+            b'<!ENTITY %c "%s">' % (name, b"&%c;" % (name - 1) * 10) for name in range(99, 106)
+        )
+        + b']><svg xmlns="http://www.w3.org/2000/svg"><text>&i;</text></svg>',
+    ],
+    ids=["no XML", "broken off", "entities"],
+)
+def test_an_svg_that_cannot_be_read_is_no_blank_sheet(data: bytes) -> None:
+    with pytest.raises(ParseError):
+        picture_of(data, "view.svg", 1)
 
 
 def send(server: "Server", name: str, data: bytes) -> int:
@@ -136,3 +159,30 @@ def test_a_drawing_is_no_workbook_to_check_and_its_receipt_says_so(server: "Serv
     assert "kept as a drawing" in client.post(f"{home}hand-in", files=files).text
     assert 'accept=".xlsx,' in client.get(home).text
     assert ".dxf" in client.get(home).text
+
+
+def test_a_drawing_that_cannot_be_painted_takes_no_worker_each_time_it_is_looked_at(
+    server: "Server", signed_in: "TestClient", monkeypatch: pytest.MonkeyPatch
+) -> None:
+    number = send(server, "bomb.svg", b"no drawing either")
+    asked: list[object] = []
+    usual = StandingWorkers.do
+
+    def counted(workers: StandingWorkers, item: object) -> object:
+        asked.append(item)
+        return usual(workers, item)
+
+    monkeypatch.setattr(StandingWorkers, "do", counted)
+    page = f"/desk/student/s01/drawing/{number}/1.png"
+    assert [signed_in.get(page).status_code for _ in range(2)] == [422, 422]
+    assert len(asked) == 1
+    failed = next(
+        (server.context.private / PICTURES).glob(
+            f"{hashlib.sha256(b'no drawing either').hexdigest()}-*.failed"
+        )
+    )
+    long_ago = failed.stat().st_mtime - 601
+    os.utime(failed, (long_ago, long_ago))
+    signed_in.get(page)
+    assert len(asked) == 2
+    failed.unlink()

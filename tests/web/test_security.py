@@ -258,5 +258,5 @@ def test_an_incident_has_a_number_and_the_log_neither_link_nor_key(
 
 def test_what_is_handed_in_is_only_its_owners(neighbour: "Server") -> None:
     folder = neighbour.context.private / "handed_in"
-    assert all(one.stat().st_mode & 0o077 == 0 for one in folder.iterdir())
+    assert all(one.stat().st_mode & 0o077 == 0 for one in (folder, *folder.iterdir()))
     assert Path(folder).is_relative_to(neighbour.context.private)

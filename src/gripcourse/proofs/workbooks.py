@@ -98,7 +98,7 @@ def recalculate(folder: Path, names: Sequence[str], office: str) -> None:
     """
     files = {f"{name}.xlsx": (folder / f"{name}.xlsx").read_bytes() for name in names}
     for name, data in converted(files, office, _LANGUAGE).made.items():
-        write_bytes(folder / "out" / name, data, lasting=False)
+        write_bytes(folder / "out" / name, data, private=True, lasting=False)
 
 
 def differing_cells(

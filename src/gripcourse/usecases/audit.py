@@ -1,10 +1,10 @@
 """Auditing a table of variants: the certificate as PDF, its numbers as CSV."""
 
 import hashlib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from gripcourse.course.model import Course
 from gripcourse.documents.report.certificate_checks import tested_for_bodies
@@ -16,11 +16,9 @@ from gripcourse.text.words import Words
 from gripcourse.usecases.variants import draw_variants
 from gripcourse.variants.audit import VariantAudit, audit
 from gripcourse.variants.bodies import bodies_check
+from gripcourse.variants.model import Variant
 from gripcourse.variants.space import load_spaces
 from gripcourse.variants.table import read_table, write_table
-
-if TYPE_CHECKING:
-    from gripcourse.documents.report.certificate import CertificateSource
 
 CERTIFICATE = "certificate.pdf"
 DRAWN = "drawn.csv"
@@ -63,21 +61,9 @@ def audit_table(
         OSError: nothing can be written there.
     """
     expect_folder(out)
-    from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
-        CertificateSource,
-    )
-
-    digest = hashlib.sha256(content_of(table)).hexdigest()
-    source = CertificateSource(pure_path(table).name, digest)
-    found = audit(
-        course,
-        load_policy(course),
-        read_table(table, course),
-        load_spaces(course),
-        bodies_check(course),
-        workers,
-    )
-    files = _written(course, found, source, out, words, today)
+    found = _audited(course, read_table(table, course), workers)
+    named = pure_path(table).name, content_of(table)
+    files = _written(course, found, named, out, words, today)
     return WrittenAudit(shown_name(table), found, files, tested_for_bodies(found, course))
 
 
@@ -108,38 +94,41 @@ def audit_drawn(  # noqa: PLR0913, PLR0917 (what is drawn, how, and where it goe
         OSError: nothing can be written there.
     """
     expect_folder(out)
-    from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
-        CertificateSource,
-    )
-
     variants = draw_variants(course, count, seed, scheme, freely=True, workers=workers).variants
     path = out / DRAWN
     write_table(path, variants, course)
-    source = CertificateSource(DRAWN, hashlib.sha256(path.read_bytes()).hexdigest())
-    found = audit(
-        course, load_policy(course), variants, load_spaces(course), bodies_check(course), workers
-    )
-    files = _written(course, found, source, out, words, today)
+    found = _audited(course, variants, workers)
+    files = _written(course, found, (DRAWN, path.read_bytes()), out, words, today)
     return WrittenAudit(str(path), found, (path, *files), tested_for_bodies(found, course))
+
+
+def _audited(course: Course, variants: Sequence[Variant], workers: int) -> VariantAudit:
+    policy, spaces = load_policy(course), load_spaces(course)
+    return audit(course, policy, variants, spaces, bodies_check(course), workers)
 
 
 def _written(
     course: Course,
     found: VariantAudit,
-    source: "CertificateSource",
+    table: tuple[str, bytes],
     out: Path,
     words: Words,
     today: date,
 ) -> tuple[Path, ...]:
-    """Write the certificate and its numbers; return the files."""
-    from gripcourse.documents.report.certificate import certificate  # noqa: PLC0415 (matplotlib)
+    """Write the certificate and its numbers of a table, by name and content; return the files."""
+    from gripcourse.documents.report.certificate import (  # noqa: PLC0415 (matplotlib)
+        CertificateSource,
+        certificate,
+    )
 
+    name, content = table
+    source = CertificateSource(name, hashlib.sha256(content).hexdigest())
     sections = [section.id for section in course.sections]
     files = {
         name: text.encode("utf-8-sig")
         for name, text in audit_tables(found, sections, words).items()
     }
     files[CERTIFICATE] = certificate(found, source, course, load_policy(course), words, today)
-    for name, content in files.items():
-        write_bytes(out / name, content)
-    return tuple(out / name for name in files)
+    for file, data in files.items():
+        write_bytes(out / file, data)
+    return tuple(out / file for file in files)

@@ -78,6 +78,7 @@ def hand_in(
     digest = hashlib.sha256(file.data).hexdigest()
     path = kept_path(context, digest)
     if not path.is_file():
+        make_private_folder(path.parent)
         write_bytes(path, file.data, private=True)
         _make_durable(path.parent)
     name = _kept_name(file.name)

@@ -1,5 +1,6 @@
 """Drawings at the desk: which ones a student handed in, and their pages as pictures."""
 
+import time
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePath
@@ -11,7 +12,7 @@ from starlette.routing import Route
 
 from gripcourse.access.desk.model import HandIn
 from gripcourse.machine.content import NamedBytes
-from gripcourse.machine.files import write_bytes
+from gripcourse.machine.files import make_private_folder, write_bytes
 from gripcourse.machine.jobs.lost import Lost
 from gripcourse.text.words import message
 from gripcourse.usecases.hand_in import kept_path
@@ -22,6 +23,7 @@ from gripcourse.web.refusals import NOT_FOUND, Code, WebRefusal
 from gripcourse.web.seat import Seat, desk_route
 from gripcourse.web.site import Site
 
+_SECONDS_APART: Final = 600.0
 PICTURES: Final = ".pictures"
 """Folder of what was painted, among what is private; hidden, so that no backup carries it."""
 NOT_SHOWN: Final = WebRefusal(
@@ -86,12 +88,25 @@ def painted(site: Site, kept: HandIn, page: int) -> tuple[Path, int] | None:
     kind = PurePath(kept.name).suffix.lower().removeprefix(".")
     for known in folder.glob(f"{kept.digest}-{kind}-{page}-of-*.png"):
         return known, int(known.stem.rpartition("-")[2])
+    failed = folder / f"{kept.digest}-{kind}.failed"
+    if _is_recent(failed):
+        return None
+    make_private_folder(folder)
     data = kept_path(site.context, kept.digest).read_bytes()
     picture = site.checkers.do(PaintJob(NamedBytes(kept.name, data), page))
     if isinstance(picture, Lost):
+        write_bytes(failed, b"", private=True)
         return None
     assert isinstance(picture, PaintedPage)  # noqa: S101 (what the workers return)
     page = page if 1 <= page <= picture.pages else 1
     path = folder / f"{kept.digest}-{kind}-{page}-of-{picture.pages}.png"
     write_bytes(path, picture.png, private=True)
     return path, picture.pages
+
+
+def _is_recent(failed: Path) -> bool:
+    """Tell whether painting failed lately: it may take a worker from students for long each time.
+
+    Later it is tried again, as the machine may only have been busy.
+    """
+    return failed.is_file() and time.time() - failed.stat().st_mtime < _SECONDS_APART

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Final
+from xml.etree.ElementTree import fromstring
 
 # pypdfium2, Pillow, ezdxf and WeasyPrint are imported in a worker, where a drawing is shown.
 # ruff: noqa: PLC0415
@@ -76,6 +77,8 @@ def _raster(data: bytes, _: int) -> PaintedPage:
 def _svg(data: bytes, _: int) -> PaintedPage:
     from weasyprint import HTML, URLFetcher
 
+    # What is no SVG would be a blank sheet, as if nothing had been drawn.
+    fromstring(data)  # noqa: S314 (in a bounded worker; expat bounds what entities come to)
     code = b64encode(data).decode()
     fetcher = URLFetcher(allowed_protocols=("data",))
     page = HTML(string=_SVG_PAGE.format(code=code), url_fetcher=fetcher).write_pdf()

@@ -48,9 +48,9 @@ class Api:
 
         patch.setattr("gripcourse.web.desk_acts.begin_grading", begun)
 
-    def client(self) -> TestClient:
-        """Return a program that asks it."""
-        return TestClient(self.app(), "http://testserver")
+    def client(self, *, raises: bool = True) -> TestClient:
+        """Return a program that asks it; what goes wrong in the server is raised here, or said."""
+        return TestClient(self.app(), "http://testserver", raises)
 
     def link(self, student: str, days: float = 30) -> str:
         """Return the token of a student."""

@@ -315,8 +315,7 @@ def test_our_own_mistake_has_a_number(api: "Api", monkeypatch: pytest.MonkeyPatc
         raise ValueError("unforeseen")
 
     monkeypatch.setattr("gripcourse.web.rest.student.plan_of", fail)
-    program = student(api, "s01", "en")
-    program.client._transport.raise_server_exceptions = False  # type: ignore[attr-defined] # noqa: SLF001
+    program = Program(api.client(raises=False), api.link("s01"), "en")
     answer = program.client.get(f"{REST}/status", headers=program.headers)
     assert (answer.status_code, answer.json()["code"]) == (500, "our_mistake")
     assert "unforeseen" not in answer.text
