@@ -181,10 +181,13 @@ def issue(  # noqa: PLR0913 (one parameter per option)
 ) -> None:
     """Issue an assignment to everybody on the roster: a sheet and an answer workbook each."""
     from gripcourse.course.load import load_course
+    from gripcourse.machine.files import expect_file
     from gripcourse.policy.load import load_policy
     from gripcourse.usecases.issue import Order, issue_order
 
     words = words_for(language)
+    if printed is not None:
+        expect_file(printed)  # else everybody would be issued something before it is refused
     loaded = load_course(course_folder(course))
     order = Order(
         roster=roster,
