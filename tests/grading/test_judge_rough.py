@@ -1,5 +1,6 @@
 """A number that is right but rounded too far is neither wrong nor a slip."""
 
+import math
 from typing import TYPE_CHECKING
 
 import pytest
@@ -55,3 +56,34 @@ def test_a_size_of_a_series_is_taken_as_it_stands(case: "Case") -> None:
     size = typed("bore", case.reference["bore"] * 1.03, 100)
     finding = case.findings({**case.answers, "bore": size})["bore"]
     assert finding.outcome is not Outcome.ROUGH
+
+
+def test_a_number_exactly_between_two_may_be_rounded_to_either(drawn: "tuple[Case, ...]") -> None:
+    halves = [
+        case.without_errata
+        for case in drawn
+        if abs(case.reference.get("jaw_travel", 0.0) % 1 - 0.5) < 1e-9
+        and case.reference["jaw_travel"] < 45
+    ]
+    assert halves
+    for case in halves:
+        right = case.reference["jaw_travel"]
+        for whole in (round(right - 0.5), round(right + 0.5)):
+            answers = {**case.answers, "jaw_travel": typed("jaw_travel", whole, 1)}
+            assert case.findings(answers)["jaw_travel"].outcome is Outcome.ROUGH, case.label
+
+
+def test_ten_for_gravity_rounded_far_is_rough_too(drawn: "tuple[Case, ...]") -> None:
+    """66 for 65.11 N, which are 66.3 N with ten for gravity."""
+    said = set()
+    for case in drawn:
+        if "load_lift" not in case.answers:
+            continue
+        ten, right = case.following(gravity=10.0)["load_lift"], case.reference["load_lift"]
+        step = 10.0 ** (math.floor(math.log10(ten)) - 1)
+        coarse = round(ten / step) * step
+        off = max(0.01 * right, step if coarse < right else step / 2)
+        if abs(coarse - right) > off and abs(coarse - ten) < 0.45 * step:
+            answers = {**case.answers, "load_lift": typed("load_lift", coarse, step)}
+            said.add(case.without_errata.findings(answers)["load_lift"].outcome)
+    assert said == {Outcome.ROUGH}

@@ -10,7 +10,7 @@ import pytest
 from gripcourse.course.quantity import Kind
 from gripcourse.grading.follow_through import range_of
 from gripcourse.grading.model import Outcome
-from gripcourse.grading.rounding import figure_half_unit, reach_of, typed_half_unit
+from gripcourse.grading.rounding import figure_half_unit, kept_figures, reach_of, typed_half_unit
 from gripcourse.policy.model import Policy
 from gripcourse.solver.solve import evaluate, from_si, to_si
 from gripcourse.submission.model import Answer
@@ -20,6 +20,25 @@ if TYPE_CHECKING:
 
 Typed = Callable[[str, float, int], Answer]
 ReadAnswer = Callable[..., Answer]
+
+
+@pytest.mark.parametrize(
+    ("value", "figures", "rounded", "cut"),
+    [
+        (355.35, 4, 355.4, 355.3),
+        (-0.028451, 3, -0.0285, -0.0284),
+        (0.3, 3, 0.3, 0.3),
+        (1048.0, 2, 1000.0, 1000.0),
+        (9.996, 3, 10.0, 9.99),
+        (0.0, 3, 0.0, 0.0),
+    ],
+)
+def test_figures_are_kept_as_people_write_them_down(
+    value: float, figures: int, rounded: float, cut: float
+) -> None:
+    """Halfway goes away from zero."""
+    assert kept_figures(value, figures, cut=False) == pytest.approx(rounded, rel=1e-12)
+    assert kept_figures(value, figures, cut=True) == pytest.approx(cut, rel=1e-12)
 
 
 class TestTypedNumbers:

@@ -6,6 +6,7 @@ from gripcourse.policy.model import Policy
 from gripcourse.submission.model import Answer
 
 _FINEST = 1e-6  # relative: what the route of a calculation makes of its last digits
+_EDGE = 1e-12
 _MORE = 5.0  # a digit more is ten times; binary fractions are not exact
 
 
@@ -79,7 +80,7 @@ def figure_half_unit(value: float, figures: int) -> float:
 
 
 def kept_figures(value: float, figures: int, *, cut: bool) -> float:
-    """Return a value as it is written with so many significant figures.
+    """Return a value as it is written with so many significant figures: 355.35 as 355.4.
 
     Args:
         value: in the unit that it is written in.
@@ -89,4 +90,6 @@ def kept_figures(value: float, figures: int, *, cut: bool) -> float:
     unit = 2 * figure_half_unit(value, figures)
     if not unit:
         return value
-    return (math.trunc(value / unit) if cut else round(value / unit)) * unit
+    # Binary fractions are not exact: 355.35 is stored as something below it.
+    units = math.floor(abs(value) / unit * (1 + _EDGE) + (0.0 if cut else 0.5))
+    return math.copysign(units * unit, value)
