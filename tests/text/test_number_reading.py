@@ -145,8 +145,15 @@ def test_a_typed_date_is_told_as_one(typed: str) -> None:
     assert "date" in reason(typed)
 
 
+@pytest.mark.parametrize("typed", ["٧٬٦٤٥٫٥", "۷۶۴۵٫۵", "７６４５．５", "7645٫5"])
+def test_digits_of_other_keyboards_are_digits(typed: str) -> None:
+    found = read_number(typed)
+    assert isinstance(found, NumberRead)
+    assert (found.value, found.half_unit) == (7645.5, 0.05)
+
+
 @pytest.mark.parametrize(
-    "typed", ["", "x", "inf", "nan", "∞", "-", ".", "٣", "одиннадцать", "#Н/Д"]
+    "typed", ["", "x", "inf", "nan", "∞", "-", ".", "१", "одиннадцать", "#Н/Д"]
 )
 def test_text_that_does_not_begin_with_a_number_is_unreadable(typed: str) -> None:
     assert "does not begin with a number" in reason(typed)

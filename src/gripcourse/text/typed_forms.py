@@ -12,7 +12,11 @@ from typing import Final
 
 from gripcourse.text.words import Message, message
 
-_WIDE_DIGITS: Final = str.maketrans("０１２３４５６７８９，．", "0123456789,.")
+# Digits and signs of other keyboards: wide ones, and those of Arabic and of Persian.
+_OTHER_DIGITS: Final = str.maketrans(
+    "０１２３４５６７８９，．٠١٢٣٤٥٦٧٨٩٫٬۰۱۲۳۴۵۶۷۸۹",
+    "0123456789,.0123456789,'0123456789",
+)
 _QUOTES: Final = (('"', '"'), ("«", "»"), ("“", "”"), ("„", "“"), ("'", "'"))
 _UNIT: Final = r"(?:\s*(?P<unit>[^\W\d_]{1,12})\.?)?"
 _NUMBER: Final = r"\d{1,3}(?:[.,]\d{1,9})?"
@@ -86,7 +90,7 @@ def tidied(text: str) -> tuple[str, tuple[Message, ...]]:
         text: plain, without spaces at its ends.
     """
     remarks: list[Message] = []
-    bare = _BEFORE_WORD.sub(" ", _unquoted(text.translate(_WIDE_DIGITS)), count=1)
+    bare = _BEFORE_WORD.sub(" ", _unquoted(text.translate(_OTHER_DIGITS)), count=1)
     for pattern, said in (
         (_STANDARD, _NOTE_LEFT_OUT),
         (_ABOUT, _WORD_LEFT_OUT),
