@@ -28,6 +28,8 @@ from gripcourse.variants.model import Student, Variant
 
 COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
 SPACE = "variants/spaces/v_belt.toml"
+SHAFT = "variants/sections/driven_shaft.toml"
+FORCE_IN_N = 'symbol = "F_r"\nunit = "N"'
 
 
 @pytest.fixture
@@ -294,3 +296,28 @@ def test_a_folder_without_a_course_has_one_problem(tmp_path: Path) -> None:
 def test_a_scheme_alone_is_as_valid_as_the_course(course: Course, scheme: str) -> None:
     # Rules of shared options name choices that only other schemes offer.
     assert scheme_problems(course.root, scheme) == []
+
+
+@pytest.mark.parametrize(
+    ("edit", "key"),
+    [
+        # The unit of one thing is wrong: its slip, and what is computed from it, are not.
+        (
+            (SHAFT, FORCE_IN_N, 'symbol = "F_r"\nunit = "mm"'),
+            "quantity.shaft_force.formula",
+        ),
+        (
+            (SHAFT, FORCE_IN_N, 'symbol = "F_r"'),
+            "quantity.shaft_force.unit",
+        ),
+        (
+            (SHAFT, '"2*total_tension*sin(wrap_angle/2)"', '""'),
+            "quantity.shaft_force.formula",
+        ),
+    ],
+)
+def test_of_faults_that_follow_from_one_the_root_is_told(
+    broken: Callable[..., Path], edit: tuple[str, str, str], key: str
+) -> None:
+    found = all_problems(broken(edit))
+    assert [(one.file, str(one.key)) for one in found] == [(edit[0], key)]

@@ -35,3 +35,10 @@ def test_a_file_is_named_by_the_end_of_its_path(written: str, file: str) -> None
 def test_what_names_no_file_or_no_student_is_refused(written: str, said: str) -> None:
     with pytest.raises(UsageError, match=said):
         read_whose([written], FILES, {"s003"})
+
+
+def test_the_library_speaks_of_its_own_parameter() -> None:
+    with pytest.raises(UsageError) as refused:
+        read_whose(["s009.xlsx=s002"], FILES, {"s002"})
+    (problem,) = refused.value.problems
+    assert (problem.parameter, problem.key) == ("whose", "")

@@ -32,3 +32,10 @@ def chosen_language(name: str) -> str:
         remedy = did_you_mean(name, LANGUAGES)
         raise UsageError([Problem("", "", what, remedy, parameter="language")])
     return name
+
+
+def refused_count(count: int) -> UsageError:
+    """Return the refusal of a number of things that is not positive."""
+    what = message("The number is {value}.", value=count)
+    remedy = message("Write a whole number from 1 on.")
+    return UsageError([Problem("", "", what, remedy, parameter="count")])

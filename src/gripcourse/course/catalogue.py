@@ -197,7 +197,7 @@ def _values(
                 _problem(
                     file,
                     message("row {row}", row=number),
-                    message("The row does not hold {width} numbers.", width=width),
+                    message("The row does not hold a number in each column."),
                     message("Write a number with a point in every column."),
                 )
             )

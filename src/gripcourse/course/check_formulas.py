@@ -64,6 +64,8 @@ def check_formulas(
                 unit = "" if is_condition else one.unit
                 check_dimension(formula, unit, dimensions, column_dimensions)
             except FormulaFault as fault:
+                if _follows(one, key, formula, quantities, dimensions, column_dimensions):
+                    continue
                 yield Problem(
                     one.file,
                     f"quantity.{one.id}.{key}",
@@ -74,6 +76,37 @@ def check_formulas(
         yield from slip_faults(one, columns)
         yield from alternative_faults(one, columns)
         yield from check_guard(one)
+
+
+def _follows(
+    one: Quantity,
+    key: str,
+    formula: Formula,
+    quantities: Mapping[str, Quantity],
+    dimensions: Mapping[str, Dimension],
+    column_dimensions: Mapping[str, tuple[Dimension, Dimension]],
+) -> bool:
+    """Tell whether another fault of units may be the root of this one: it alone is told.
+
+    That is the formula of something that is used, or of the quantity itself where this is a slip.
+    """
+    roots = [quantities[name] for name in formula.names if name in quantities]
+    if key.startswith(("slip.", "alternative.", "as_printed.")):
+        roots.append(one)
+    for root in roots:
+        main = root.formula
+        if main is None or root.kind in {Kind.VERDICT, Kind.MANUAL}:
+            continue
+        if (root is one and key == _FORMULA_KEY.get(root.kind, "formula")) or not {
+            root.id,
+            *main.names,
+        } <= dimensions.keys():
+            continue
+        try:
+            check_dimension(main, root.unit, dimensions, column_dimensions)
+        except FormulaFault:
+            return True
+    return False
 
 
 def _keyed_formulas(one: Quantity) -> Iterator[tuple[str, Formula, bool]]:

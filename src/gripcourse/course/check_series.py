@@ -31,12 +31,22 @@ def check_series(
             elif not _holds_sizes(columns[name]):
                 yield Problem(one.file, place, _NO_SIZES, _TAKE_SIZES)
             elif known(one.unit) and column_dimensions[name][1] != dimension(one.unit):
-                yield Problem(one.file, place, _OTHER_DIMENSION, _TAKE_SIZES)
+                yield Problem(one.file, place, _OTHER_DIMENSION, _remedy(name))
 
 
 _NO_SIZES: Message = message("The column does not hold the sizes of its catalogue.")
 _OTHER_DIMENSION: Message = message("The sizes do not measure what the quantity measures.")
 _TAKE_SIZES: Message = message("Name the first column of a catalogue of such sizes.")
+
+
+def _remedy(name: str) -> Message:
+    catalogue, _, column = name.partition(".")
+    return message(
+        "Name the first column of a catalogue of such sizes, or write their unit behind the heading"
+        " '{column}' of variants/catalogues/{catalogue}.csv, as in '{column} [mm]'.",
+        catalogue=catalogue,
+        column=column,
+    )
 
 
 def _holds_sizes(column: Column) -> bool:

@@ -1,6 +1,7 @@
 """From a TOML table to the declaration of a quantity."""
 
 import math
+from typing import Final
 
 from gripcourse.course.declare_formulas import (
     optional_formula,
@@ -29,6 +30,8 @@ _FORMULA_KEY = {
     Kind.CHOICE: "at_least",
     Kind.VERDICT: "condition",
 }
+NO_UNIT: Final = "?"
+"""Of a quantity whose unit nobody knows: an unknown one, so that nothing is compared with it."""
 _NO_BOUNDS = (float("-inf"), float("inf"))
 _TRUTH_BOUNDS = (0.0, 1.0)
 
@@ -157,6 +160,8 @@ def _kind(table: Table) -> Kind | None:
 
 def _unit(table: Table, kind: Kind) -> str:
     unit = table.text("unit", "" if kind in {Kind.VERDICT, Kind.MANUAL} else None)
+    if kind not in {Kind.VERDICT, Kind.MANUAL} and not isinstance(table.values.get("unit"), str):
+        return NO_UNIT
     if not known_unit(unit):
         table.add(
             "unit",

@@ -11,7 +11,9 @@ from gripcourse.text.words import message
 def read_formula(table: Table, name: str, units: Mapping[str, str]) -> Formula | None:
     """Read a formula; None (and a problem) where it is none."""
     text = table.text(name)
-    if not text:
+    if not text.strip():
+        if table.values.get(name) == text:  # else it is missing, or no text, which is said
+            table.add(name, message("The formula is empty."), message("Write the formula."))
         return None
     try:
         return formula_of(text, dict(units))

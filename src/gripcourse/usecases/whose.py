@@ -47,7 +47,7 @@ def read_whose(
             decided[found[0]] = student
             continue
         remedy = message("Write file=student, for example work/s002.xlsx=s003.")
-        problems.append(Problem("", "--whose", what, remedy, parameter="whose"))
+        problems.append(Problem("", "", what, remedy, parameter="whose"))
     if problems:
         raise UsageError(problems)
     return decided
