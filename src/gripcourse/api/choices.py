@@ -34,8 +34,14 @@ def chosen_language(name: str) -> str:
     return name
 
 
-def refused_count(count: int) -> UsageError:
-    """Return the refusal of a number of things that is not positive."""
+def from_one(count: int) -> int:
+    """Return how many of something are wanted.
+
+    Raises:
+        UsageError: none.
+    """
+    if count >= 1:
+        return count
     what = message("The number is {value}.", value=count)
     remedy = message("Write a whole number from 1 on.")
-    return UsageError([Problem("", "", what, remedy, parameter="count")])
+    raise UsageError([Problem("", "", what, remedy, parameter="count")])

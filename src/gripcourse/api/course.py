@@ -6,7 +6,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gripcourse.api.choices import chosen_convention, chosen_language, refused_count
+from gripcourse.api.choices import chosen_convention, chosen_language, from_one
 from gripcourse.api.make_results import (
     check_result,
     issue_result,
@@ -132,9 +132,7 @@ class Course:
         """
         from gripcourse.usecases.variants import draw_variants
 
-        if count < 1:
-            raise refused_count(count)
-        drawn = draw_variants(self.definition, count, seed, scheme, freely=freely)
+        drawn = draw_variants(self.definition, from_one(count), seed, scheme, freely=freely)
         if out is not None:
             write_table(Path(out), drawn.variants, self.definition)
         return variants_result(drawn.variants, drawn.tallies)
