@@ -38,7 +38,7 @@ _KINDS: Final = {
     "comment": ("*.toml", r"\Z", "\n# more\n"),
     "text": ("*.toml", r'(?<=en = ")[a-z]+', "another"),
 }
-_FOLDERS: Final = ("sections", "schemes", "catalogues", "options", "spaces", "equilibrium", ".")
+_FOLDERS: Final = ("sections", "schemes/*", "catalogues", "options", "spaces", "equilibrium", ".")
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,25 +74,29 @@ def random_changes(root: Path, count: int, seed: int) -> list[Change]:
         seed: of chance.
     """
     chance = random.Random(seed)  # noqa: S311 (nothing secret)
-    kinds = [name for name in _KINDS for _ in range(1 + count // len(_KINDS))]
-    chance.shuffle(kinds)
-    return [_change(root, kind, chance) for kind in kinds[:count]]
+    places = {kind: _places(root, kind) for kind in _KINDS}
+    kinds = [kind for kind, found in places.items() if found for _ in range(count)]
+    chosen = [kinds[place * len(kinds) // count] for place in range(count)]
+    return [_change(root, kind, *chance.choice(places[kind])) for kind in chosen]
 
 
-def _change(root: Path, kind: str, chance: random.Random) -> Change:
-    pattern, wanted, new = _KINDS[kind]
-    while True:
-        folder = root / "variants" / chance.choice(_FOLDERS)
-        depth = "*/" if folder.name == "schemes" else ""
-        path = chance.choice([*folder.glob(depth + pattern), None])
-        if path is None or path.name == "roster.csv":
-            continue
-        text = path.read_text(encoding="utf-8")
-        if places := list(re.finditer(wanted, text)):
-            place = chance.choice(places)
-            after = text[: place.start()] + new + text[place.end() :]
-            if after != text:
-                return Change(kind, path.relative_to(root).as_posix(), text, after)
+def _places(root: Path, kind: str) -> list[tuple[Path, int, int]]:
+    """Return each file with each beginning and end of what a kind of change may replace."""
+    pattern, wanted, _ = _KINDS[kind]
+    home = root / "variants"
+    paths = [path for one in _FOLDERS for path in sorted(home.glob(f"{one}/{pattern}"))]
+    return [
+        (path, found.start(), found.end())
+        for path in paths
+        if path.name != "roster.csv"
+        for found in re.finditer(wanted, path.read_text(encoding="utf-8"))
+    ]
+
+
+def _change(root: Path, kind: str, path: Path, start: int, end: int) -> Change:
+    text = path.read_text(encoding="utf-8")
+    after = text[:start] + _KINDS[kind][2] + text[end:]
+    return Change(kind, path.relative_to(root).as_posix(), text, after)
 
 
 def said_with(cache: Path, root: Path, schemes: Iterable[str] = ()) -> str:

@@ -100,7 +100,8 @@ def _digest(subject: str, seen: Iterable[FilesSeen]) -> str | None:
     told = [one for one in digests if one is not None]
     if len(told) < len(digests):
         return None
-    return hashlib.sha256("\0".join([subject, *told]).encode()).hexdigest()
+    program = digest_of(Path(), ())
+    return hashlib.sha256("\0".join([program, subject, *told]).encode()).hexdigest()
 
 
 def _are_unchanged(seen: Iterable[FilesSeen]) -> bool:
