@@ -18,7 +18,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Final
 
-from gripcourse.errors import GripcourseError
+from gripcourse.errors import GripcourseError, Problem
 from gripcourse.text.words import Words
 from gripcourse.usecases.validate import scheme_problems, validated
 
@@ -119,7 +119,12 @@ def said_of(root: Path, schemes: Iterable[str] = ()) -> str:
             found += scheme_problems(root, scheme)
         except GripcourseError as error:
             found += error.problems
-    return "\n".join(f"{one.file} | {words.say(one.key)} | {one.say(words)}" for one in found)
+    return "\n".join(f"{_place(one, words)}: {one.say(words)} {one.excerpt}" for one in found)
+
+
+def _place(problem: Problem, words: Words) -> str:
+    key = problem.key if isinstance(problem.key, str) else words.say(problem.key)
+    return f"{problem.file}, {key}"
 
 
 def main() -> None:
