@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.course.read import read_course
-from gripcourse.course.sound_schemes import NOT_READ, Judgement, judgement
+from gripcourse.course.sound_schemes import NOT_READ, SchemeJudgement, judgement
 from gripcourse.course.source_files import source_files
 
 COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
@@ -36,7 +36,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return root
 
 
-def judged(root: Path, subject: str = "declarations") -> Judgement:
+def judged(root: Path, subject: str = "declarations") -> SchemeJudgement:
     files, (course, problems) = source_files(root), read_course(root)
     assert files is not None
     assert course is not None

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from gripcourse.course.read import read_course
-from gripcourse.course.sound_schemes import Judgement
+from gripcourse.course.sound_schemes import SchemeJudgement
 from gripcourse.course.source_files import SourceFiles, source_files
 from gripcourse.usecases.scheme_numbers import NOT_COMPUTED, numbers_of_schemes
 
@@ -41,7 +41,7 @@ def files_of(root: Path) -> SourceFiles:
     return files
 
 
-def judged(root: Path) -> Judgement | None:
+def judged(root: Path) -> SchemeJudgement | None:
     course, problems = read_course(root)
     assert course is not None
     assert problems == []

@@ -24,7 +24,7 @@ _MOST: Final = 2048  # digests; the oldest are forgotten
 
 
 @dataclass(frozen=True, slots=True)
-class Judgement:
+class SchemeJudgement:
     """A judgement of single schemes of a course that was read.
 
     Attributes:
@@ -50,7 +50,7 @@ class Judgement:
 
 def judgement(
     course: Course, files: SourceFiles, left_out: Collection[str], *subject: str
-) -> Judgement:
+) -> SchemeJudgement:
     """Find out which schemes were not found sound in the same files.
 
     Args:
@@ -68,7 +68,7 @@ def judgement(
         digests[scheme.id] = files.digest(judged_from, *subject)
         if digests[scheme.id] not in known:
             alone[scheme.id] = files.alone(course, [scheme], judged_from)
-    return Judgement(course, files, digests, alone)
+    return SchemeJudgement(course, files, digests, alone)
 
 
 def _remembered() -> dict[str, None]:

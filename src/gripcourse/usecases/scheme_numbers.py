@@ -11,7 +11,7 @@ from typing import Final
 from gripcourse.course.compose import of_schemes
 from gripcourse.course.model import Course
 from gripcourse.course.quantity import Convention
-from gripcourse.course.sound_schemes import Judgement, judgement
+from gripcourse.course.sound_schemes import SchemeJudgement, judgement
 from gripcourse.course.source_files import SourceFiles
 from gripcourse.errors import GripcourseError, Problem
 from gripcourse.proofs.calculations import calculations, differences
@@ -28,7 +28,7 @@ NOT_COMPUTED: Final = (
 )
 
 
-def numbers_of_schemes(course: Course, files: SourceFiles | None) -> Judgement | None:
+def numbers_of_schemes(course: Course, files: SourceFiles | None) -> SchemeJudgement | None:
     """Find out of which schemes the numbers were not found sound; None where that cannot be told.
 
     Args:
@@ -42,7 +42,7 @@ def numbers_of_schemes(course: Course, files: SourceFiles | None) -> Judgement |
     return judgement(course, files, NOT_COMPUTED, "numbers", *beside)
 
 
-def is_sound_alone(judged: Judgement, scheme: str, cases: Sequence[PublishedCase]) -> bool:
+def is_sound_alone(judged: SchemeJudgement, scheme: str, cases: Sequence[PublishedCase]) -> bool:
     """Tell whether the numbers of a scheme are sound that waits to be judged.
 
     Args:
