@@ -211,9 +211,9 @@ def main() -> None:
                 before = least.get(row.name, (used, waited))
                 least[row.name] = min(used, before[0]), min(waited, before[1])
     first = least[rows[0].name][0]
-    print("                                    processor   clock  share")
+    print("                                    processor    clock   share")
     for name, (used, waited) in least.items():
-        print(f"{name:<36}{used:8.2f} s{waited:6.2f} s  {used / first:.2f}")
+        print(f"{name:<36}{used:8.2f} s{waited:7.2f} s{used / first:8.2f}")
 
 
 if __name__ == "__main__":
