@@ -7,12 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from gripcourse.course.sound_schemes import (
-    NOT_READ,
-    not_found_sound,
-    remember_sound,
-    scheme_digests,
-)
+from gripcourse.course.read import read_course
+from gripcourse.course.sound_schemes import NOT_READ, SchemeJudgement, judgement
+from gripcourse.course.source_files import source_files
 
 COURSE = Path(__file__).parents[2] / "examples" / "belt_drive"
 BOTH = frozenset({"flat_belt", "v_belt"})
@@ -33,13 +30,22 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A course whose schemes were found sound."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     root = Path(shutil.copytree(COURSE, tmp_path / "course"))
-    assert waiting(root) == BOTH
-    remember_sound(scheme_digests(root), "declarations", root)
+    found = judged(root)
+    assert found.alone.keys() == BOTH
+    found.remember()
     return root
 
 
+def judged(root: Path, subject: str = "declarations") -> SchemeJudgement:
+    files, (course, problems) = source_files(root), read_course(root)
+    assert files is not None
+    assert course is not None
+    assert problems == []
+    return judgement(course, files, NOT_READ, subject)
+
+
 def waiting(root: Path, subject: str = "declarations") -> frozenset[str]:
-    return not_found_sound(scheme_digests(root), subject, BOTH)
+    return frozenset(judged(root, subject).alone)
 
 
 def change(root: Path, file: str) -> None:
@@ -63,17 +69,33 @@ def test_a_change_of_one_scheme_concerns_that_one(root: Path, file: str) -> None
     [
         "variants/course.toml",
         "variants/sections/open_belt.toml",
-        "variants/catalogues/v_belt.csv",
         "variants/options/tensioning.toml",
         "variants/drawing/drive.toml",
-        "variants/proofs.toml",
-        "variants/published_cases.toml",
-        "grader/policy.toml",
+        "grader/rubric/drive_drawing.toml",
     ],
 )
 def test_a_change_of_what_schemes_share_concerns_all(root: Path, file: str) -> None:
     change(root, file)
     assert waiting(root) == BOTH
+
+
+@pytest.mark.parametrize("file", ["catalogues/v_belt.csv", "catalogues/v_wrap.csv"])
+def test_a_change_of_what_one_scheme_names_concerns_that_one(root: Path, file: str) -> None:
+    change(root, f"variants/{file}")
+    assert waiting(root) == {"v_belt"}
+
+
+@pytest.mark.parametrize("file", ["variants/proofs.toml", "grader/policy.toml"])
+def test_a_change_of_what_declares_nothing_concerns_none(root: Path, file: str) -> None:
+    change(root, file)
+    assert waiting(root) == frozenset()
+
+
+def test_a_scheme_is_judged_with_what_it_names_and_nothing_else(root: Path) -> None:
+    alone = judged(root, "numbers").alone["flat_belt"]
+    assert alone.schemes.keys() == {"flat_belt"}
+    assert "v_belt" not in alone.catalogues
+    assert alone.catalogues
 
 
 def test_a_new_file_concerns_whose_it_is(root: Path) -> None:
@@ -86,24 +108,28 @@ def test_a_new_file_concerns_whose_it_is(root: Path) -> None:
 def test_a_scheme_that_was_taken_away_and_put_back_is_as_sound_as_before(root: Path) -> None:
     away = root / "away"
     (root / "variants" / "schemes" / "v_belt").rename(away)
-    assert waiting(root) == {"v_belt"}
+    assert waiting(root) == frozenset()
     away.rename(root / "variants" / "schemes" / "v_belt")
     assert waiting(root) == frozenset()
 
 
 def test_what_changes_while_it_is_judged_is_not_remembered(root: Path) -> None:
     change(root, "variants/course.toml")
-    before = scheme_digests(root)
+    before = judged(root)
     change(root, "variants/course.toml")
-    remember_sound(before, "declarations", root)
+    before.remember()
     assert waiting(root) == BOTH
 
 
-def test_folders_that_are_links_are_judged_each_time(root: Path) -> None:
+def test_files_in_folders_that_are_links_are_not_told(root: Path) -> None:
     (root / "variants" / "schemes" / "v_belt" / "more").symlink_to(root / "variants" / "sections")
-    assert waiting(root) == BOTH
-    remember_sound(scheme_digests(root), "declarations", root)
-    assert waiting(root) == BOTH
+    assert source_files(root) is None
+
+
+def test_a_name_that_is_written_with_an_escape_may_be_any(root: Path) -> None:
+    path = root / "variants" / "schemes" / "flat_belt" / "scheme.toml"
+    path.write_text(path.read_text(encoding="utf-8") + '# "\\u0076_belt"', encoding="utf-8")
+    assert "v_belt" in judged(root).alone["flat_belt"].catalogues
 
 
 def test_what_no_scheme_is_judged_from_is_never_opened(root: Path) -> None:
@@ -115,6 +141,7 @@ def test_what_no_scheme_is_judged_from_is_never_opened(root: Path) -> None:
         timeout=120,
     )
     home = root / "variants"
-    opened = {Path(line) for line in done.stdout.splitlines() if line.startswith(str(home))}
+    opened = {Path(line) for line in done.stdout.splitlines() if line.startswith(str(root))}
     assert home / "schemes" / "v_belt" / "scheme.toml" in opened
-    assert [one for one in opened if one.relative_to(home).parts[0] in NOT_READ] == []
+    names = [one.relative_to(root).as_posix() for one in opened]
+    assert [one for one in names if one.startswith(NOT_READ)] == []

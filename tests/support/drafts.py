@@ -147,7 +147,7 @@ def parsed(text: str) -> bytes:
 
 
 class ParsedOnce:
-    """What the program uses of `tomllib`: a draft differs from the one before in a file or two."""
+    """What the program uses of `tomli`: a draft differs from the one before in a file or two."""
 
     TOMLDecodeError = tomllib.TOMLDecodeError
 
@@ -159,7 +159,7 @@ class ParsedOnce:
 @pytest.fixture
 def draft(tmp_path: Path, one_scheme: Path, monkeypatch: pytest.MonkeyPatch) -> Draft:
     """A course: what an instructor starts from."""
-    monkeypatch.setattr("gripcourse.course.toml_faults.tomllib", ParsedOnce)
+    monkeypatch.setattr("gripcourse.course.toml_faults.tomli", ParsedOnce)
     return Draft(Path(shutil.copytree(one_scheme, tmp_path / "course")))
 
 

@@ -1,12 +1,13 @@
 """What was found sound is not judged again, and nothing else is taken for it."""
 
+import time
 from pathlib import Path
 
 import pytest
 
 from gripcourse.errors import Problem
 from gripcourse.text.words import message
-from gripcourse.usecases.judged_before import unless_sound
+from gripcourse.usecases.judged_before import FilesSeen, files_seen, unless_sound
 
 FAULT = Problem("variants/a.toml", "", message("The file is missing."), message("Write it."))
 
@@ -20,9 +21,13 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder.parent
 
 
+def seen(root: Path) -> FilesSeen:
+    return files_seen(root, [root / "variants"])
+
+
 def judged(root: Path, *problems: Problem, subject: str = "numbers") -> list[Problem]:
     """Judge a course that has some problems."""
-    return unless_sound(subject, root, [root / "variants"], lambda: list(problems))
+    return unless_sound(subject, [seen(root)], lambda: list(problems))
 
 
 def test_what_was_found_sound_is_not_judged_again(root: Path) -> None:
@@ -55,8 +60,29 @@ def test_what_changes_while_it_is_judged_is_judged_again(root: Path) -> None:
         (root / "variants" / "a.toml").write_text("a = 2", encoding="utf-8")
         return []
 
-    assert unless_sound("numbers", root, [root / "variants"], judge) == []
+    assert unless_sound("numbers", [seen(root)], judge) == []
     (root / "variants" / "a.toml").write_text("a = 1", encoding="utf-8")
+    assert judged(root, FAULT) == [FAULT]
+
+
+def test_what_changed_between_a_look_and_the_judgement_is_judged_again(root: Path) -> None:
+    before = seen(root)
+    (root / "variants" / "a.toml").write_text("a = 2", encoding="utf-8")
+    assert unless_sound("numbers", [before], list) == []
+    assert judged(root, FAULT) == [FAULT]
+    (root / "variants" / "a.toml").write_text("a = 1", encoding="utf-8")
+    assert judged(root, FAULT) == [FAULT]
+
+
+def test_a_file_that_changed_while_it_was_judged_and_is_again_what_it_was(root: Path) -> None:
+    def judge() -> list[Problem]:
+        for text in ("a = 2", "a = 1"):
+            (root / "variants" / "a.toml").write_text(text, encoding="utf-8")
+        return []
+
+    before = seen(root)
+    time.sleep(0.02)  # more than the clock of a disk takes to go on
+    assert unless_sound("numbers", [before], judge) == []
     assert judged(root, FAULT) == [FAULT]
 
 

@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from gripcourse.course.catalogue import columns_of
+from gripcourse.course.check_declarations import check_declarations
 from gripcourse.course.check_diagram import check_diagram, check_diagram_use
 from gripcourse.course.check_example import check_example
 from gripcourse.course.check_formulas import check_formulas
@@ -34,7 +35,6 @@ from gripcourse.course.option_sets import option_sets, pair_option_sets
 from gripcourse.course.quantity import Kind, Quantity
 from gripcourse.errors import Problem
 from gripcourse.formula.evaluate import Column
-from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.units import Dimension, dimension
 from gripcourse.text.units import known as known_unit
 from gripcourse.text.words import message
@@ -45,7 +45,7 @@ def check_course(
     *,
     thorough: bool = False,
     whole: Course | None = None,
-    only: Collection[str] | None = None,
+    only: Mapping[str, Course] | None = None,
 ) -> list[Problem]:
     """Return every problem that shows only when the files of a course are put together.
 
@@ -54,23 +54,25 @@ def check_course(
         thorough: look at every combination of options, which takes seconds, and not only at enough
             of them for any two choices to occur together.
         whole: the course with all its schemes, where this one has a few of them only.
-        only: the schemes that are looked at by themselves; the others are known to be sound. What
-            schemes are to each other is looked at in any case. None for all.
+        only: the schemes that are looked at by themselves, each with the course that has what it is
+            made from and nothing else; the others are known to be sound. What schemes are to each
+            other is looked at in any case. None for all, in this course.
     """
     # What is found out about a scheme must not depend on another one: it is remembered.
     alone = course if only is None else of_schemes(course, only)
-    drawn = view_parts(course)
-    tables = _Tables.of(course)
-    found: list[Problem] = []
-    seen: set[object] = set()
     unknown = list(check_option_names(course, whole or course))
-    found += unknown
+    beside = _Beside(view_parts(course), knows_rules=not unknown, thorough=thorough)
+    tables = _Tables.of(course)
+    found: list[Problem] = unknown
+    seen: set[object] = set()
     for scheme in alone.schemes.values():
-        found += [] if unknown else check_option_rules(alone, scheme)
-        found += check_parts(alone, scheme)
-        if all_part_ids(scheme).keys() <= alone.parts.keys():
-            # else all that uses the missing part would be reported too
-            found += _check_scheme(alone, scheme, tables, drawn, seen, thorough=thorough)
+        if only is not None:
+            tried, own = set(seen), only[scheme.id]
+            if next(_check_alone(own, scheme, _Tables.of(own), beside, tried), None) is None:
+                seen = tried
+                continue
+        # Remedies may name what only the others have.
+        found += _check_alone(alone, scheme, tables, beside, seen)
     found += _check_used_parts(course)
     found += _check_columns(course)
     found += check_titles(course)
@@ -98,25 +100,46 @@ class _Tables:
         return _Tables(columns_of(course.catalogues), dimensions)
 
 
+@dataclass(frozen=True, slots=True)
+class _Beside:
+    """What is known of the whole course where one scheme is checked.
+
+    Attributes:
+        drawn: the ids of the parts of all general views.
+        knows_rules: whether the rules among options name what exists.
+        thorough: whether every combination of options is looked at.
+    """
+
+    drawn: Collection[str]
+    knows_rules: bool
+    thorough: bool
+
+
+def _check_alone(
+    course: Course, scheme: Scheme, tables: _Tables, beside: _Beside, seen: set[object]
+) -> Iterator[Problem]:
+    """Yield the problems of a scheme: of its rules, its parts, and all that these declare."""
+    if beside.knows_rules:
+        yield from check_option_rules(course, scheme)
+    yield from check_parts(course, scheme)
+    if all_part_ids(scheme).keys() <= course.parts.keys():
+        # else all that uses the missing part would be reported too
+        yield from _check_scheme(course, scheme, tables, beside, seen)
+
+
 def _check_scheme(
-    course: Course,
-    scheme: Scheme,
-    tables: _Tables,
-    drawn: Collection[str],
-    seen: set[object],
-    *,
-    thorough: bool,
+    course: Course, scheme: Scheme, tables: _Tables, beside: _Beside, seen: set[object]
 ) -> Iterator[Problem]:
     """Yield the problems of a scheme in the combinations of its options that are looked at."""
     circular = circular_names(course, scheme)
     doubled = unlike_names(course, scheme)
     elsewhere = declaring_files(course)
     every: dict[str, Quantity] = dict(course.constants)
-    for options in option_sets(scheme) if thorough else pair_option_sets(scheme):
+    for options in option_sets(scheme) if beside.thorough else pair_option_sets(scheme):
         quantities = compose(course, scheme, options)
         every |= quantities
         new = _not_checked_yet(quantities, seen)
-        yield from _check_declarations(course, new)
+        yield from check_declarations(course, new)
         if doubled:  # whatever uses one of the two would seem to be wrong with the other
             new = [one for one in new if doubled.isdisjoint((one.id, *one.uses))]
         yield from check_formulas(new, quantities, tables.columns, tables.dimensions, elsewhere)
@@ -130,7 +153,7 @@ def _check_scheme(
         yield from _check_pictures(scheme, quantities, course.positions, options, seen)
     yield from check_diagram_use(scheme, every)
     if _units_known(every.values()):
-        yield from check_view(scheme, every, tables.dimensions, drawn)
+        yield from check_view(scheme, every, tables.dimensions, beside.drawn)
     for one in check_example(course, scheme):
         if str(one.key).rpartition(".")[2] not in doubled:
             yield one
@@ -239,46 +262,6 @@ def _check_use(course: Course, quantities: Mapping[str, Quantity]) -> Iterator[P
             )
 
 
-def _check_declarations(course: Course, declared: Iterable[Quantity]) -> Iterator[Problem]:
-    """Yield what is wrong with declarations wherever they are used."""
-    sections = {section.id for section in course.sections}
-    for one in declared:
-        key = f"quantity.{one.id}"
-        if one.section and one.section not in sections:
-            yield Problem(
-                one.file,
-                f"{key}.section",
-                message("The course has no section '{name}'.", name=one.section),
-                did_you_mean(one.section, sections),
-            )
-        if one.source.work and one.source.work not in course.works:
-            yield Problem(
-                one.file,
-                f"{key}.source.work",
-                message("The course cites no work '{work}'.", work=one.source.work),
-                did_you_mean(one.source.work, course.works),
-            )
-        for printed in one.as_printed:
-            if printed.erratum not in course.errata:
-                yield Problem(
-                    one.file,
-                    f"{key}.as_printed.{printed.erratum}",
-                    message("The course lists no erratum '{erratum}'.", erratum=printed.erratum),
-                    did_you_mean(printed.erratum, course.errata),
-                )
-        if one.rubric and not _rubric_exists(course, one.rubric):
-            yield Problem(
-                one.file,
-                f"{key}.rubric",
-                message("There is no rubric '{rubric}'.", rubric=one.rubric),
-                message("Write grader/rubric/{rubric}.toml.", rubric=one.rubric),
-            )
-
-
 def _is_readable(quantities: Iterable[Quantity]) -> bool:
     """Tell whether every formula could be read: else nobody knows what is used."""
     return all(one.formula is not None for one in quantities if one.kind.answered)
-
-
-def _rubric_exists(course: Course, rubric: str) -> bool:
-    return (course.root / "grader" / "rubric" / f"{rubric}.toml").is_file()

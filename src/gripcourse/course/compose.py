@@ -95,7 +95,7 @@ def declared_in(course: Course, compositions: Iterable[Composition]) -> dict[str
 
 def used_names(quantities: Iterable[Quantity]) -> set[str]:
     """Return every id that some formula of some quantity uses."""
-    return {name for one in quantities for name in one.uses}
+    return set[str]().union(*(one.uses for one in quantities))
 
 
 def reference_formula(quantity: Quantity, convention: Convention) -> Formula | None:

@@ -65,23 +65,21 @@ def judge_course(root: Path) -> tuple[Course | None, list[Problem], str | None]:
     # Only who finds nothing kept reads and checks: 50 modules.
     from gripcourse.course.check import check_course, view_parts  # noqa: PLC0415 (as said)
     from gripcourse.course.read import read_course  # noqa: PLC0415
-    from gripcourse.course.sound_schemes import (  # noqa: PLC0415
-        not_found_sound,
-        remember_sound,
-        scheme_digests,
-    )
+    from gripcourse.course.sound_schemes import NOT_READ, judgement  # noqa: PLC0415
+    from gripcourse.course.source_files import source_files  # noqa: PLC0415
 
-    digests = scheme_digests(root)
+    files = source_files(root)
     course, problems = read_course(root)
     if course is None:
         return None, problems, digest
     # All else that is looked at of another scheme.
-    subject = f"declarations beside {sorted(view_parts(course))}"
-    waiting = not_found_sound(digests, subject, course.schemes)
-    problems = [*problems, *check_course(course, only=waiting)]
+    beside = ("declarations", *sorted(view_parts(course)))
+    judged = None if files is None else judgement(course, files, NOT_READ, *beside)
+    problems = [*problems, *check_course(course, only=None if judged is None else judged.alone)]
+    if not problems and judged is not None:
+        judged.remember()
     # What changed while it was read is not kept under the digest of what was there before.
     if not problems and digest is not None and digest == course_digest(root):
-        remember_sound(digests, subject, root)
         keep(digest, course)
         for remembered in (_kept, _kept_at):  # that there was none
             remembered.cache_clear()

@@ -1,84 +1,74 @@
 """Which schemes of a course were found sound in the same files, whatever became of the others.
 
-A scheme is judged from its own folder and from what all schemes share: the others' folders are
-nothing to it. So its digest is that of every file of the course but theirs, and what is remembered
-is digests alone: whatever changes, the digest is another one.
+What is remembered is digests alone, of the files that a scheme is judged from (see `source_files`)
+and of what else the judgement depends on: whatever changes, the digest is another one.
 """
 
 import hashlib
-from collections.abc import Collection, Iterable, Mapping
-from pathlib import Path
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from typing import Final
 
-from gripcourse.machine.kept import digest_of, keep, read_kept
-from gripcourse.machine.resources import REQUIRED_FOLDERS, VARIANTS
+from gripcourse.course.model import Course
+from gripcourse.course.source_files import SourceFiles, source_files
+from gripcourse.machine.kept import keep, read_kept
 
-NOT_READ: Final = ("spaces", "tables", "atlas", "roster.csv")
-"""What below `variants` neither declares anything nor is read to check what does."""
+NOT_READ: Final = (
+    *("variants/atlas/", "variants/equilibrium/", "variants/spaces/", "variants/tables/"),
+    *("variants/proofs.toml", "variants/published_cases.toml", "variants/roster.csv"),
+    *("grader/policy.toml", "grader/slips.toml", "grader/virtual.toml"),
+)
+"""What neither declares anything nor is read to check what does."""
 _REMEMBERED: Final = hashlib.sha256(b"digests of sound schemes").hexdigest()
 _MOST: Final = 2048  # digests; the oldest are forgotten
 
 
-def scheme_digests(root: Path, not_read: Collection[str] = NOT_READ) -> dict[str, str]:
-    """Digest what each scheme is judged from, by its id; nothing where that cannot be told.
+@dataclass(frozen=True, slots=True)
+class SchemeJudgement:
+    """A judgement of single schemes of a course that was read.
 
-    Args:
-        root: of the course.
-        not_read: what below `variants` the judgement does not depend on.
+    Attributes:
+        course: as it was read.
+        files: of it; taken before it was read.
+        digests: of what each scheme is judged from, by its id.
+        alone: the course as each scheme that waits is judged in it, by its id: with nothing of
+            which a change would leave the digest as it is.
     """
-    home = root / VARIANTS / "schemes"
-    left_out = [root / VARIANTS / one for one in not_read]
-    below = [path for one in REQUIRED_FOLDERS for path in (root / one).rglob("*")]
-    if any(path.is_symlink() and path.is_dir() for path in below):
-        return {}
-    own: dict[str, list[Path]] = {
-        one.name: [] for one in below if one.parent == home and one.is_dir()
-    }
-    shared: list[Path] = []
-    for path in below:
-        if not path.is_file() or any(path.is_relative_to(one) for one in left_out):
-            continue
-        folder = path.relative_to(home).parts[0] if path.is_relative_to(home) else ""
-        own.get(folder, shared).append(path)
-    try:
-        common = digest_of(root, shared)
-        return {
-            one: hashlib.sha256(f"{common}\0{digest_of(root, files)}".encode()).hexdigest()
-            for one, files in own.items()
-        }
-    except OSError:
-        return {}
+
+    course: Course
+    files: SourceFiles
+    digests: Mapping[str, str]
+    alone: Mapping[str, Course]
+
+    def remember(self) -> None:
+        """Remember that all schemes were found sound, unless a file changed meanwhile."""
+        known = _remembered()
+        new = dict.fromkeys(self.digests.values())
+        if not known.keys() >= new.keys() and source_files(self.course.root) == self.files:
+            keep(_REMEMBERED, tuple(known | new)[-_MOST:])
 
 
-def not_found_sound(digests: Mapping[str, str], subject: str, ids: Iterable[str]) -> frozenset[str]:
-    """Return the schemes that were not found sound in the same files.
+def judgement(
+    course: Course, files: SourceFiles, left_out: Collection[str], *subject: str
+) -> SchemeJudgement:
+    """Find out which schemes were not found sound in the same files.
 
     Args:
-        digests: see `scheme_digests`; taken before anything was read.
+        course: as it was read.
+        files: of it; taken before it was read.
+        left_out: what the judgement does not depend on; see `SourceFiles.shared`.
         subject: what is judged, and all that it depends on besides these files and the program.
-        ids: of the schemes.
     """
+    shared = files.shared(left_out)
     known = _remembered()
-    return frozenset(
-        one for one in ids if one not in digests or _named(subject, digests[one]) not in known
-    )
-
-
-def remember_sound(
-    digests: Mapping[str, str],
-    subject: str,
-    root: Path,
-    not_read: Collection[str] = NOT_READ,
-) -> None:
-    """Remember that all schemes were found sound, unless a file changed meanwhile; see above."""
-    known = _remembered()
-    new = {_named(subject, one): None for one in digests.values()}
-    if not known.keys() >= new.keys() and scheme_digests(root, not_read) == digests:
-        keep(_REMEMBERED, tuple(known | new)[-_MOST:])
-
-
-def _named(subject: str, digest: str) -> str:
-    return hashlib.sha256(f"{subject}\0{digest}".encode()).hexdigest()
+    digests: dict[str, str] = {}
+    alone: dict[str, Course] = {}
+    for scheme in course.schemes.values():
+        judged_from = files.of_scheme(scheme, shared, left_out)
+        digests[scheme.id] = files.digest(judged_from, *subject)
+        if digests[scheme.id] not in known:
+            alone[scheme.id] = files.alone(course, [scheme], judged_from)
+    return SchemeJudgement(course, files, digests, alone)
 
 
 def _remembered() -> dict[str, None]:

@@ -7,7 +7,7 @@ shown to who judges it: see `alone`.
 
 import hashlib
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -62,19 +62,26 @@ class SourceFiles:
             if not (_is_of_few(name) or name.startswith(tuple(left_out)))
         ]
 
-    def of_scheme(self, scheme: Scheme, shared: Collection[str]) -> list[str]:
+    def of_scheme(
+        self, scheme: Scheme, shared: Collection[str], left_out: Collection[str] = ()
+    ) -> list[str]:
         """Return the names of the files that a scheme is judged from, with those that all share."""
         parts = {f"{PARTS}{part}.toml" for part in all_part_ids(scheme)}
         own = f"{SCHEMES}{scheme.id}/"
         found = [*shared, *(one for one in self.files if one in parts or one.startswith(own))]
-        found += self.spaces_of(scheme.id)
+        found += [] if SPACES in left_out else self.spaces_of(scheme.id)
         named = {id_ for one in found for id_ in self.files[one].named}
-        return [*found, *(one for one in self._catalogues() if Path(one).stem in named)]
+        return [*found, *(one for one in self.catalogues() if Path(one).stem in named)]
 
     def spaces_of(self, scheme: str) -> list[str]:
         """Return the names of the files that may say what variants of a scheme are drawn from."""
         spaces = (one for one in self.files if one.startswith(SPACES))
         return [one for one in spaces if scheme in self.files[one].named]
+
+    def are_spaces_named(self, schemes: Collection[str]) -> bool:
+        """Tell whether each file of spaces names a scheme, so that none is passed over."""
+        spaces = (one for one in self.files if one.startswith(SPACES))
+        return all(not self.files[one].named.isdisjoint(schemes) for one in spaces)
 
     def digest(self, names: Iterable[str], *more: str) -> str:
         """Digest some of the files, the program and what else a judgement depends on."""
@@ -82,18 +89,19 @@ class SourceFiles:
         whole = "\0\0".join([_program(), *more, *told])
         return hashlib.sha256(whole.encode()).hexdigest()
 
-    def alone(self, course: Course, scheme: Scheme, files: Collection[str]) -> Course:
-        """Return a course as if it had one scheme, with what the scheme is judged from.
+    def alone(self, course: Course, schemes: Iterable[Scheme], files: Collection[str]) -> Course:
+        """Return a course as if it had some schemes only, with what these are judged from.
 
         Args:
             course: as it was read from these files.
-            scheme: one of its schemes.
+            schemes: some of its schemes.
             files: see `of_scheme`.
         """
-        parts, listed = all_part_ids(scheme), set(files)
+        kept = {one.id: one for one in schemes}
+        parts, listed = {part for one in kept.values() for part in all_part_ids(one)}, set(files)
         return replace(
             course,
-            schemes={scheme.id: scheme},
+            schemes=kept,
             parts={name: part for name, part in course.parts.items() if name in parts},
             catalogues={
                 name: one
@@ -102,7 +110,8 @@ class SourceFiles:
             },
         )
 
-    def _catalogues(self) -> Iterable[str]:
+    def catalogues(self) -> Iterator[str]:
+        """Yield the names of the files of all catalogues."""
         return (name for name in self.files if _is_in(name, CATALOGUES, ".csv"))
 
 
@@ -135,7 +144,9 @@ def _named(data: bytes, known: Mapping[bytes, str]) -> frozenset[str]:
     """Return which names may be meant in a text: those that occur, all where some are escaped."""
     if _ESCAPE.search(data):
         return frozenset(known.values())
-    return frozenset(known[one] for one in known.keys() & set(_WORDS.findall(data)))
+    plain = known.keys() & set(_WORDS.findall(data))
+    plain |= {one for one in known if one in data and not _WORDS.fullmatch(one)}
+    return frozenset(known[one] for one in plain)
 
 
 def _is_of_few(name: str) -> bool:

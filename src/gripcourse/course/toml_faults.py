@@ -1,11 +1,12 @@
 """What is wrong with a file that is no TOML: in the author's language, with the line."""
 
 import re
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+
+import tomli
 
 from gripcourse.course.toml_bounds import shorten_long
 from gripcourse.errors import Problem
@@ -83,7 +84,7 @@ def toml_values(path: Path, file: str, problems: list[Problem]) -> dict[str, obj
     """
     try:
         text = path.read_text(encoding="utf-8-sig")
-        values = tomllib.loads(text)
+        values = tomli.loads(text)
     except FileNotFoundError:
         what, remedy = message("The file is missing."), message("Write it or restore it.")
         problems.append(Problem(file, "", what, remedy))

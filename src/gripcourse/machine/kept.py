@@ -1,7 +1,8 @@
 """What was computed once and is kept on disk for the next process, under the digest of its sources.
 
 A kept value cannot lie: its name is a digest of everything that it was computed from, the program
-included. What cannot be read, was damaged or belongs to somebody else counts as not kept.
+and the versions of its libraries included. What cannot be read, was damaged or belongs to somebody
+else counts as not kept.
 """
 
 import hashlib
@@ -22,6 +23,7 @@ from gripcourse.machine.process_wide import few_collections
 
 _MOST: Final = 32  # kept values; the ones unused for longest go
 _PROGRAM: Final = Path(__file__).parents[1]
+_COUNTS: Final = ("py", "csv", "toml", "po")  # its files that decide over what is found
 
 
 def digest_of(root: Path, files: Iterable[Path]) -> str:
@@ -113,11 +115,18 @@ def keep(digest: str, value: object) -> None:
 
 @lru_cache(maxsize=1)
 def _program_digest() -> bytes:
-    """Digest this program and the interpreter, for which a kept value was made."""
-    found = hashlib.sha256(sys.version.encode())
-    for path in sorted([*_PROGRAM.rglob("*.py"), *_PROGRAM.rglob("*.csv")]):
-        found.update(path.read_bytes())
+    """Digest all that a kept value was made by: this program, the interpreter, the libraries."""
+    found = hashlib.sha256("\0".join([sys.version, *_libraries()]).encode())
+    for path in sorted(path for kind in _COUNTS for path in _PROGRAM.rglob(f"*.{kind}")):
+        content = path.read_bytes()
+        found.update(f"\0{path.relative_to(_PROGRAM).as_posix()}\0{len(content)}\0".encode())
+        found.update(content)
     return found.digest()
+
+
+def _libraries() -> list[str]:
+    """Name the packages that are installed, with their versions: others may find something else."""
+    return sorted(one.name for place in sys.path for one in Path(place).glob("*.dist-info"))
 
 
 def _path(digest: str) -> Path | None:

@@ -1,9 +1,10 @@
 """Writing tolerances into a policy file: one line each, everything else stays as it was written."""
 
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
+
+import tomli
 
 from gripcourse.course.quantity import Tolerance
 from gripcourse.errors import Problem, UsageError
@@ -77,10 +78,10 @@ def _inline(tolerance: Tolerance) -> str:
 def _is_as_meant(before: str, after: str, tolerances: Mapping[str, Tolerance]) -> bool:
     """Tell whether a changed text says what it should, and everything else as before."""
     try:
-        new = tomllib.loads(after)
-    except tomllib.TOMLDecodeError:
+        new = tomli.loads(after)
+    except tomli.TOMLDecodeError:
         return False
-    old = tomllib.loads(before)
+    old = tomli.loads(before)
     wanted = {name: _written(one) for name, one in tolerances.items()}
     meant = {**old.pop(_TABLE, {}), **wanted}
     return bool(new.pop(_TABLE, {}) == meant and new == old)

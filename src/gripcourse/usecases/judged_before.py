@@ -1,20 +1,60 @@
 """What of a course was found out, and sound: not again as long as no file has changed."""
 
 import hashlib
-import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, TypeVar
+from typing import TypeVar
 
 from gripcourse.errors import Problem
 from gripcourse.machine.kept import digest_of, keep, read_kept
 
 _Found = TypeVar("_Found")
-_TRANSLATIONS: Final = Path(__file__).parents[1] / "locale"  # the program, too
+
+
+@dataclass(frozen=True, slots=True)
+class FilesSeen:
+    """Files as they were before anything was read of them; equal as long as none has changed.
+
+    Attributes:
+        root: of the course.
+        paths: files, and folders with all that is below.
+        digest: of all of them; None: some cannot be read, or a folder is a link.
+        changed: when anything of each file changed last: one may be again what it was.
+    """
+
+    root: Path
+    paths: tuple[Path, ...]
+    digest: str | None
+    changed: tuple[int, ...]
+
+
+def files_seen(root: Path, paths: Iterable[Path]) -> FilesSeen:
+    """Look at files before they are read.
+
+    Args:
+        root: of the course.
+        paths: files, and folders with all that is below.
+    """
+    listed = tuple(paths)
+    found = hashlib.sha256()
+    changed: list[int] = []
+    try:
+        for folder in listed:
+            below = sorted([folder, *folder.rglob("*")])
+            if any(path.is_symlink() and path.is_dir() for path in below):
+                return FilesSeen(root, listed, None, ())
+            base = root if folder.is_relative_to(root) else folder
+            files = [path for path in below if path.is_file()]
+            changed += (path.stat().st_ctime_ns for path in files)
+            found.update(f"\0{digest_of(base, files)}".encode())
+    except OSError:
+        return FilesSeen(root, listed, None, ())
+    return FilesSeen(root, listed, found.hexdigest(), tuple(changed))
 
 
 def unless_sound(
-    subject: str, root: Path, folders: Iterable[Path], judge: Callable[[], list[Problem]]
+    subject: str, seen: Sequence[FilesSeen], judge: Callable[[], list[Problem]]
 ) -> list[Problem]:
     """Return the problems that a judgement finds; none where it found none in the same files.
 
@@ -22,17 +62,16 @@ def unless_sound(
 
     Args:
         subject: a name of the judgement; another one of the same files has another.
-        root: of the course.
-        folders: all that the judgement depends on, besides this program and what it is built on.
+        seen: all that the judgement depends on, besides this program and what it is built on; seen
+            before it was read.
         judge: finds the problems.
     """
-    return found_before(subject, root, folders, judge, lambda problems: not problems)
+    return found_before(subject, seen, judge, lambda problems: not problems)
 
 
 def found_before(
     subject: str,
-    root: Path,
-    paths: Iterable[Path],
+    seen: Sequence[FilesSeen],
     find: Callable[[], _Found],
     is_kept: Callable[[_Found], bool],
 ) -> _Found:
@@ -40,40 +79,30 @@ def found_before(
 
     Args:
         subject: a name of what is found; another one of the same files has another.
-        root: of the course.
-        paths: all that it depends on, besides this program and what it is built on; of a folder all
-            that is below.
+        seen: all that it depends on, besides this program and what it is built on; seen before it
+            was read.
         find: finds it; it can be pickled.
         is_kept: whether it is kept for the next time.
     """
-    listed = (*paths, _TRANSLATIONS)
-    digest = _digest(subject, root, listed)
+    digest = _digest(subject, seen)
     kept: _Found | None = None if digest is None else read_kept(digest)
     if kept is not None:
         return kept
     found = find()
     # What changed meanwhile is not kept under the digest of what was there before.
-    if digest is not None and is_kept(found) and digest == _digest(subject, root, listed):
+    if digest is not None and is_kept(found) and _are_unchanged(seen):
         keep(digest, found)
     return found
 
 
-def installed() -> list[str]:
-    """Name the packages that are installed, with their versions: others may judge otherwise."""
-    return sorted(one.name for place in sys.path for one in Path(place).glob("*.dist-info"))
-
-
-def _digest(subject: str, root: Path, folders: Iterable[Path]) -> str | None:
-    """Digest every file of some folders; None: some cannot be read, or a folder is a link."""
-    found = hashlib.sha256("\0".join([subject, *installed()]).encode())
-    try:
-        for folder in folders:
-            below = [folder, *folder.rglob("*")]
-            if any(path.is_symlink() and path.is_dir() for path in below):
-                return None
-            base = root if folder.is_relative_to(root) else folder
-            of_folder = digest_of(base, (path for path in below if path.is_file()))
-            found.update(f"\0{of_folder}".encode())
-    except OSError:
+def _digest(subject: str, seen: Iterable[FilesSeen]) -> str | None:
+    digests = [one.digest for one in seen]
+    told = [one for one in digests if one is not None]
+    if len(told) < len(digests):
         return None
-    return found.hexdigest()
+    program = digest_of(Path(), ())
+    return hashlib.sha256("\0".join([program, subject, *told]).encode()).hexdigest()
+
+
+def _are_unchanged(seen: Iterable[FilesSeen]) -> bool:
+    return all(files_seen(one.root, one.paths) == one for one in seen)

@@ -1,18 +1,17 @@
 """Checking a whole course at once: declarations, catalogues, policy, spaces and tables."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from gripcourse.course.check import check_course
 from gripcourse.course.check_equations import check_equations
-from gripcourse.course.compose import all_part_ids, of_schemes
+from gripcourse.course.compose import all_part_ids
 from gripcourse.course.load import judge_course, kept_course
 from gripcourse.course.model import Course, Scheme
-from gripcourse.course.quantity import Convention
 from gripcourse.course.read import read_course
-from gripcourse.course.sound_schemes import not_found_sound, remember_sound, scheme_digests
+from gripcourse.course.source_files import SourceFiles, source_files
 from gripcourse.course.unaffected import unaffected
 from gripcourse.errors import GripcourseError, Problem, UsageError
 from gripcourse.machine.doctor import checks
@@ -25,25 +24,25 @@ from gripcourse.proofs.check_declared import check_declared
 from gripcourse.proofs.declared import read_declared_proofs
 from gripcourse.proofs.equilibrium.check import check_mechanisms
 from gripcourse.proofs.equilibrium.read import read_mechanisms
-from gripcourse.proofs.interference import crossed_in_example
-from gripcourse.proofs.model import ProofKind
-from gripcourse.proofs.published_cases import read_published_cases
+from gripcourse.proofs.published_cases import PublishedCase, read_published_cases
 from gripcourse.simulation.mix import mix_path, read_mix
 from gripcourse.text.suggestion import did_you_mean
 from gripcourse.text.words import message
 from gripcourse.usecases.check_lists import list_problems
-from gripcourse.usecases.judged_before import found_before, installed, unless_sound
+from gripcourse.usecases.judged_before import files_seen, found_before, unless_sound
+from gripcourse.usecases.scheme_numbers import (
+    computed_problems,
+    drawn_problems,
+    is_sound_alone,
+    numbers_of_schemes,
+)
 from gripcourse.usecases.styles import style_problems
 from gripcourse.usecases.template_trial import trial_problems
 from gripcourse.usecases.templates import all_templates
-from gripcourse.variants.draw import nothing_left
 from gripcourse.variants.pays import paying_rules
 from gripcourse.variants.range_problems import range_problems
-from gripcourse.variants.space import Space, load_spaces
 from gripcourse.variants.table import read_table
 
-# What below `variants` no scheme is judged from, and no document of a sample filled with.
-NOT_JUDGED = ("tables", "roster.csv")
 # What every document of every course needs of a machine; its fonts are asked for by the course.
 _NEEDED = ("pango", "harfbuzz-subset", "translation")
 
@@ -81,8 +80,11 @@ def validated(root: Path, *, thorough: bool = False) -> Validation:
 
 
 def _validated(root: Path, *, thorough: bool) -> Validation:
-    # Of what schemes are judged from, and documents are filled with: taken before it is read.
-    digests = scheme_digests(root, NOT_JUDGED)
+    # All of it as it is before anything is read.
+    files = source_files(root)
+    own = files_seen(root, [root / name for name in REQUIRED_FOLDERS])
+    templates = root / TEMPLATES
+    look = files_seen(root, template_folders(templates))
     course, problems = _judged(root, thorough=thorough)
     if course is None:
         return Validation(problems, computed=False)
@@ -95,25 +97,19 @@ def _validated(root: Path, *, thorough: bool) -> Validation:
     policy, unfit = read_policy(course)
     problems += [*unfit, *_mix_problems(course)]
     problems += _list_problems(course, policy)
-    templates = course.root / TEMPLATES
-    told = partial(all_templates, templates, course.language)
-    own_templates = template_folders(templates)
     read = found_before(
         f"templates in {course.language}",
-        root,
-        own_templates,
-        told,
+        [look],
+        partial(all_templates, templates, course.language),
         lambda one: not one.problems,
     )
     problems += [*read.problems, *style_problems(templates)]
-    own = [root / name for name in REQUIRED_FOLDERS]
     fit = None if unfit else policy
     if is_sound:
-        numbers = partial(_number_problems, course, digests, fit)
-        problems += unless_sound("numbers", root, own, numbers)
+        problems += unless_sound("numbers", [own], partial(_number_problems, course, files, fit))
     if is_sound and fit is not None:
-        filled = partial(trial_problems, course, digests, templates, read)
-        problems += unless_sound("templates", root, [*own, *own_templates], filled)
+        filled = partial(trial_problems, course, files, templates, look, read)
+        problems += unless_sound("templates", [own, look], filled)
     computed = is_sound and fit is not None
     return Validation([*problems, *_machine_problems(root)], computed=computed)
 
@@ -128,22 +124,22 @@ def _judged(root: Path, *, thorough: bool) -> tuple[Course | None, list[Problem]
 
 
 def _number_problems(
-    course: Course, digests: Mapping[str, str], policy: Policy | None
+    course: Course, files: SourceFiles | None, policy: Policy | None
 ) -> list[Problem]:
     """Return the problems of all that a sound course prints, draws and lists.
 
     Without a policy nobody can tell what its tables would pay.
     """
-    subject = f"numbers with {installed()}"
-    waiting = not_found_sound(digests, subject, course.schemes)
-    problems = _printed_problems(course, waiting)
-    spaces, found = _spaces(course)
-    # Where an example does not come out nothing may be left for that alone.
-    believed = waiting - {one.id for one in course.schemes.values() if _is_about(one, problems)}
-    left = nothing_left(course, [one for one in spaces if one.scheme in believed])
-    problems += [*found, *left]
-    if not problems:
-        remember_sound(digests, subject, course.root, NOT_JUDGED)
+    cases, problems = _declared_problems(course)
+    judged = numbers_of_schemes(course, files)
+    if judged is None or not all(is_sound_alone(judged, one, cases) for one in judged.alone):
+        waiting = course.schemes if judged is None else judged.alone
+        problems += computed_problems(course, waiting, cases)
+        # Where an example does not come out nothing may be left for that alone.
+        believed = [one for one in waiting if not _is_about(course.schemes[one], problems)]
+        problems += drawn_problems(course, believed)
+    if judged is not None and not problems:
+        judged.remember()
     return [*problems, *([] if policy is None else _table_problems(course, policy))]
 
 
@@ -162,17 +158,17 @@ def scheme_problems(root: Path, scheme: str) -> list[Problem]:
     Raises:
         UsageError: the course has no such scheme.
     """
+    own = files_seen(root, [root / name for name in REQUIRED_FOLDERS])
     course = kept_course(root)
     if course is not None:  # every scheme of it was checked
         with_scheme(course, scheme)
-        own = [root / name for name in REQUIRED_FOLDERS]
-        printed = partial(_printed_problems, course, {scheme})
-        return unless_sound(f"numbers of {scheme}", root, own, printed)
+        printed = partial(_printed_problems, course, scheme)
+        return unless_sound(f"numbers of {scheme}", [own], printed)
     course, problems = read_course(root)
     if course is None:
         return problems
     problems += check_course(with_scheme(course, scheme), whole=course)
-    return problems or _printed_problems(course, {scheme})
+    return problems or _printed_problems(course, scheme)
 
 
 def with_scheme(course: Course, scheme: str) -> Course:
@@ -191,24 +187,20 @@ def with_scheme(course: Course, scheme: str) -> Course:
     return replace(course, schemes={scheme: one}, parts=parts, notes=())
 
 
-def _printed_problems(course: Course, only: Collection[str]) -> list[Problem]:
-    """Check what the course declares; compute the worked examples and published cases of schemes.
+def _printed_problems(course: Course, scheme: str) -> list[Problem]:
+    """Check what the course declares; compute what is printed of one scheme."""
+    cases, problems = _declared_problems(course)
+    return [*problems, *computed_problems(course, {scheme}, cases)]
 
-    Args:
-        course: with all schemes: what is declared may be about several of them.
-        only: ids of those that are computed.
-    """
+
+def _declared_problems(course: Course) -> tuple[tuple[PublishedCase, ...], list[Problem]]:
+    """Check what a course declares, about several schemes maybe; return its published cases."""
     cases, problems = read_published_cases(course)
     declared, found = read_declared_proofs(course)
     problems += [*found, *check_declared(course, declared)]
     mechanisms, found = read_mechanisms(course)
     problems += [*found, *check_mechanisms(course, mechanisms)]
-    own_cases = [one for one in cases if one.scheme in only]
-    for one in calculations(of_schemes(course, only), own_cases):
-        problems += differences(one)
-        if one.kind is ProofKind.EXAMPLE and one.plan.convention is Convention.CORRECTED:
-            problems += crossed_in_example(one)
-    return problems
+    return cases, problems
 
 
 def _unaffected_problems(course: Course, found: Sequence[Problem]) -> list[Problem]:
@@ -237,13 +229,6 @@ def _list_problems(course: Course, policy: Policy | None) -> list[Problem]:
 def _mix_problems(course: Course) -> list[Problem]:
     """A course that nobody measures needs no virtual students."""
     return read_mix(course)[1] if mix_path(course.root).exists() else []
-
-
-def _spaces(course: Course) -> tuple[tuple[Space, ...], tuple[Problem, ...]]:
-    try:
-        return load_spaces(course), ()
-    except GripcourseError as error:
-        return (), error.problems
 
 
 def _table_problems(course: Course, policy: Policy) -> list[Problem]:

@@ -5,13 +5,14 @@ table has is in `headings.toml`.
 """
 
 import re
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from importlib.resources import files
 from typing import Final
+
+import tomli
 
 from gripcourse.course.compose import compose
 from gripcourse.course.model import Course
@@ -89,7 +90,7 @@ class Vocabulary:
 @lru_cache(maxsize=1)
 def _declared() -> Mapping[str, Mapping[str, tuple[str, ...]]]:
     source = files("gripcourse") / "variants" / "headings.toml"
-    read = tomllib.loads(source.read_text(encoding="utf-8"))
+    read = tomli.loads(source.read_text(encoding="utf-8"))
     return {table: {id_: tuple(names) for id_, names in ids.items()} for table, ids in read.items()}
 
 

@@ -11,6 +11,7 @@ from gripcourse.errors import Problem
 from gripcourse.text.units import known
 from gripcourse.variants.keys import SPACE
 from gripcourse.variants.ranges import RangeReader
+from gripcourse.variants.space import offered_choices
 
 
 def range_problems(course: Course, problems: Collection[Problem]) -> list[Problem]:
@@ -22,10 +23,11 @@ def range_problems(course: Course, problems: Collection[Problem]) -> list[Proble
     """
     found: list[Problem] = []
     told = {(one.file, ".".join(str(one.key).split(".")[:2])) for one in problems}
+    offered = offered_choices(course)
     for scheme in course.schemes.values():
         givens = _givens(scheme, course)
         options = {one.id: {each.id for each in one.choices} for one in scheme.options}
-        reader = RangeReader(course, givens, options)
+        reader = RangeReader(course, givens, options, offered)
         for one in _declared(scheme, course):
             if one.range is not None and (one.file, f"quantity.{one.id}") not in told:
                 reader.read(replace(one.range, problems=found), one, is_own=False)

@@ -66,11 +66,13 @@ class RangeReader:
         course: whose catalogues a range may name.
         givens: the given quantities of the scheme.
         options: the choices that the space mixes, by option id.
+        offered: the choices that any scheme offers, each with its option.
     """
 
     course: Course
     givens: Mapping[str, Quantity]
     options: Mapping[str, Collection[str]]
+    offered: Collection[tuple[str, str]]
 
     def read(self, table: Table, quantity: Quantity, *, is_own: bool) -> Range:
         """Read a range and its special cases `[[given.<id>.when]]`.
@@ -87,7 +89,7 @@ class RangeReader:
             case.known_keys()
             option, choice = case.text("option"), case.text("choice")
             if choice not in self.options.get(option, ()):
-                if not is_own and self._is_known(option, choice):
+                if not is_own and (option, choice) in self.offered:
                     continue
                 case.add(
                     "choice",
@@ -97,15 +99,6 @@ class RangeReader:
                 )  # fmt: skip
             special.append((option, choice, self._allowed(case, quantity)))
         return Range(self._allowed(table, quantity), tuple(special))
-
-    def _is_known(self, option: str, choice: str) -> bool:
-        """Tell whether some scheme of the course offers a choice."""
-        return any(
-            option == one.id and choice == each.id
-            for scheme in self.course.schemes.values()
-            for one in scheme.options
-            for each in one.choices
-        )
 
     def check_leaders(self, read: Sequence[tuple[Table, str, Range]]) -> None:
         """Record followers whose leader follows too, or has values that they do not know.

@@ -61,29 +61,40 @@ def load_spaces(course: Course) -> tuple[Space, ...]:
     try:
         told = tuple((path, path.read_bytes()) for path in paths)
     except OSError:  # which is told with its file and a remedy
-        return _spaces_of(course, paths)
+        return spaces_in(paths, course, course)
     return _remembered(course, told)
 
 
 @lru_cache(maxsize=4)
 def _remembered(course: Course, told: tuple[tuple[Path, bytes], ...]) -> tuple[Space, ...]:
     """Make the spaces that files tell of a course once, as long as they tell the same."""
-    return _spaces_of(course, [path for path, _ in told])
+    return spaces_in([path for path, _ in told], course, course)
 
 
-def _spaces_of(course: Course, paths: Sequence[Path]) -> tuple[Space, ...]:
+def spaces_in(paths: Sequence[Path], course: Course, whole: Course) -> tuple[Space, ...]:
+    """Read the spaces of a course's schemes.
+
+    Args:
+        paths: files that say what is peculiar to one.
+        course: whose spaces they are.
+        whole: with all schemes, where this one has a few of them only: those of others are passed
+            over.
+
+    Raises:
+        CourseError: see `load_spaces`.
+    """
     problems: list[Problem] = []
     spaces: list[Space] = []
     for path in paths:
         table = read_toml(path, course.root, problems, SPACE, course.languages)
-        space = None if table is None else _space(course, table)
+        space = None if table is None else _space(course, whole, table)
         if table is not None and space is not None:
             _refuse_second(table, spaces, space)
             spaces.append(space)
     named = {space.scheme for space in spaces}
     if not problems:  # else a file that cannot be read may be the one of the scheme
         spaces += [
-            _plain_space(course, scheme, problems)
+            _plain_space(course, whole, scheme, problems)
             for scheme in course.schemes.values()
             if scheme.id not in named and _has_ranges(course, scheme)
         ]
@@ -101,11 +112,21 @@ def _has_ranges(course: Course, scheme: Scheme) -> bool:
     return any(one.range is not None for quantities in declared for one in quantities.values())
 
 
-def _plain_space(course: Course, scheme: Scheme, problems: list[Problem]) -> Space:
+def offered_choices(course: Course) -> frozenset[tuple[str, str]]:
+    """Return every choice that some scheme of a course offers, with its option."""
+    return frozenset(
+        (option.id, choice.id)
+        for scheme in course.schemes.values()
+        for option in scheme.options
+        for choice in option.choices
+    )
+
+
+def _plain_space(course: Course, whole: Course, scheme: Scheme, problems: list[Problem]) -> Space:
     """Make the space of a scheme that leaves everything to the ranges beside its givens."""
     file = f"variants/spaces/{scheme.id}.toml"
     table = Table({"scheme": scheme.id}, file, "", problems, SPACE)
-    return Space(scheme.id, 1.0, _cases(course, table, scheme, ()), (), file)
+    return Space(scheme.id, 1.0, _cases(course, whole, table, scheme, ()), (), file)
 
 
 def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
@@ -119,22 +140,22 @@ def _refuse_second(table: Table, spaces: Sequence[Space], space: Space) -> None:
             )  # fmt: skip
 
 
-def _space(course: Course, table: Table) -> Space | None:
+def _space(course: Course, whole: Course, table: Table) -> Space | None:
     table.known_keys()
     id_ = table.text("scheme")
     if id_ not in course.schemes:
-        if id_:
+        if id_ and id_ not in whole.schemes:
             table.add(
                 "scheme",
                 message("There is no scheme '{scheme}'.", scheme=id_),
-                did_you_mean(id_, course.schemes),
+                did_you_mean(id_, whole.schemes),
             )
         return None
     weight = table.number("weight", 1.0)
     if not 0 < weight < float("inf"):
         table.add("weight", message("The weight must be above 0."), message("Write 1, or 2.5."))
     read = read_constraints(table)
-    cases = _cases(course, table, course.schemes[id_], read)
+    cases = _cases(course, whole, table, course.schemes[id_], read)
     return Space(id_, weight, cases, tuple(one for _, one in read), table.file)
 
 
@@ -165,7 +186,11 @@ def _choices(option: Option, mixed: Table) -> tuple[str, ...]:
 
 
 def _cases(
-    course: Course, table: Table, scheme: Scheme, constraints: Sequence[tuple[Table, Constraint]]
+    course: Course,
+    whole: Course,
+    table: Table,
+    scheme: Scheme,
+    constraints: Sequence[tuple[Table, Constraint]],
 ) -> Cases:
     """Read the ranges and constraints of a scheme; thousands of combinations share them.
 
@@ -194,7 +219,7 @@ def _cases(
     for line, constraint in constraints:
         formula = constraint.formula
         check_constraint(line, formula, (*plans, *_plans_with(course, mixed, plans, formula)))
-    reader = RangeReader(course, givens, options)
+    reader = RangeReader(course, givens, options, offered_choices(whole))
     declared = {id(one): one for plan in plans for one in plan.givens}
     found = ((key, one, _written(one, own, table)) for key, one in declared.items())
     places = {key: (one, place) for key, one, place in found if place is not None}
