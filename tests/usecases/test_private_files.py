@@ -60,7 +60,7 @@ FOR_EVERYBODY = {
     "variants/table.py": "a table of variants, without names",
     "simulation/record.py": "what students did who do not exist",
     "simulation/tolerance_policy.py": "a policy",
-    "demo/run.py": "an empty mark of the demo",
+    "cli/demo/run.py": "an empty mark of the demo",
 }
 TEXTS = {
     "formula": "=cmd|'/C calc'!A0",

@@ -223,7 +223,7 @@ def test_a_history_tells_what_happened_when_by_whom_and_why(faculty: Faculty) ->
     assert works == ["Attempt 1", "Attempt 1 in regrade 1"]
     assert any("(attempt 1)" in str(one.what) for one in events)
     assert ("Петров", f"{DRAWING}:", "") in told
-    assert ("Петров", "Told", "") in told
+    assert ("Петров", "Points", "") in told
     by_title = history(faculty.place, "s02", called={DRAWING: "Чертёж"}.__getitem__)
     assert [one for one in by_title if str(one.what).startswith("Чертёж: ")]
     assert told[-2:] == [("Петров", "Regrade", "опечатка"), ("Петров", "Regrade", "нет опечатки")]

@@ -12,7 +12,7 @@ from starlette.testclient import TestClient
 from gripcourse.access.desk.store import open_desk
 from gripcourse.batch.one_file import GradingContext, grade_file
 from gripcourse.batch.run import Graded
-from gripcourse.exports.grades import grades_csv, grades_text
+from gripcourse.exports.grades import grades_text
 from gripcourse.machine.content import NamedBytes
 from gripcourse.machine.database.home import home_of
 from gripcourse.machine.files import write_bytes

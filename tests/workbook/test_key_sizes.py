@@ -75,7 +75,7 @@ def test_all_of_it_is_computed_there(spring_key: bytes) -> None:
 def test_the_key_says_that_the_smallest_is_taken(springs: Course) -> None:
     plan = make_plan(springs, "spring", {"wire": "bright"})
     said = formula_text(plan.quantities["wire"], plan, ENGLISH)
-    assert said == "d ≥ d_req, from wire.diameter: the smallest for which τ ≤ [τ]"
+    assert said == "d ≥ d_req, from “wires”: the smallest for which τ ≤ [τ]"
 
 
 def test_a_key_without_such_a_choice_has_no_such_sheet(plan: Plan, variant: Variant) -> None:

@@ -106,4 +106,4 @@ def _series(quantity: Quantity, plan: Plan, words: Words) -> str:
         return ""
     catalogue = plan.course.catalogues[quantity.choice.column.partition(".")[0]]
     title = catalogue.source if catalogue.title is None else catalogue.title
-    return f"«{without_looks(title.of(words.language))}»"
+    return words.say(message("“{title}”", title=without_looks(title.of(words.language))))
