@@ -211,14 +211,39 @@ def test_a_verdict_whose_right_answer_is_no_earns_for_no_and_not_for_yes(
     hydraulic: "Case",
 ) -> None:
     """A pin that the course lets fail in bearing."""
-    verdict = hydraulic.plan.quantities["bearing_ok"]
-    failing = Formula("fails", parse("bearing_stress <= 0*bearing_stress_allowed"), {})
-    asked = replace(verdict, formula=failing, must_hold=False)
-    quantities = {**hydraulic.plan.quantities, asked.id: asked}
-    answered = tuple(quantities[one.id] for one in hydraulic.plan.answered)
-    plan = replace(hydraulic.plan, quantities=quantities, answered=answered)
-    case = replace(hydraulic, plan=plan, reference={**hydraulic.reference, asked.id: 0.0})
-    found = {value: case.findings({**case.answers, asked.id: value})[asked.id] for value in (0, 1)}
+    case = with_limit(hydraulic, 0.0)
+    found = {
+        value: case.findings({**case.answers, "bearing_ok": value})["bearing_ok"]
+        for value in (0, 1)
+    }
     assert found[0].outcome is Outcome.CORRECT
     assert (found[1].outcome, found[1].points) == (Outcome.WRONG, 0)
     assert "opposite" in str(found[1].message)
+
+
+def test_a_right_verdict_stands_where_right_numbers_say_the_opposite_by_digits_not_typed(
+    hydraulic: "Case",
+) -> None:
+    """The stress is under its limit by 2 ‰ in the calculator; what was typed is over it."""
+    stress = hydraulic.reference["bearing_stress"]
+    case = with_limit(hydraulic, 1.002 * stress / hydraulic.reference["bearing_stress_allowed"])
+    found = {
+        off: case.findings({**case.answers, "bearing_stress": (1 + off) * stress})
+        for off in (0.006, 0.1)
+    }
+    assert found[0.006]["bearing_stress"].outcome is Outcome.CORRECT
+    assert found[0.006]["bearing_ok"].outcome is Outcome.CORRECT
+    # Beside a wrong number it is no right verdict on it.
+    assert found[0.1]["bearing_ok"].outcome is Outcome.WRONG
+
+
+def with_limit(case: "Case", share: float) -> "Case":
+    """Let the pin hold up to a share of its allowed stress only."""
+    verdict = case.plan.quantities["bearing_ok"]
+    condition = parse(f"bearing_stress <= {share!r}*bearing_stress_allowed")
+    asked = replace(verdict, formula=Formula("limit", condition, {}), must_hold=False)
+    quantities = {**case.plan.quantities, asked.id: asked}
+    answered = tuple(quantities[one.id] for one in case.plan.answered)
+    plan = replace(case.plan, quantities=quantities, answered=answered)
+    holds = case.reference["bearing_stress"] <= share * case.reference["bearing_stress_allowed"]
+    return replace(case, plan=plan, reference={**case.reference, asked.id: float(holds)})

@@ -174,6 +174,22 @@ class Comparison:
         """The quantities whose values at the student's numbers are not those of the reference."""
         return self.follow_through.own
 
+    @property
+    def has_right_inputs(self) -> bool:
+        """Whether all that it is computed from lies in its band round the reference."""
+        return all(
+            self._is_right(name)
+            for name in self.plan.inputs[self.quantity.id]
+            if name in self.follow_through.own
+        )
+
+    def _is_right(self, name: str) -> bool:
+        quantity = self.plan.quantities[name]
+        scale = factor(quantity.unit)
+        own = self.follow_through.numbers.values[name] / scale
+        expected = self.reference_values.get(name, math.nan) / scale
+        return within(own, expected, band_rules(quantity, self.policy)[0].round(expected))
+
     def _range(self, value: float, ends: tuple[float, float]) -> ExpectedRange:
         """Convert SI to the declared unit; a range wider than the policy allows is cut."""
         size = factor(self.quantity.unit)
