@@ -12,11 +12,12 @@ from sqlalchemy import select
 
 from gripcourse.gradebook import schema
 from gripcourse.gradebook.model import Attempt
-from gripcourse.gradebook.rows import Row, in_utc, stored
+from gripcourse.gradebook.rows import Row
 from gripcourse.gradebook.store import Gradebook, Writing, attempt_rows, new_attempts
 from gripcourse.gradebook.timing import Waiver
 from gripcourse.gradebook.works import StudentWork
 from gripcourse.grading.model import PointSums
+from gripcourse.machine.database.moments import in_utc, stored
 from gripcourse.machine.database.opening import refusals_named
 from gripcourse.machine.database.storable import in_code_order
 

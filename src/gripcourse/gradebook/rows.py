@@ -1,7 +1,6 @@
 """Attempts and marks as rows of the tables, and back again."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from datetime import UTC, datetime
 from sys import intern
 from typing import Any, TypeAlias
 
@@ -9,6 +8,7 @@ from sqlalchemy import Row as SqlRow
 
 from gripcourse.gradebook.model import Attempt, Fingerprints, Mark, Result
 from gripcourse.grading.outcome import outcome_named
+from gripcourse.machine.database.moments import in_utc, stored
 
 Row: TypeAlias = dict[str, object]
 """Values by column, as they are inserted."""
@@ -126,13 +126,3 @@ def mark_of_rows(rows: Sequence[RowOfTable]) -> Mark:
         marked_at=in_utc(first.marked_at),
         comment=first.comment,
     )
-
-
-def stored(moment: datetime) -> datetime:
-    """Return a moment in UTC without saying so: not every database keeps time zones."""
-    return moment.astimezone(UTC).replace(tzinfo=None)
-
-
-def in_utc(moment: datetime) -> datetime:
-    """Return a stored moment with its time zone."""
-    return moment.replace(tzinfo=UTC)

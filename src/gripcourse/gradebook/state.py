@@ -3,7 +3,7 @@
 import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import Any, Final
 
 from sqlalchemy import Connection, Row, Table, select
@@ -11,6 +11,7 @@ from sqlalchemy import Connection, Row, Table, select
 from gripcourse.gradebook import schema
 from gripcourse.issuing.schema import issued, persons
 from gripcourse.machine.database.home import exists
+from gripcourse.machine.database.moments import stored
 from gripcourse.machine.database.opening import open_engine, refusals_named, without_password
 
 # Results are kept in one transaction with their attempt and never changed: its row stands for them.
@@ -50,7 +51,7 @@ def state_of(place: str, moment: datetime) -> DatabaseState:
     Raises:
         GradebookError: the database cannot be used.
     """
-    at = moment.astimezone(UTC).replace(tzinfo=None)
+    at = stored(moment)
     whole, others = hashlib.sha256(), hashlib.sha256()
     if exists(place):
         engine = open_engine(place)

@@ -3,7 +3,7 @@
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from datetime import UTC, datetime
+from datetime import datetime
 from functools import partial
 from typing import Any, Final, TypeVar
 
@@ -19,7 +19,9 @@ from gripcourse.access.desk.model import (
     Publication,
     RegradeRequest,
 )
+from gripcourse.access.kept_rows import values_of
 from gripcourse.errors import GradebookError
+from gripcourse.machine.database.moments import stored
 from gripcourse.machine.database.opening import (
     another_was_faster,
     open_engine,
@@ -61,10 +63,10 @@ class Desk:
         Raises:
             TooOftenError: it would be more than is allowed, of all servers together.
         """
-        row = {"digest": digest, "size": size, "name": name, "at": _utc(now)}
+        row = {"digest": digest, "size": size, "name": name, "at": stored(now)}
         of = {"student": student}
         kept = self._append(schema.hand_ins, of, row, once=("digest", "name"), allowed=allowed)
-        return HandIn(**_plain(kept))
+        return HandIn(**values_of(kept, "course"))
 
     def hand_ins(self, student: str | None = None) -> tuple[HandIn, ...]:
         """Return what was handed in, by one student or by all, oldest first for each."""
@@ -90,12 +92,12 @@ class Desk:
         Raises:
             TooOftenError: it would be more than is allowed, of all servers together.
         """
-        row = {"digest": digest, "told": False, "left": None, "at": _utc(now)}
+        row = {"digest": digest, "told": False, "left": None, "at": stored(now)}
         rationed = None if most is None else partial(ration, most=most)
         kept = self._append(
             schema.checks, {"student": student}, row, allowed=allowed, complete=rationed
         )
-        return LoggedCheck(**_plain(kept))
+        return LoggedCheck(**values_of(kept, "course"))
 
     def checks(self, student: str | None = None) -> tuple[LoggedCheck, ...]:
         """Return the self-checks of one student or of all."""
@@ -114,9 +116,9 @@ class Desk:
         Raises:
             TooOftenError: it would be more than is allowed, of all servers together.
         """
-        row = {"item": item, "sentence": sentence, "at": _utc(now)}
+        row = {"item": item, "sentence": sentence, "at": stored(now)}
         kept = self._append(schema.requests, {"student": student}, row, allowed=allowed)
-        return RegradeRequest(**_plain(kept))
+        return RegradeRequest(**values_of(kept, "course"))
 
     def requests(self, student: str | None = None) -> tuple[RegradeRequest, ...]:
         """Return the requests of one student or of all."""
@@ -124,7 +126,7 @@ class Desk:
 
     def revoke(self, student: str, by: str, now: datetime) -> None:
         """Let no link that a student has open anything any more."""
-        self._append(schema.revocations, {"student": student}, {"by": by, "at": _utc(now)})
+        self._append(schema.revocations, {"student": student}, {"by": by, "at": stored(now)})
 
     def revoked(self, student: str) -> int:
         """Return how often the links of a student were revoked."""
@@ -136,13 +138,13 @@ class Desk:
     def add_publication(self, number: int, by: str, why: str, now: datetime) -> Publication | None:
         """Keep that results were published under a number; None where that is taken."""
         made = Publication(number, published=True, by=by, why=why, at=now)
-        row = {**asdict(made), "course": self.course, "at": _utc(now)}
+        row = {**asdict(made), "course": self.course, "at": stored(now)}
         return made if self._insert(schema.publications, row) else None
 
     def add_withdrawal(self, by: str, why: str, now: datetime) -> Publication:
         """Keep that the last publication was withdrawn."""
-        row = {"published": False, "by": by, "why": why, "at": _utc(now)}
-        return Publication(**_plain(self._append(schema.publications, {}, row)))
+        row = {"published": False, "by": by, "why": why, "at": stored(now)}
+        return Publication(**values_of(self._append(schema.publications, {}, row), "course"))
 
     def publications(self) -> tuple[Publication, ...]:
         """Return all publications and withdrawals, oldest first; the last one counts."""
@@ -150,8 +152,8 @@ class Desk:
 
     def add_batch(self, files: int, by: str, why: str, now: datetime) -> GradedBatch:
         """Keep that files were graded into the gradebook."""
-        row = {"files": files, "by": by, "why": why, "at": _utc(now)}
-        return GradedBatch(**_plain(self._append(schema.batches, {}, row)))
+        row = {"files": files, "by": by, "why": why, "at": stored(now)}
+        return GradedBatch(**values_of(self._append(schema.batches, {}, row), "course"))
 
     def batches(self) -> tuple[GradedBatch, ...]:
         """Return all batches, oldest first."""
@@ -160,18 +162,18 @@ class Desk:
     def add_sign_in(self, token: str, name: str, expires: datetime) -> None:
         """Keep that a token lets somebody sign in once."""
         row = {"token": digest_of(token), "course": self.course, "name": name}
-        self._insert(schema.sign_ins, row | {"expires": _utc(expires)})
+        self._insert(schema.sign_ins, row | {"expires": stored(expires)})
 
     def begin_session(self, sign_in: str, session: str, expires: datetime, now: datetime) -> bool:
         """Use up a sign-in for a session; False where it is none, too late, or was used before."""
         table, token = schema.sign_ins.c, digest_of(sign_in)
         question = select(table.token).where(
-            table.token == token, table.course == self.course, table.expires > _utc(now)
+            table.token == token, table.course == self.course, table.expires > stored(now)
         )
         with refusals_named(self.place), self.engine.connect() as connection:
             if connection.execute(question).first() is None:
                 return False
-        row = {"sign_in": token, "token": digest_of(session), "expires": _utc(expires)}
+        row = {"sign_in": token, "token": digest_of(session), "expires": stored(expires)}
         return self._insert(schema.sessions, row)
 
     def session_name(self, session: str, now: datetime) -> str | None:
@@ -183,7 +185,7 @@ class Desk:
             .outerjoin(schema.sign_outs, out.session == one.token)
             .where(
                 one.token == digest_of(session),
-                one.expires > _utc(now),
+                one.expires > stored(now),
                 sign_in.course == self.course,
                 out.session.is_(None),
             )
@@ -194,7 +196,7 @@ class Desk:
 
     def end_session(self, session: str, now: datetime) -> None:
         """Sign out."""
-        self._insert(schema.sign_outs, {"session": digest_of(session), "at": _utc(now)})
+        self._insert(schema.sign_outs, {"session": digest_of(session), "at": stored(now)})
 
     @property
     def place(self) -> str:
@@ -210,7 +212,7 @@ class Desk:
         question = question.order_by(*in_code_order(self.engine, *table.primary_key.columns))
         with refusals_named(self.place), self.engine.connect() as connection:
             found = connection.execute(question).mappings()
-            return tuple(make(**_plain(dict(row))) for row in found)
+            return tuple(make(**values_of(row, "course")) for row in found)
 
     def _append(
         self,
@@ -273,20 +275,10 @@ def batches_by_time(engine: Engine) -> dict[datetime, GradedBatch]:
     """Return the batches of every course of a database by the time of their attempts."""
     with refusals_named(without_password(engine.url)), engine.connect() as connection:
         found = connection.execute(select(schema.batches)).mappings()
-        batches = [GradedBatch(**_plain(dict(row))) for row in found]
+        batches = [GradedBatch(**values_of(row, "course")) for row in found]
     return {one.at: one for one in batches}
 
 
 def digest_of(token: str) -> str:
     """Return what is kept of a token."""
     return hashlib.sha256(token.encode()).hexdigest()
-
-
-def _utc(moment: datetime) -> datetime:
-    return moment.astimezone(UTC).replace(tzinfo=None)
-
-
-def _plain(row: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a value of the model is made of."""
-    kept = {name: value for name, value in row.items() if name != "course"}
-    return kept | {"at": kept["at"].replace(tzinfo=UTC)}

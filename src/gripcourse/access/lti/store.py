@@ -3,16 +3,22 @@
 import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from sqlalchemy import Engine, Table, insert, select
-from sqlalchemy.exc import IntegrityError
 
+from gripcourse.access.kept_rows import values_of
 from gripcourse.access.lti import schema
 from gripcourse.access.lti.model import Bond, PlatformPlace, SentScore, Stranger, UserKey
 from gripcourse.errors import GradebookError
-from gripcourse.machine.database.opening import refusals_named, without_password, writing
+from gripcourse.machine.database.moments import stored
+from gripcourse.machine.database.opening import (
+    another_was_faster,
+    refusals_named,
+    without_password,
+    writing,
+)
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -35,11 +41,11 @@ class LtiStore:
     def use_state(self, state: str, now: datetime) -> bool:
         """Use up a state; False where it was used before."""
         digest = hashlib.sha256(state.encode()).hexdigest()
-        row = {"state": digest, "course": self.course, "at": _utc(now)}
+        row = {"state": digest, "course": self.course, "at": stored(now)}
         try:
             self._insert(schema.used_states, row)
         except GradebookError as fault:
-            if isinstance(fault.__cause__, IntegrityError):
+            if another_was_faster(fault):
                 return False
             raise
         return True
@@ -87,7 +93,7 @@ class LtiStore:
 
     def _add(self, table: Table, one: "DataclassInstance") -> None:
         row = asdict(one)
-        self._insert(table, {**row, "course": self.course, "at": _utc(row["at"])})
+        self._insert(table, {**row, "course": self.course, "at": stored(row["at"])})
 
     def _insert(self, table: Table, row: Mapping[str, Any]) -> None:
         place = without_password(self.engine.url)
@@ -98,17 +104,9 @@ class LtiStore:
         question = select(table).where(table.c.course == self.course).order_by(table.c.number)
         place = without_password(self.engine.url)
         with refusals_named(place), self.engine.connect() as connection:
-            return tuple(make(**_plain(row)) for row in connection.execute(question).mappings())
+            found = connection.execute(question).mappings()
+            return tuple(make(**values_of(row, "number", "course")) for row in found)
 
 
 def _where(place: PlatformPlace) -> tuple[str, str, str, str]:
     return (place.issuer, place.client, place.context, place.link)
-
-
-def _utc(moment: datetime) -> datetime:
-    return moment.astimezone(UTC).replace(tzinfo=None)
-
-
-def _plain(row: Mapping[Any, Any]) -> dict[str, Any]:
-    plain = {name: value for name, value in row.items() if name not in {"number", "course"}}
-    return {**plain, "at": plain["at"].replace(tzinfo=UTC)}
