@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 from gripcourse.grading.folded import Shelf, digest_of_report
 from gripcourse.grading.model import Flag, Report
@@ -16,6 +16,7 @@ from gripcourse.machine.kept_records import Find, RecordsFile, kept_records, new
 
 _COMPARED = "compared.kept"
 _ISSUED = "issued.kept"
+_Found = TypeVar("_Found")
 
 FlagsOf: TypeAlias = Mapping[str, tuple[Flag, ...]]
 """Flags by student."""
@@ -65,16 +66,7 @@ class KeptReports:
             reports: all that are compared, as they are before it.
             find: compares them, where an earlier run did not compare just these.
         """
-        told = "\n".join(map(digest_of_report, reports))
-        key, path = hashlib.sha256(told.encode()).hexdigest(), self.folder / _COMPARED
-        kept = read_value(path)
-        if isinstance(kept, _Compared) and kept.key == key:
-            return kept.flags
-        found = find()
-        # What was found is told all the same.
-        with suppress(OSError):
-            write_value(path, _Compared(key, found))
-        return found
+        return self._last(_COMPARED, "\n".join(map(digest_of_report, reports)), find)
 
     def issued_values(self, about: str, find: Callable[[], IssuedValues]) -> IssuedValues:
         """Return the right values of what was issued; the last ones are kept.
@@ -83,14 +75,19 @@ class KeptReports:
             about: which versions they are of, and by which declarations.
             find: solves them, where an earlier run did not solve just these.
         """
-        key, path = hashlib.sha256(about.encode()).hexdigest(), self.folder / _ISSUED
+        return self._last(_ISSUED, about, find)
+
+    def _last(self, name: str, about: str, find: Callable[[], _Found]) -> _Found:
+        """Return what was found last, if it was about just the same; else it is found, and kept."""
+        key, path = hashlib.sha256(about.encode()).hexdigest(), self.folder / name
         kept = read_value(path)
-        if isinstance(kept, _Solved) and kept.key == key:
-            return kept.values
+        if isinstance(kept, _Last) and kept.key == key:
+            known: _Found = kept.found
+            return known
         found = find()
-        # What was found is compared all the same.
+        # What was found is used all the same.
         with suppress(OSError):
-            write_value(path, _Solved(key, found))
+            write_value(path, _Last(key, found))
         return found
 
     def _known(self, file: Readable, find: Find) -> Report | None:
@@ -104,16 +101,8 @@ class KeptReports:
 
 
 @dataclass(frozen=True, slots=True)
-class _Solved:
-    """The right values of what was issued, and a digest of what that is."""
+class _Last:
+    """What was found last, and a digest of what it is about."""
 
     key: str
-    values: IssuedValues
-
-
-@dataclass(frozen=True, slots=True)
-class _Compared:
-    """What comparing a batch came to, and a digest of the batch."""
-
-    key: str
-    flags: FlagsOf
+    found: Any
