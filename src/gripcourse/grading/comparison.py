@@ -12,6 +12,7 @@ from gripcourse.formula.evaluate import evaluate_number, evaluate_sound
 from gripcourse.formula.tree import Formula
 from gripcourse.grading.follow_through import FollowThrough, range_of
 from gripcourse.grading.model import Against, Outcome
+from gripcourse.grading.rounding import met_as_typed
 from gripcourse.policy.bands import BandRule, band_rules, within
 from gripcourse.policy.model import Policy
 from gripcourse.slips.model import SlipId
@@ -158,6 +159,10 @@ class Comparison:
     def fits(self, expected: float) -> bool:
         """Tell whether the answer lies in the band round an expected value."""
         return within(self.value, expected, self.band_round(expected))
+
+    def meets_as_typed(self, result: float) -> bool:
+        """Tell whether the answer is a result, in the declared unit, as exactly as it was typed."""
+        return met_as_typed(self.answer, self.value, result, self.policy)
 
     def band_round(self, expected: float) -> float:
         """Return the half width of the band round an expected value, in the declared unit."""

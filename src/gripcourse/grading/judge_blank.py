@@ -6,7 +6,6 @@ from gripcourse.course.quantity import Kind
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_rough import is_rounded_from
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.rounding import met_as_typed
 from gripcourse.grading.shortened import said_too_coarse, title_of_constant
 from gripcourse.grading.through_blank import ThroughBlank, through_blank
 from gripcourse.text.words import Message, message
@@ -55,9 +54,7 @@ def _is_met(comparison: Comparison, one: ThroughBlank) -> bool:
 
 
 def _as_typed(comparison: Comparison, one: ThroughBlank) -> bool:
-    value = comparison.value
-    nearest = one.expected.nearest(value)
-    return met_as_typed(comparison.answer, value, nearest, comparison.policy)
+    return comparison.meets_as_typed(one.expected.nearest(comparison.value))
 
 
 def _said(comparison: Comparison, found: ThroughBlank) -> Message:

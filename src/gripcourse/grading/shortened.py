@@ -11,7 +11,6 @@ from gripcourse.formula.tree import Formula, Name, walk
 from gripcourse.grading.comparison import Comparison, Judgement, conclude
 from gripcourse.grading.judge_rough import is_rounded_from
 from gripcourse.grading.model import Against, Outcome
-from gripcourse.grading.rounding import met_as_typed
 from gripcourse.slips.rewrite import number, renamed
 from gripcourse.solver.plan import Plan
 from gripcourse.text.words import Message, Texts, message
@@ -32,10 +31,6 @@ class Shortened:
     name: str
     value: float
     formula: Formula
-
-
-def _met_as_typed(comparison: Comparison, result: float) -> bool:
-    return met_as_typed(comparison.answer, comparison.value, result, comparison.policy)
 
 
 def with_shortened(
@@ -105,7 +100,7 @@ def _names_in(plan: Plan, name: str) -> frozenset[str]:
 
 
 def shortened_in(
-    comparison: Comparison, meets: Meets = _met_as_typed
+    comparison: Comparison, meets: Meets = Comparison.meets_as_typed
 ) -> tuple[Shortened, Against] | None:
     """Return the shortened constant that a number was computed with, and from whose numbers.
 
