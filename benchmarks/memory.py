@@ -21,6 +21,7 @@ from gripcourse.batch.run import grade_files
 from gripcourse.course.load import load_course
 from gripcourse.grading.model import Report
 from gripcourse.machine.content import NamedBytes, Readable, shown_name
+from gripcourse.machine.jobs.limits import peak_memory
 from gripcourse.machine.resources import course_root
 from gripcourse.policy.load import load_policy
 from gripcourse.simulation.cohort import make_classroom
@@ -112,8 +113,7 @@ def cohort_page(_reports: Sequence[Report], _printing: Printing) -> bytes:
 
 def peak() -> float:
     """Return the peak of this process in MB."""
-    status = Path("/proc/self/status").read_text(encoding="utf-8")
-    return int(status.partition("VmHWM:")[2].split()[0]) / 1000
+    return peak_memory() / 1e6
 
 
 def run(folder: Path, size: int) -> None:

@@ -42,6 +42,7 @@ from gripcourse.gradebook.fingerprint import fingerprints
 from gripcourse.issuing.allotment import Terms, extend
 from gripcourse.issuing.signature import KEY_BYTES, key_path, read_key
 from gripcourse.issuing.store import extend_register
+from gripcourse.machine.jobs.limits import peak_memory
 from gripcourse.machine.resources import course_root
 from gripcourse.simulation.write import Typed
 from gripcourse.solver.plan import plan_of
@@ -158,8 +159,7 @@ def in_postgresql(base: Path) -> None:
 
 def peak(process: int) -> float:
     """Return the peak of a process that runs, in MB."""
-    status = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
-    return int(status.partition("VmHWM:")[2].split()[0]) / 1000
+    return peak_memory(process) / 1e6
 
 
 def hand_in(base: Path, works: int) -> None:
@@ -285,8 +285,8 @@ def graded(base: Path, words: Sequence[str]) -> Cost:
         # Not what the system says of it at its end: that begins with the peak of who started it.
         own, of_workers, ended = 0.0, 0.0, 0
         while not ended:
-            with suppress(IndexError, OSError, psutil.Error):  # one of them ends just now
-                own = peak(process.pid)
+            with suppress(psutil.Error):  # one of them ends just now
+                own = max(own, peak(process.pid))  # nothing of one that has just ended
                 workers = psutil.Process(process.pid).children()
                 of_workers = max([of_workers, *(peak(one.pid) for one in workers)])
             sleep(SECONDS)

@@ -105,14 +105,18 @@ def memory_notice(limits: Limits, platform: str = sys.platform) -> Message | Non
     )
 
 
-def peak_memory() -> int:
-    """Return how many bytes of memory this process has had at most; 0 where nobody counts.
+def peak_memory(process: int | None = None) -> int:
+    """Return how many bytes of memory a process has had at most; 0 where nobody counts.
 
-    On Linux `getrusage` counts what the process that started this one had, too.
+    On Linux `getrusage` counts what the process that started it had, too.
+
+    Args:
+        process: number of one that runs; None for this one.
     """
     if sys.platform == "linux":
         with suppress(OSError, StopIteration):
-            lines = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
+            status = Path(f"/proc/{process or 'self'}/status")
+            lines = status.read_text(encoding="ascii", errors="replace")
             peak = next(line for line in lines.splitlines() if line.startswith("VmHWM:"))
             return int(peak.split()[1]) * 1024
     return 0
